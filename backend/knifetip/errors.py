@@ -1,48 +1,48 @@
-"""Every way that knifetip says no: one class to a cause, each with place, measure and hint.
+"""Exceptions: one class per cause, each with a message code, its arguments and a hint.
 
     KnifetipError
-    ├── ReadError                 the bytes are not a drawing that can be used
-    │   ├── NotADrawing           not a DXF at all, empty, or damaged past repair
-    │   ├── DrawingTooLarge       a limit on size, depth, entities or time was met
-    │   ├── UnitUnknown           the file does not say its unit and nobody else did
-    │   └── NoSuchUnit            no unit of length has the name that was given
+    ├── ReadError                 the file is not a usable drawing
+    │   ├── NotADrawing           not a drawing file, empty, or damaged beyond repair
+    │   ├── DrawingTooLarge       a limit on size, depth, entities or time is exceeded
+    │   ├── UnitUnknown           the unit is neither in the file nor set by the user
+    │   └── NoSuchUnit            the given name is not a unit of length
     ├── ProfileError              a classification profile cannot be read
-    ├── LibraryError              no such machine, board, tool or profile, or its file is wrong
-    ├── GeometryError             a shape that has no answer
+    ├── LibraryError              no such machine, board, tool or profile, or its file is invalid
+    ├── GeometryError             a shape without a valid result
     │   ├── ZeroLengthEdge        an edge too short to have an azimuth
-    │   └── DegenerateArc         an arc that is no arc
+    │   └── DegenerateArc         an arc whose radius or sweep is zero or not a number
     ├── PlanError                 the job cannot be made on this machine
-    │   ├── OpenQuestions         edges or units that somebody must decide first
+    │   ├── OpenQuestions         the user must decide the unit or line types first
     │   ├── NoToolForLineType     no station of the machine makes this line type
-    │   ├── FlankOutside          a V-groove so near a cut that its flank leaves the board
-    │   ├── NoRoomForBridges      a contour has no places for the bridges that the board asks for
-    │   └── TravelExceeded        a head would leave the machine's travel
-    ├── CompensationError         an engine refuses an edge
+    │   ├── FlankOutside          a V-groove so close to a cut that its flank leaves the board
+    │   ├── NoRoomForBridges      a contour has no room for the bridges of the board
+    │   └── TravelExceeded        a path exceeds the machine's travel
+    ├── CompensationError         an edge cannot be compensated
     │   ├── CurvedGroove          a V-groove along an arc
-    │   ├── EdgeTooShort          shorter than the tool that should work it
+    │   ├── EdgeTooShort          an edge shorter than its tool
     │   └── GrooveTooDeep         a V-groove deeper than the board, or a blade too wide for it
     ├── ProgramError              the emitted program is wrong
     │   ├── ProgramUnreadable     a line that the verifier cannot parse
     │   └── ProgramRefused        the verdict is outside tolerance
-    ├── ControllerError           the controller, or the line to it, failed
-    │   ├── ControllerAlarm       it answered alarm
-    │   ├── ControllerRejected    it answered error to a line
-    │   ├── ControllerReset       it was reset in the middle of a job
-    │   └── ControllerSilent      it stopped answering
-    ├── RequestError              a request that can be read, but is about nothing
-    ├── ServerBusy                too many requests wait for a process already
+    ├── ControllerError           the controller or the connection to it failed
+    │   ├── ControllerAlarm       the controller reported an alarm
+    │   ├── ControllerRejected    the controller reported an error for a line
+    │   ├── ControllerReset       the controller was reset during a job
+    │   └── ControllerSilent      the controller does not answer
+    ├── RequestError              a valid request that refers to nothing
+    ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
     └── JobError                  the job is not in a state that allows this
-        ├── NoSuchJob             no job, drawing or other thing of this name
+        ├── NoSuchJob             no job, drawing or other stored object with this name
         ├── WrongState            this transition is not allowed from here
         ├── StaleEpoch            a gateway that no longer owns the job
         ├── StoreError            the database cannot be used
-        ├── KeyReused             an Idempotency-Key that came with another request before
-        ├── StaleVersion          somebody else changed it since it was looked at
-        │   └── StaleRevision         a drawing was changed since the request was made for it
+        ├── KeyReused             an Idempotency-Key was used for another request
+        ├── StaleVersion          the object was changed since the client read it
+        │   └── StaleRevision         the drawing was changed since the client read it
         └── MachineBusy           another job is on this machine's table
 
-Everything that a user can cause is one of these.  The API sends code, arguments and text as
+Every error that a user can cause is one of these.  The API sends code, arguments and text as
 problem+json.
 """
 
@@ -54,21 +54,21 @@ from typing import Final
 
 from knifetip.messages import Argument, Message, from_json, hint, render
 
-#: The most questions that an error quotes.
+#: Greatest number of questions in the message of an error.
 _SHOWN: Final = 5
 
 
 class KnifetipError(Exception):
-    """What is wrong and where, what to do about it, and which edges it concerns.
+    """Base class: a message with its hint, and the entities that it concerns.
 
     Parameters
     ----------
     code
-        One of ``messages.codes.CODES``; a message that is already made is taken as it is.
+        One of ``messages.codes.CODES``, or a complete message.
     source
-        Handles of the entities, or rows of the edges, that it concerns.
+        Handles of the entities, or rows of the edges, that the error concerns.
     arguments
-        Those of the code, by name.
+        Arguments of the code, by name.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class KnifetipError(Exception):
         self.source = tuple(source)
 
     def __reduce__(self) -> tuple[object, ...]:
-        # Errors cross from the compile process to the server.
+        # Worker processes send errors to the server by pickle.
         return (_rebuild, (type(self), self.message, self.source, self.__dict__))
 
     @property
@@ -109,23 +109,23 @@ def _rebuild(
 
 
 class ReadError(KnifetipError):
-    """The bytes are not a drawing that can be used."""
+    """The file is not a usable drawing."""
 
 
 class NotADrawing(ReadError):
-    """Not a DXF at all, empty, or damaged past repair."""
+    """Not a drawing file, empty, or damaged beyond repair."""
 
 
 class DrawingTooLarge(ReadError):
-    """A limit on size, depth, number of entities or time was met."""
+    """A limit on size, depth, number of entities or time is exceeded."""
 
 
 class UnitUnknown(ReadError):
-    """The file does not say its unit, and nobody else did."""
+    """The unit is neither in the file nor set by the user."""
 
 
 class NoSuchUnit(ReadError):
-    """No unit of length has the name that was given."""
+    """The given name is not a unit of length."""
 
 
 class ProfileError(KnifetipError):
@@ -133,15 +133,15 @@ class ProfileError(KnifetipError):
 
 
 class LibraryError(KnifetipError):
-    """There is no such machine, board, tool or profile, or its file is wrong."""
+    """There is no such machine, board, tool or profile, or its file is invalid."""
 
 
 class GeometryError(KnifetipError):
-    """A shape that has no answer."""
+    """A shape for which there is no valid result."""
 
 
 class ZeroLengthEdge(GeometryError):
-    """An edge too short to have an azimuth."""
+    """An edge of zero length, which has no direction."""
 
     def __init__(self, rows: Iterable[int]) -> None:
         listed = [str(row) for row in islice(rows, 10)]
@@ -157,9 +157,12 @@ class PlanError(KnifetipError):
 
 
 class OpenQuestions(PlanError):
-    """Edges or units that somebody must decide before anything is cut.
+    """The user must decide the unit or line types before the drawing can be compiled.
 
-    ``questions`` are the questions themselves, ready for JSON.
+    Attributes
+    ----------
+    questions
+        The open questions as JSON data.
     """
 
     def __init__(self, questions: Sequence[dict[str, object]]) -> None:
@@ -176,19 +179,19 @@ class NoToolForLineType(PlanError):
 
 
 class FlankOutside(PlanError):
-    """A V-groove runs so near a cut that its flank would leave the board."""
+    """A V-groove is so close to a cut that its flank would leave the board."""
 
 
 class NoRoomForBridges(PlanError):
-    """A contour has no places for the bridges that the board asks for."""
+    """A contour has no room for the bridges that the board requires."""
 
 
 class TravelExceeded(PlanError):
-    """A head would leave the travel of the machine."""
+    """A path exceeds the travel of the machine."""
 
 
 class CompensationError(KnifetipError):
-    """An engine refuses an edge."""
+    """An edge cannot be compensated for its tool."""
 
 
 class CurvedGroove(CompensationError):
@@ -196,7 +199,7 @@ class CurvedGroove(CompensationError):
 
 
 class EdgeTooShort(CompensationError):
-    """An edge shorter than the tool that should work it."""
+    """An edge is shorter than its tool."""
 
 
 class GrooveTooDeep(CompensationError):
@@ -216,33 +219,36 @@ class ProgramRefused(ProgramError):
 
 
 class ControllerError(KnifetipError):
-    """The controller, or the line to it, failed."""
+    """The controller or the connection to it failed."""
 
 
 class ControllerAlarm(ControllerError):
-    """The controller answered with an alarm."""
+    """The controller reported an alarm."""
 
 
 class ControllerRejected(ControllerError):
-    """The controller answered with an error to a line of the program."""
+    """The controller reported an error for a line of the program."""
 
 
 class ControllerReset(ControllerError):
-    """The controller was reset in the middle of a job."""
+    """The controller was reset during a job."""
 
 
 class ControllerSilent(ControllerError):
-    """The controller stopped answering."""
+    """The controller does not answer."""
 
 
 class RequestError(KnifetipError):
-    """A request that can be read, but is about nothing."""
+    """A valid request that refers to nothing, such as an edge that does not exist."""
 
 
 class ServerBusy(KnifetipError):
-    """Too many requests wait for a process already; nothing of this one was kept.
+    """Too many requests are waiting for a process; nothing of this one was stored.
 
-    ``seconds`` is after how long to try again.
+    Attributes
+    ----------
+    seconds
+        Time after which the client can try again.
     """
 
     def __init__(self, waiting: int, seconds: int) -> None:
@@ -251,23 +257,23 @@ class ServerBusy(KnifetipError):
 
 
 class SettingsError(KnifetipError):
-    """A server cannot be started with these settings."""
+    """The server cannot start with these settings."""
 
 
 class JobError(KnifetipError):
-    """The job is not in a state that allows this."""
+    """The state of the job does not permit the action."""
 
 
 class NoSuchJob(JobError):
-    """No job, drawing or other stored thing of this name."""
+    """There is no job, drawing or other stored object with this name."""
 
 
 class WrongState(JobError):
-    """This transition is not allowed from the state that the job is in."""
+    """The transition is not permitted from the present state of the job."""
 
 
 class StaleEpoch(JobError):
-    """A gateway that no longer owns the job."""
+    """The gateway or worker no longer owns the job."""
 
 
 class StoreError(JobError):
@@ -275,17 +281,20 @@ class StoreError(JobError):
 
 
 class KeyReused(JobError):
-    """An Idempotency-Key that came with another request before."""
+    """The Idempotency-Key was used for another request."""
 
 
 class StaleVersion(JobError):
-    """Somebody else changed it since it was looked at."""
+    """The object was changed since the client read it."""
 
 
 class StaleRevision(StaleVersion):
-    """The drawing was changed since it was looked at.
+    """The drawing was changed since the client read it.
 
-    ``revision`` is the drawing's now.
+    Attributes
+    ----------
+    revision
+        Current revision of the drawing.
     """
 
     def __init__(self, drawing: str, revision: int, named: str) -> None:

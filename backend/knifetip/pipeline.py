@@ -86,7 +86,7 @@ class Compiled:
     verdict: Verdict
     placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
     seconds: float  #: estimated machine time, with accelerations
-    seconds_retracted: float  #: the same, if the tool were fully retracted for every turn
+    seconds_retracted: float  #: the same with a full retract for every turn
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
@@ -104,7 +104,7 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     Raises
     ------
     ReadError
-        The bytes are not a drawing, or one that is damaged or too large.
+        The file is not a drawing, damaged, or too large.
     """
     drawing = read_file(data, unit or "")
     if unit:
@@ -139,10 +139,10 @@ def rules_of(interpretation: Interpretation) -> LineRules:
 
 
 def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
-    """Return what the user must decide before the drawing can be compiled (for a machine)."""
+    """Return the open questions about a drawing, and about its tools if a machine is given."""
     unit = None if drawing.unit else unit_question(drawing, find_unit(drawing))
-    asked = ([unit] if unit else []) + list_questions(drawing, dieline)
-    return asked if machine is None else asked + tool_questions(dieline, machine)
+    open_questions = ([unit] if unit else []) + list_questions(drawing, dieline)
+    return open_questions if machine is None else open_questions + tool_questions(dieline, machine)
 
 
 def compile(
@@ -156,18 +156,18 @@ def compile(
     notes: Sequence[str] = (),
     progress: Progress = no_progress,
 ) -> Compiled:
-    """Return the program that makes a dieline, with its verdict.
+    """Compile a dieline to a program for a machine and a board, and verify it.
 
     Parameters
     ----------
     corners
-        How a cutter goes round corners; None leaves it to the machine's accelerations.
+        Path of a cutter round outer corners; None: the fastest for the machine.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
-        More comments for the head of the program.
+        Further comments for the head of the program.
     progress
-        Called when a stage begins, with the completed share of the compile, 0 … 1.
+        Called at the start of each stage with the completed share of the compile, 0 … 1.
 
     Raises
     ------
@@ -177,16 +177,16 @@ def compile(
         The drawing cannot be made on this machine and board.
     """
     machine = with_language(machine, dialect)
-    asked = questions(drawing, dieline, machine)
-    if asked:
-        raise OpenQuestions([question.as_json() for question in asked])
+    open_questions = questions(drawing, dieline, machine)
+    if open_questions:
+        raise OpenQuestions([question.as_json() for question in open_questions])
     progress(Stage.CLEAN, 0.02)
-    tidy = clean(dieline)
-    where = placement(tidy.dieline, machine)
+    cleaned = clean(dieline)
+    where = placement(cleaned.dieline, machine)
     try:
-        toolpath = _toolpath(tidy, where, machine, board, corners, progress)
+        toolpath = _toolpath(cleaned, where, machine, board, corners, progress)
     except (PlanError, CompensationError) as error:
-        raise _located(error, drawing, tidy.dieline.source) from None
+        raise _located(error, drawing, cleaned.dieline.source) from None
     progress(Stage.PROCESS, 0.5)
     head = (
         f"machine {machine.name}",
@@ -196,7 +196,7 @@ def compile(
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(program.text, dieline, tidy, where, machine, board)
+    verdict = _verdict(program.text, dieline, cleaned, where, machine, board)
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, where, duration(toolpath, machine), full)
@@ -211,7 +211,7 @@ def verify(
     *,
     tolerance: float = TOLERANCE,
 ) -> Verdict:
-    """Return the verdict on a program, for the edges as they were drawn.
+    """Verify a program against the drawn edges.
 
     Parameters
     ----------
@@ -233,15 +233,15 @@ def verify(
 
 
 def _toolpath(
-    tidy: Cleaned,
+    cleaned: Cleaned,
     where: tuple[float, float],
     machine: Machine,
     board: Board,
     corners: Corners | None,
     progress: Progress,
 ) -> Toolpath:
-    """Return the head's path for cleaned edges, with ``source`` in rows of the drawing."""
-    placed = replace(tidy.dieline, ends=tidy.dieline.ends + np.array(where))
+    """Return the head's path for cleaned edges; its ``source`` are rows of the drawing."""
+    placed = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(where))
     progress(Stage.PLAN, 0.05)
     chosen = None if corners is None else replace(corners, placement=where)
     operations: Sequence[Operation] = plan(placed, machine, board, chosen)
@@ -249,23 +249,23 @@ def _toolpath(
     toolpaths = [compensate(operation) for operation in operations]
     progress(Stage.SEQUENCE, 0.4)
     toolpath = sequence(toolpaths, machine)
-    source = tidy.dieline.source[np.maximum(toolpath.source, 0)]
+    source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]
     return replace(toolpath, source=np.where(toolpath.source < 0, -1, source))
 
 
 def _verdict(
     text: bytes,
     dieline: Dieline,
-    tidy: Cleaned,
+    cleaned: Cleaned,
     where: tuple[float, float],
     machine: Machine,
     board: Board,
     tolerance: float = TOLERANCE,
 ) -> Verdict:
-    """Return whether a program makes the cleaned edges, and whether those match the drawing."""
-    verdict = verification.verify(text, tidy.dieline, where, machine, board, tolerance=tolerance)
-    mapped = map_to_drawn(verdict, tidy, dieline)
-    lost = check_cleaning(dieline, tidy)
+    """Verify a program against the cleaned edges, and the cleaned edges against the drawing."""
+    verdict = verification.verify(text, cleaned.dieline, where, machine, board, tolerance=tolerance)
+    mapped = map_to_drawn(verdict, cleaned, dieline)
+    lost = check_cleaning(dieline, cleaned)
     if not lost:
         return mapped
     return replace(mapped, accepted=False, findings=(*lost, *mapped.findings))
@@ -274,7 +274,7 @@ def _verdict(
 def _located(
     error: PlanError | CompensationError, drawing: Drawing, source: I32
 ) -> PlanError | CompensationError:
-    """Return the error of a stage with handles and layer in place of rows of cleaned edges."""
+    """Replace rows of cleaned edges in an error by handles and layer of the drawing."""
     rows = [int(source[int(row)]) for row in error.source]
     if rows:
         layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles

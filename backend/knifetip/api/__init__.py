@@ -1,1 +1,1 @@
-"""The REST door."""
+"""The REST API: routes, access control, server-sent events and the embedded service."""

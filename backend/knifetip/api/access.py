@@ -1,9 +1,9 @@
-"""access: which requests are answered, by Host, Origin, peer address and key (ADR 0021).
+"""Access control: accept or refuse a request by Host, Origin, peer address and key (ADR 21).
 
     RequestFacts + AccessRules -> None, or a Refusal
 
-The checks are pure functions of what one request shows.  ``Access`` is the ASGI middleware that
-collects these facts and sends the refusals.
+The checks are pure functions of the headers and addresses of one request.  ``Access`` is the ASGI
+middleware that collects these facts and sends the refusals.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ from knifetip.messages import Message
 
 Authority: TypeAlias = tuple[str, int | None]
 
-#: Seconds before a wrong key is answered.  Requests with the right key are never delayed or
-#: blocked: a stranger who guesses keys must not be able to stop a gateway's heartbeats.
+#: Delay of the answer to a wrong key (s).  Requests with the right key are never delayed or
+#: blocked, so an attacker who guesses keys cannot stop the heartbeats of a gateway.
 WRONG_KEY_DELAY = 1.0
-#: Paths that need no key: probes of containers and load balancers ask for them.
+#: Paths that need no key: health probes of containers and load balancers use them.
 OPEN_PATHS = ("/healthz", "/readyz")
 
 _SAFE = ("GET", "HEAD", "OPTIONS")
-# What an HTML form can send to another site without asking, besides multipart (uploads need that).
+# Content types that HTML forms can send to other sites, except multipart (used for uploads).
 _FORMS = ("application/x-www-form-urlencoded", "text/plain")
 _PORTS = {"http": 80, "https": 443}
 _AUTHORITY = re.compile(r"(\[[0-9a-f:.]+\]|[a-z0-9._-]+)(?::([0-9]{1,5}))?", re.IGNORECASE)
@@ -42,23 +42,23 @@ _AUTHORITY = re.compile(r"(\[[0-9a-f:.]+\]|[a-z0-9._-]+)(?::([0-9]{1,5}))?", re.
 
 @dataclass(frozen=True, slots=True)
 class AccessRules:
-    """Who may use a server."""
+    """Settings of the access control."""
 
-    key: str = ""  #: empty: only this machine may use the server
-    hosts: tuple[str, ...] = ()  #: NAME or NAME:PORT that a request's Host may have besides
+    key: str = ""  #: empty: only requests from this computer are served
+    hosts: tuple[str, ...] = ()  #: additional NAME or NAME:PORT accepted in the Host header
     loopback_only: bool = False  #: the server is bound to loopback addresses only
 
 
 @dataclass(frozen=True, slots=True)
 class RequestFacts:
-    """What a request shows of its sender."""
+    """Facts about a request and its sender that the checks use."""
 
     method: str
     path: str
     scheme: str
-    host: str | None  #: None where there is no Host header, or more than one
-    peer: str | None  #: address; None where it is not known
-    server: tuple[str, int]  #: address and port of this end of the connection
+    host: str | None  #: None if there is no Host header, or more than one
+    peer: str | None  #: address of the sender; None if unknown
+    server: tuple[str, int]  #: local address and port of the connection
     origins: tuple[str, ...] = ()
     fetch_site: str | None = None
     agent: str | None = None
@@ -70,31 +70,31 @@ class RequestFacts:
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why a request is not answered."""
+    """HTTP status and message for a refused request."""
 
     status: int
     message: Message
 
     @property
     def wrong_key(self) -> bool:
-        """Whether the request has a key that is wrong."""
+        """Whether the request was refused because its key is wrong."""
         return self.message.code == "request.wrong-key"
 
 
-def refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
-    """Return why a request is refused, or None if it may pass.
+def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
+    """Return the refusal of a request, or None if it is accepted.
 
     Parameters
     ----------
     now
-        Seconds since the epoch, against which sessions expire.
+        Current time in seconds since 1970; sessions expire by it.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
     if bearer is not None and not keyed:
         return Refusal(401, Message("request.wrong-key"))
-    host = authority(facts.host or "")
-    # A key in a header proves intent: no browser sends it because a page tells it to.
+    host = parse_authority(facts.host or "")
+    # A page of another site cannot make a browser send this header.
     if host is None or not (keyed or _is_listed(rules, facts, host)):
         return _wrong_host(facts)
     return (
@@ -111,13 +111,13 @@ def _wrong_host(facts: RequestFacts) -> Refusal:
 
 
 def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
-    """Refuse a change that a page of another origin may have sent."""
+    """Return a refusal if a page of another origin may have sent the request."""
     if facts.method in _SAFE:
         return None
     same = False
     for origin in facts.origins:
         scheme, separator, rest = origin.partition("://")
-        named = authority(rest) if separator else None
+        named = parse_authority(rest) if separator else None
         same = (
             named is not None
             and scheme.lower() == facts.scheme
@@ -129,14 +129,14 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
         return Refusal(403, Message("request.foreign-origin"))
     if same or facts.marked or facts.authorization is not None:
         return None
-    # Every browser's User-Agent begins like this, and no page can change it without asking first.
+    # The User-Agent of all browsers starts like this; pages can change it only after a preflight.
     if not facts.agent or facts.agent.lower().startswith("mozilla/"):
         return Refusal(403, Message("request.not-marked"))
     return None
 
 
 def _html_form(facts: RequestFacts) -> Refusal | None:
-    """Refuse forms on API routes: a browser sends them anywhere without asking."""
+    """Return a refusal for HTML forms on API routes: browsers send them to any site."""
     kind = facts.content_type.partition(";")[0].strip().lower()
     if facts.method in _SAFE or not _is_api(facts.path) or kind not in _FORMS:
         return None
@@ -146,11 +146,11 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Refuse requests from other machines that have no key and no session."""
+    """Return a refusal for requests from other computers without key and session."""
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
-    near = is_loopback(facts.peer or "")
-    if near and (rules.loopback_only or is_loopback(host[0])):
+    is_local = is_loopback(facts.peer or "")
+    if is_local and (rules.loopback_only or is_loopback(host[0])):
         return None
     if not rules.key:
         return Refusal(403, Message("request.local-only"))
@@ -160,17 +160,17 @@ def _without_key(
 
 
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
-    """Return whether a Host is a loopback name, this connection's own address, or allowed.
+    """Return whether a Host is a loopback name, the local address of the connection, or allowed.
 
-    A rebound name passes none of these.  The connection's own address cannot be forged by a name
-    server, so that a server which listens everywhere needs no list of its addresses.
+    This prevents DNS rebinding: a rebound name is none of these.  The local address cannot be
+    forged by a name server, so a server that listens on all interfaces needs no list of them.
     """
     name, _ = host
     address, port = facts.server
     own = is_loopback(name) or (_ip(name) is not None and _ip(name) == _ip(address))
     if own and _with_port(host, facts.scheme)[1] == port:
         return True
-    for allowed in map(authority, rules.hosts):
+    for allowed in map(parse_authority, rules.hosts):
         if allowed is not None and allowed[0] == name:
             wanted = allowed[1]
             if wanted is None or wanted == _with_port(host, facts.scheme)[1]:
@@ -178,8 +178,8 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
     return False
 
 
-def authority(text: str) -> Authority | None:
-    """Return name (lower case, IPv6 without brackets) and port of ``NAME[:PORT]``, or None."""
+def parse_authority(text: str) -> Authority | None:
+    """Parse ``NAME[:PORT]``; return lower-case name (IPv6 without brackets) and port, or None."""
     found = _AUTHORITY.fullmatch(text)
     if found is None:
         return None
@@ -206,7 +206,7 @@ def _ip(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
 
 
 def is_loopback(name: str) -> bool:
-    """Return whether a host name or an address is this machine's own."""
+    """Return whether a host name or an address is a loopback one."""
     address = _ip(name)
     return name == "localhost" if address is None else address.is_loopback
 
@@ -216,7 +216,7 @@ def _is_api(path: str) -> bool:
 
 
 def same_key(given: str, key: str) -> bool:
-    """Return whether two keys are equal, in a time that does not depend on where they differ."""
+    """Compare two keys in constant time."""
     digests = (hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (given, key))
     return hmac.compare_digest(*digests)
 
@@ -226,13 +226,13 @@ def _bearer(header: str | None) -> str | None:
     return key.strip() if scheme.lower() == "bearer" else None
 
 
-def facts_of(scope: Scope, cookie: str) -> RequestFacts:
-    """Return what an ASGI request shows; ``cookie`` is the name of the session's cookie."""
+def request_facts(scope: Scope, cookie: str) -> RequestFacts:
+    """Return the facts about an ASGI request; ``cookie`` is the name of the session cookie."""
     request = Request(scope)
     headers = request.headers
     hosts = headers.getlist("host")
     server = scope.get("server") or ("", 0)
-    # A proxy in between hides whose request it is: its own address then proves nothing.
+    # Behind a proxy, the peer address is that of the proxy and does not identify the sender.
     forwarded = "forwarded" in headers or "x-forwarded-for" in headers
     return RequestFacts(
         method=scope["method"],
@@ -252,7 +252,7 @@ def facts_of(scope: Scope, cookie: str) -> RequestFacts:
 
 
 class Access:
-    """ASGI middleware around the whole application."""
+    """ASGI middleware that applies the access rules to every request."""
 
     def __init__(self, app: ASGIApp, rules: AccessRules) -> None:
         self.app = app
@@ -260,26 +260,26 @@ class Access:
         self._cookie = signin.cookie_name(rules.key)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, or answer with why not, or let its sender sign in."""
+        """Forward the request, send a refusal, or send the sign-in page."""
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
         if scope["type"] != "http":
             await send({"type": "websocket.close", "code": 1008})
             return
-        facts = facts_of(scope, self._cookie)
-        refused = refusal(self.rules, facts, time.time())
+        facts = request_facts(scope, self._cookie)
+        refused = find_refusal(self.rules, facts, time.time())
         answer: Response | None = None
         if self.rules.key and (refused is None or refused.status == 401):
-            answer = await self._signed_in(Request(scope, receive), facts, refused)
+            answer = await self._sign_in(Request(scope, receive), facts, refused)
         elif refused is not None:
             answer = _problem(refused)
         await (answer or self.app)(scope, receive, send)
 
-    async def _signed_in(
+    async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None
     ) -> Response | None:
-        """Return the answer to a key that was given, or to a request that needs one."""
+        """Return the response to a key, or to a request that needs one; None to forward it."""
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
@@ -288,15 +288,16 @@ class Access:
             if same_key(given, self.rules.key):
                 return signin.welcome(request, self.rules.key, time.time())
             await asyncio.sleep(WRONG_KEY_DELAY)
-            return signin.page("This key is wrong.")
+            return signin.sign_in_page("This key is wrong.")
         if refused is None:
             return None
         if _is_api(facts.path) or facts.method != "GET" or not signin.wants_page(request):
             return _problem(refused)
-        # After a link on another site a browser holds back a SameSite=Strict cookie, and sends it
-        # with the next request, which this page makes.  Over plain HTTP no header tells of that.
+        # A browser that follows a link from another site does not send a SameSite=Strict cookie.
+        # The page reloads itself once, and the browser then sends it.  Over plain HTTP no header
+        # shows that this is the case.
         own = facts.fetch_site in ("same-origin", "none")
-        return signin.page(again="" if own else signin.next_try(request))
+        return signin.sign_in_page(again="" if own else signin.retry_url(request))
 
 
 def _problem(refused: Refusal) -> Response:

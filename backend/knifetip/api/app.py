@@ -1,7 +1,4 @@
-"""app: the FastAPI application; every error leaves it as application/problem+json (RFC 9457).
-
-Settings -> FastAPI, with its database migrated and its workers started while it lives
-"""
+"""The FastAPI application; all errors are returned as application/problem+json (RFC 9457)."""
 
 from __future__ import annotations
 
@@ -40,7 +37,7 @@ from knifetip.messages import Message
 
 _log = logging.getLogger("knifetip.api")
 
-#: Status of each error; the nearest ancestor counts.
+#: HTTP status of each error class; subclasses inherit it.
 STATUS: Mapping[type[errors.KnifetipError], int] = {
     errors.KnifetipError: 422,
     errors.DrawingTooLarge: 413,
@@ -56,7 +53,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """Return the application; its lifespan migrates the database and starts the workers."""
+    """Create the application; on start it migrates the database and starts the workers."""
     chosen = settings or Settings()
 
     @asynccontextmanager
@@ -69,12 +66,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             pool,
             chosen.name,
             chosen.compiles,
-            # One process is left to read drawings, for which a person waits.
+            # One process is kept free for reading drawings, since a user waits for that.
             max(1, chosen.processes - 1),
             chosen.limit,
             warm_up=warm_up,
         )
-        # One more than the processes: while it reads a request, none of them is idle.
+        # One thread more than processes, so that none is idle while a request is parsed.
         work = WorkQueue(chosen.processes + 1, chosen.waiting)
         service = Service(chosen, store, pool, work, warm_up)
         app.state.service = service
@@ -101,7 +98,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         description="Carton dielines in, compensated and verified machine programs out.",
         lifespan=lifespan,
         openapi_url="/api/openapi.json",
-        # Their pages load scripts from another host, which a shop floor may not reach.
+        # These pages load scripts from the internet, which a shop floor may not reach.
         docs_url=None,
         redoc_url=None,
         generate_unique_id_function=_operation_id,
@@ -112,7 +109,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_api_route("/readyz", _ready, response_model=Health, tags=["health"])
     app.add_api_route("/api/service", _status, response_model=ServiceOut, tags=["health"])
     app.router.default = Site(chosen.page)
-    # The last one is the outermost.
+    # The middleware added last is the outermost.
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(Access, rules=chosen.access)
     app.add_middleware(SecurityHeaders)
@@ -120,27 +117,27 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)
     app.add_exception_handler(TaskCancelled, _stopping_problem)
-    app.add_exception_handler(TaskFailed, _unforeseen_problem)
+    app.add_exception_handler(TaskFailed, _internal_problem)
     app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
-    app.add_exception_handler(Exception, _unforeseen_problem)
+    app.add_exception_handler(Exception, _internal_problem)
 
-    def described() -> dict[str, Any]:
+    def openapi() -> dict[str, Any]:
         if app.openapi_schema is None:
             app.openapi_schema = _openapi(app)
         return app.openapi_schema
 
-    # FastAPI's own way to describe an API otherwise.
-    app.openapi = described  # type: ignore[method-assign]
+    # The documented way to customise FastAPI's schema.
+    app.openapi = openapi  # type: ignore[method-assign]
     return app
 
 
 async def _health() -> Health:
-    """Return that the process is alive."""
+    """Report that the process is running."""
     return Health(status="ok", version=version("knifetip"))
 
 
 async def _ready(here: Here, response: Response) -> Health:
-    """Return whether requests can be served: 503 while not."""
+    """Report whether requests can be served; 503 if not."""
     checks = {"database": "ok", "workers": "ok" if here.ready else "starting"}
     try:
         await here.threads.reports(here.store.alive)
@@ -226,7 +223,7 @@ async def _database_problem(request: Request, error: Exception) -> Response:
     return problem(503, Message("server.database-silent"))
 
 
-async def _unforeseen_problem(request: Request, error: Exception) -> Response:
+async def _internal_problem(request: Request, error: Exception) -> Response:
     _log.error("%s %s", request.method, request.url.path, exc_info=error)
     return problem(500, Message("server.internal-error"))
 
@@ -236,7 +233,7 @@ def _operation_id(route: APIRoute) -> str:
 
 
 def _openapi(app: FastAPI) -> dict[str, Any]:
-    """Return OpenAPI 3.1 in which every route's errors are problems, as they really are."""
+    """Return the OpenAPI 3.1 schema, with the error format and the message codes added."""
     described = get_openapi(
         title=app.title,
         version=app.version,
@@ -259,7 +256,7 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     schemas["Problem"] = own
     describe_codes(schemas)
     answer = {
-        "description": "What went wrong, and what to do about it",
+        "description": "Error with a hint",
         "content": {PROBLEM: {"schema": {"$ref": "#/components/schemas/Problem"}}},
     }
     for path in described["paths"].values():

@@ -1,4 +1,4 @@
-"""drawings: upload, look at, decide about."""
+"""Routes for drawings: upload, list, read, and change unit, profile and line types."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ from knifetip.api.service import (
     Key,
     Limit,
     Service,
-    bytes_answer,
+    bytes_response,
+    customer_rules,
     fingerprint,
-    next_page,
-    not_shipped,
-    rules_named,
+    require_customer_profile,
+    set_next_page,
 )
 from knifetip.errors import (
     DrawingTooLarge,
@@ -63,10 +63,10 @@ from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 
 router = APIRouter(prefix="/drawings", tags=["drawings"])
 
-_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "As it was"}}
-_TRIES = 3  # of a change to a drawing that others change at the same time
-_PIECE = 1000  # edges that are put into JSON at once
-_LISTED = 2000  # ledger rows in a drawing's own answer
+_NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modified"}}
+_TRIES = 3  # attempts to change a drawing that other requests change at the same time
+_PIECE = 1000  # edges encoded as JSON at a time
+_LISTED = 2000  # most rows of the import report in the JSON of a drawing
 
 
 @router.post("", status_code=201)
@@ -79,14 +79,14 @@ def upload_drawing(
     profile: Annotated[str, Form(max_length=200)] = "default",
     key: Key = None,
 ) -> DrawingOut:
-    """Read and classify a drawing: DXF (text or binary), CF2, SVG or PDF, told by its content."""
-    rules_named(here, profile)
+    """Upload a drawing (DXF, CF2, SVG or PDF, detected by content); read and classify it."""
+    customer_rules(here, profile)
     content = file.file.read(here.settings.upload + 1)
     name = drawing_name(file.filename or "")
-    return added(here, response, name, content, unit or "", profile, key)
+    return add_drawing(here, response, name, content, unit or "", profile, key)
 
 
-def added(
+def add_drawing(
     here: Service,
     response: Response | None,
     name: str,
@@ -95,18 +95,18 @@ def added(
     profile: str,
     key: str | None = None,
 ) -> DrawingOut:
-    """Read, classify and keep a drawing."""
+    """Read, classify and store a drawing."""
     if len(content) > here.settings.upload:
         raise DrawingTooLarge(
             "drawing.upload-too-large", name=name, limit=here.settings.upload >> 20
         )
-    rules = rules_named(here, profile)
+    rules = customer_rules(here, profile)
     sha256 = hashlib.sha256(content).hexdigest()
     request = fingerprint(name, sha256, unit, profile)
     row = here.store.drawings.find(key, request) if key else None
     if row is None:
         interpretation = Interpretation(unit, profile, rules)
-        reading = read(here, name, content, interpretation)
+        reading = read_drawing(here, name, content, interpretation)
         row = here.store.drawings.add(
             name=name,
             content=content,
@@ -129,10 +129,10 @@ def added(
 def list_drawings(
     here: Here, response: Response, cursor: Cursor = None, limit: Limit = 100
 ) -> list[DrawingSummary]:
-    """List drawings, the newest first; the Link header leads on."""
+    """List drawings, newest first; the Link header contains the next page."""
     rows = here.store.drawings.recent(cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
-    next_page(response, "/api/drawings?", last, limit)
+    set_next_page(response, "/api/drawings?", last, limit)
     return [summary_out(row) for row in rows]
 
 
@@ -140,9 +140,9 @@ def list_drawings(
 def get_drawing(
     here: Here, response: Response, id: str, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
-    """Look at a drawing."""
+    """Get a drawing."""
     row = here.store.drawings.get_with(id, "ledger")
-    headers = {"ETag": etag(row.version, _state_of(here, row)), "Cache-Control": "no-cache"}
+    headers = {"ETag": etag(row.version, _profile_state(here, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
         return Response(status_code=304, headers=headers)
     response.headers.update(headers)
@@ -154,9 +154,9 @@ def get_drawing(
 def change_drawing(
     here: Here, response: Response, id: str, patch: DrawingPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Say a drawing's unit, or classify it by another profile, or by one as it was."""
+    """Set the unit of a drawing, or classify it with another profile or an earlier version."""
 
-    def decide(row: Drawing) -> _Decision:
+    def decide(row: Drawing) -> _Change:
         unit = row.unit_given
         if patch.unit is not None:
             unit = "" if patch.unit == "file" else patch.unit
@@ -164,19 +164,19 @@ def change_drawing(
         if patch.rules:
             profile, rules = patch.profile or row.profile, patch.rules
             custom_profiles.check_name(profile)
-            not_shipped(here, profile)
+            require_customer_profile(here, profile)
             custom_profiles.parse_text(profile, rules)
         elif patch.profile is not None:
-            profile, rules = patch.profile, rules_named(here, patch.profile)
+            profile, rules = patch.profile, customer_rules(here, patch.profile)
         why = f"unit {unit or 'open'}, profile {profile}"
-        return _Decision(Interpretation(unit, profile, rules, row.overrides), why)
+        return _Change(Interpretation(unit, profile, rules, row.overrides), why)
 
-    return _changed(here, response, id, match, decide)
+    return _apply_change(here, response, id, match, decide)
 
 
 @router.delete("/{id}", status_code=204)
 def delete_drawing(here: Here, id: str) -> None:
-    """Forget a drawing that no job was made from."""
+    """Delete a drawing without jobs."""
     here.store.drawings.delete(id)
 
 
@@ -190,7 +190,7 @@ def get_edges(
     """List the edges, as JSON or as binary columns (``format=columns``)."""
     row = here.store.drawings.get_with(id, "edges")
     if format == "columns":
-        return bytes_answer(request, row.edges, str(row.version), "application/octet-stream")
+        return bytes_response(request, row.edges, str(row.version), "application/octet-stream")
     headers = {"ETag": etag(row.version), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], request.headers.get("if-none-match")):
         return Response(status_code=304, headers=headers)
@@ -203,41 +203,41 @@ def get_edges(
 def override_edges(
     here: Here, response: Response, id: str, patch: EdgesPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Give edges a line type; the later override lies on top."""
+    """Set line types of edges; later overrides replace earlier ones."""
 
-    def decide(row: Drawing) -> _Decision:
-        overrides = overridden(row.edges, row.overrides, patch.overrides)
+    def decide(row: Drawing) -> _Change:
+        overrides = merge_overrides(row.edges, row.overrides, patch.overrides)
         why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-        return _Decision(interpretation_of(row, overrides), why)
+        return _Change(interpretation_of(row, overrides), why)
 
-    return _changed(here, response, id, match, decide)
+    return _apply_change(here, response, id, match, decide)
 
 
 @router.get("/{id}/ledger")
 def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
-    """List what became of every entity of the file, or only of those of one fate."""
+    """Get the import report: all entities of the file, or only those with one outcome."""
     row = here.store.drawings.get_with(id, "ledger")
-    rows = [one for one in _ledger(row) if fate in (None, one["fate"])]
+    rows = [one for one in _report_rows(row) if fate in (None, one["fate"])]
     return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
 
 
 @router.get("/{id}/cleaning")
 @queued
 def get_cleaning(here: Here, id: str) -> CleaningOut:
-    """List what cleaning makes of the edges before they are planned: joined, moved, dropped."""
+    """Get the cleaning report: edges merged, shortened, joined or dropped before planning."""
     edges = here.store.drawings.column(id, "edges")
     return CleaningOut.model_validate(here.run(tasks.cleaned, edges))
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
 def get_file(here: Here, request: Request, id: str) -> Response:
-    """Return the file as it came."""
+    """Download the uploaded file."""
     row = here.store.drawings.get(id)
     content = here.store.drawings.column(id, "content")
-    return bytes_answer(request, content, row.sha256, format_of(content).media_type, row.name)
+    return bytes_response(request, content, row.sha256, format_of(content).media_type, row.name)
 
 
-def read(
+def read_drawing(
     here: Service,
     name: str,
     content: bytes,
@@ -249,7 +249,7 @@ def read(
     Raises
     ------
     ReadError
-        It cannot be read; the message begins with the drawing's name.
+        The drawing cannot be read; the message starts with its name.
     """
     try:
         return here.run(tasks.read, content, interpretation, handles)
@@ -262,48 +262,48 @@ def read(
 
 
 @dataclass(frozen=True, slots=True)
-class _Decision:
-    """What a change makes of a drawing."""
+class _Change:
+    """New interpretation of a drawing and the reason for the event log."""
 
     interpretation: Interpretation
     why: str
 
 
-def _changed(
+def _apply_change(
     here: Service,
     response: Response,
     id: str,
     match: str | None,
-    decide: Callable[[Drawing], _Decision],
+    decide: Callable[[Drawing], _Change],
 ) -> DrawingOut:
-    """Change a drawing as was decided about its newest revision.
+    """Change a drawing; ``decide`` returns the change for its newest revision.
 
     Raises
     ------
     StaleRevision
-        The request was made for another revision.
+        The request names another revision.
     WrongState
-        The drawing is changed again and again meanwhile.
+        Other requests changed the drawing at every attempt.
     """
     for _ in range(_TRIES):
         row = here.store.drawings.get_with(id, "content", "overrides", "edges")
         check_match(match, row)
-        made = decide(row)
+        change = decide(row)
         handles = unpacked(row.edges)[1]["handles"]
-        reading = read(here, row.name, row.content, made.interpretation, handles)
-        kept = replace(made.interpretation, overrides=reading.overrides)
+        reading = read_drawing(here, row.name, row.content, change.interpretation, handles)
+        final = replace(change.interpretation, overrides=reading.overrides)
         try:
             changed = here.store.drawings.change(
                 row.id,
                 row.version,
-                made.why,
-                **drawing_columns(kept),
+                change.why,
+                **drawing_columns(final),
                 summary=reading.summary,
                 edges=reading.edges,
                 ledger=reading.ledger,
             )
         except StaleRevision:
-            # Who names no revision wants the change whatever else was changed meanwhile.
+            # A request without a revision applies to the newest one: try again.
             if match is not None and match.strip() != "*":
                 raise
             continue
@@ -317,8 +317,8 @@ def _etag_of(drawing: DrawingOut) -> str:
     return etag(drawing.revision, drawing.profile_state)
 
 
-def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
-    """Return a column of overrides with more of them laid on top.
+def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
+    """Return a column of overrides with further overrides applied.
 
     Parameters
     ----------
@@ -330,7 +330,7 @@ def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> by
     Raises
     ------
     RequestError
-        One of them is about nothing.
+        An override selects no edge, or is ambiguous.
     """
     columns, meta = unpacked(block)
     after = np.frombuffer(before, np.uint8).copy()
@@ -340,11 +340,11 @@ def overridden(block: bytes, before: bytes, overrides: Sequence[Override]) -> by
             rows_of.setdefault(handle, []).append(row)
     for override in overrides:
         value = NO_OVERRIDE if override.type is None else LineType.of(override.type)
-        after[_chosen(override, columns, meta["layers"], rows_of, len(after))] = value
+        after[_select_edges(override, columns, meta["layers"], rows_of, len(after))] = value
     return after.tobytes()
 
 
-def _chosen(
+def _select_edges(
     override: Override,
     columns: dict[str, Any],
     layers: list[str],
@@ -380,7 +380,7 @@ def _chosen(
 
 
 def drawing_name(given: str) -> str:
-    """Return a file's name without folders and signs that cannot be shown."""
+    """Return a file name without folders and control characters, at most 120 long."""
     last = given.replace("\\", "/").rsplit("/", 1)[-1]
     shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
     if len(shown) > 120:
@@ -390,12 +390,12 @@ def drawing_name(given: str) -> str:
 
 
 def edges_json(block: bytes) -> Iterator[bytes]:
-    """Yield the JSON of ``EdgesOut`` in pieces: no call holds the interpreter for long."""
+    """Yield the JSON of ``EdgesOut`` in pieces, so that other threads can run in between."""
     columns, meta = unpacked(block)
     count = len(columns["ends"])
-    # A block of an older knifetip does not say what became of the edges.
-    unsaid = np.zeros(count, np.int32)
-    columns = {"fate": unsaid, "reason": unsaid, **columns}
+    # Drawings stored by older versions have no outcomes.
+    missing = np.zeros(count, np.int32)
+    columns = {"fate": missing, "reason": missing, **columns}
     meta = {"fates": ["kept"], "reasons": [""], "alternatives": [], **meta}
     yield b'{"edges":['
     for first in range(0, count, _PIECE):
@@ -408,7 +408,7 @@ def edges_json(block: bytes) -> Iterator[bytes]:
 def _edge_rows(
     columns: dict[str, Any], meta: dict[str, Any], first: int, last: int
 ) -> list[dict[str, Any]]:
-    """Return edges ``first`` … ``last - 1`` as plain data (``EdgeOut``)."""
+    """Return edges ``first`` … ``last - 1`` as JSON data (``EdgeOut``)."""
     listed = {name: column[first:last].tolist() for name, column in columns.items()}
     alternatives = meta["alternatives"]
     return [
@@ -433,15 +433,15 @@ def _edge_rows(
     ]
 
 
-def _ledger(row: Drawing, most: int | None = None) -> list[dict[str, Any]]:
-    """Return the rows of a drawing's ledger, or only so many of them."""
+def _report_rows(row: Drawing, most: int | None = None) -> list[dict[str, Any]]:
+    """Return the rows of a drawing's import report, or the first ``most`` rows."""
     text = zlib.decompress(row.ledger).decode()
-    rows: list[dict[str, Any]] = json.loads(text) if most is None else _first(text, most)
+    rows: list[dict[str, Any]] = json.loads(text) if most is None else _first_elements(text, most)
     return rows
 
 
-def _first(text: str, most: int) -> list[dict[str, Any]]:
-    """Return the first elements of a JSON list, without reading the others."""
+def _first_elements(text: str, most: int) -> list[dict[str, Any]]:
+    """Return the first elements of a JSON list without parsing the rest."""
     scan = json.JSONDecoder().raw_decode
     rows: list[dict[str, Any]] = []
     at = 1
@@ -456,7 +456,7 @@ def _first(text: str, most: int) -> list[dict[str, Any]]:
 
 
 def drawing_out(here: Service, row: Drawing) -> DrawingOut:
-    """Return a drawing, read with its ledger, as the API shows it."""
+    """Return the API model of a drawing whose ``ledger`` column is loaded."""
     ledger = row.summary["ledger"]
     return DrawingOut.model_validate(
         {
@@ -468,24 +468,24 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "created": row.created,
             "sha256": row.sha256,
             "profile": row.profile,
-            "profile_state": _state_of(here, row),
+            "profile_state": _profile_state(here, row),
             "rules": row.rules,
             "unit_given": row.unit_given or None,
-            "ledger": {**ledger, "rows": _ledger(row, _LISTED)},
+            "ledger": {**ledger, "rows": _report_rows(row, _LISTED)},
         }
     )
 
 
-def _state_of(here: Service, row: Drawing) -> str:
-    """Return whether the profile still says what it said when the drawing was classified by it."""
-    kept = here.store.profiles.get(row.profile)
-    if kept is None:
+def _profile_state(here: Service, row: Drawing) -> str:
+    """Return whether the profile is current, changed or deleted since the classification."""
+    stored = here.store.profiles.get(row.profile)
+    if stored is None:
         return "deleted" if row.rules else "current"
-    return "current" if kept.text == row.rules else "changed"
+    return "current" if stored.text == row.rules else "changed"
 
 
 def summary_out(row: Drawing) -> DrawingSummary:
-    """Return a drawing as a list shows it."""
+    """Return the summary of a drawing for lists."""
     return DrawingSummary(
         id=row.id,
         revision=row.version,

@@ -1,9 +1,9 @@
-"""embedded: server, compile worker, gateway and a simulated table in one process, on one file.
+"""The embedded service: server, compile worker, gateway and simulated machine in one process.
 
     serve("127.0.0.1", 8080, "sqlite:///knifetip.sqlite") -> runs until Ctrl-C or SIGTERM
 
-Killed at any moment, it loses no job: what was queued is queued at the next start, what was being
-compiled is compiled again, and what was on the table comes back as interrupted.
+Killing the process loses no job: after a restart queued jobs are queued, jobs that were compiling
+are compiled again, and the job on the table is interrupted.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from fastapi import FastAPI
 from knifetip.api import keys
 from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
-from knifetip.api.drawings import added
+from knifetip.api.drawings import add_drawing
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
@@ -38,12 +38,12 @@ from knifetip.languages.registry import find_language
 from knifetip.library import load
 
 MACHINE = "demo-table"
-_GRACE = 5.0  # seconds for the machine to stop and to say so
+_GRACE = 5.0  # seconds for the machine to stop and report it
 _log = logging.getLogger("knifetip.api")
 
 
-def _said(words: str) -> None:
-    print(words, flush=True)
+def _print_line(line: str) -> None:
+    print(line, flush=True)
 
 
 def serve(
@@ -58,74 +58,74 @@ def serve(
     key: str = "",
     key_file: Path | None = None,
     hosts: tuple[str, ...] = (),
-    told: Callable[[str], None] = _said,
+    announce: Callable[[str], None] = _print_line,
 ) -> None:
-    """Serve until SIGINT or SIGTERM.
+    """Run the service until SIGINT or SIGTERM.
 
     Parameters
     ----------
     port
-        0 takes a free one.
+        0 for a free port.
     samples
-        Read the sample drawings into a new database.
+        Add the sample drawings to a new database.
     simulator
-        Put a simulated table beside the server, and a gateway between them.
+        Also run a simulated machine with its gateway.
     speed
-        Seconds of the simulated table to one of the clock.
+        Seconds of machine time per second of real time.
     compiles
-        False where the compile workers are other processes.
+        False if compile workers run in other processes.
     key
-        Who is not on this machine must have it; without one nobody else is served.
+        Required from other computers; without a key only this computer is served.
     key_file
-        File that holds the key, made with a random one if it does not exist.
+        File with the key; created with a random key if it does not exist.
     hosts
-        Names, or NAME:PORT, under which the server may be asked besides its addresses.
-    told
-        Hears the server's URL as soon as it answers.
+        NAME or NAME:PORT accepted in the Host header besides the server's addresses.
+    announce
+        Called with the server's URL when it is ready.
 
     Raises
     ------
     StoreError
-        The database cannot be used, or the port is taken.
+        The database cannot be used, or the port is in use.
     SettingsError
-        A key or a host is none, or the key's file cannot be used.
+        The key or a host is malformed, or the key file cannot be used.
     """
-    key = keys.chosen(key, key_file)
+    key = keys.load_key(key, key_file)
     with ExitStack() as open_sockets:
-        sockets = _listening(host, port)
+        sockets = _listen(host, port)
         for one in sockets:
             open_sockets.enter_context(one)
         addresses = [one.getsockname()[0] for one in sockets]
-        rules = AccessRules(key, keys.checked_hosts(hosts), all(map(is_loopback, addresses)))
+        rules = AccessRules(key, keys.check_hosts(hosts), all(map(is_loopback, addresses)))
         settings = Settings(database=database, compiles=compiles, name="embedded", access=rules)
         taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host
         lines = [f"knifetip is at http://{shown}:{taken}"]
         if not rules.loopback_only:
             lines.append(_how_to_open(taken, key, key_file))
-        server = _Server(create_app(settings), lines, told, samples)
+        server = _Server(create_app(settings), lines, announce, samples)
         if simulator:
-            server.table = _Table(_local(host), taken, speed, _beside(database))
+            server.table = _SimulatedMachine(_local(host), taken, speed, _journal_path(database))
         server.run(sockets=sockets)
     if not server.started:
         raise StoreError("server.not-started", database=database)
 
 
-def _listening(host: str, port: int) -> list[socket.socket]:
-    """Return the sockets to listen on: the host's, and a loopback one where it is none."""
-    first = _bound(host, port)
+def _listen(host: str, port: int) -> list[socket.socket]:
+    """Return listening sockets: for the host, and for loopback if the host is not loopback."""
+    first = _bind(host, port)
     address, taken = first.getsockname()[:2]
     if is_loopback(address) or ipaddress.ip_address(address).is_unspecified:
         return [first]
-    # The page of this machine's own user, and the gateway beside the server, need no key there.
+    # The user of this computer and the embedded gateway need no key on loopback.
     try:
-        return [first, _bound("::1" if ":" in address else "127.0.0.1", taken)]
+        return [first, _bind("::1" if ":" in address else "127.0.0.1", taken)]
     except StoreError:
         first.close()
         raise
 
 
-def _bound(host: str, port: int) -> socket.socket:
+def _bind(host: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     listener = socket.socket(family)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -141,36 +141,36 @@ def _bound(host: str, port: int) -> socket.socket:
 
 
 def _local(host: str) -> str:
-    """Return the loopback address at which a server that listens on ``host`` is reached."""
+    """Return the loopback address of a server that listens on ``host``."""
     if host.startswith("127."):
         return host
     return "[::1]" if ":" in host else "127.0.0.1"
 
 
 def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
-    """Return what the start log of a server on the network says of its key."""
+    """Return the line for the start log that describes how other computers get access."""
     if not key:
         return (
-            "There is no key: only this machine is served, at its loopback address. Start with "
-            "--key-file PATH or --key KEY to serve others."
+            "No key: only this computer is served, at its loopback address. Start with "
+            "--key-file PATH or --key KEY to serve other computers."
         )
     if key_file is None:
-        return f"Other machines need the key: open http://localhost:{port} and sign in."
+        return f"Other computers need the key: open http://localhost:{port} and sign in."
     return f"Open http://localhost:{port}/?key={key}"
 
 
-def _beside(database: str) -> Path | None:
-    """Return the gateway's journal: beside the database file, if there is one."""
+def _journal_path(database: str) -> Path | None:
+    """Return the path of the gateway's journal, next to the database file; None without one."""
     url = sa.make_url(database)
     if url.get_backend_name() != "sqlite" or not url.database:
         return None
     return Path(url.database + ".gateway.jsonl")
 
 
-class _Table(threading.Thread):
-    """The simulated table and its gateway, on an event loop of their own.
+class _SimulatedMachine(threading.Thread):
+    """Thread with an event loop for the simulated machine and its gateway.
 
-    The table computes where it is many times a second; the server must answer meanwhile.
+    The machine updates its position many times a second, which must not delay the server.
     """
 
     def __init__(self, host: str, port: int, speed: float, journal: Path | None) -> None:
@@ -182,7 +182,7 @@ class _Table(threading.Thread):
         self._work: asyncio.Task[None] | None = None
 
     def run(self) -> None:
-        """Be the table until told to leave."""
+        """Run the machine until ``leave`` is called."""
         with contextlib.suppress(asyncio.CancelledError):
             asyncio.run(self._serve())
 
@@ -191,7 +191,7 @@ class _Table(threading.Thread):
         self._work = asyncio.current_task()
         machine = load.machine(MACHINE)
         dial = find_language(machine.dialect).load_driver()
-        # A proxy for the world outside must not come between two parts of one process.
+        # Requests within this process must not go through a configured proxy.
         async with (
             httpx.AsyncClient(trust_env=False) as client,
             await simulator.serve(machine, speed=self._speed) as table,
@@ -207,7 +207,7 @@ class _Table(threading.Thread):
             )
 
     def leave(self) -> None:
-        """Stop the machine, say so to the server, and go."""
+        """Stop the machine, report it to the server, and end the thread."""
         if self._loop is not None and self._work is not None and self.is_alive():
             with contextlib.suppress(RuntimeError):
                 self._loop.call_soon_threadsafe(self._work.cancel)
@@ -215,10 +215,10 @@ class _Table(threading.Thread):
 
 
 class _Server(uvicorn.Server):
-    """Uvicorn, which on the way out lets the table finish its sentence first."""
+    """Uvicorn server that stops the simulated machine before it shuts down."""
 
     def __init__(
-        self, app: FastAPI, lines: list[str], told: Callable[[str], None], samples: bool
+        self, app: FastAPI, lines: list[str], announce: Callable[[str], None], samples: bool
     ) -> None:
         super().__init__(
             uvicorn.Config(
@@ -226,24 +226,24 @@ class _Server(uvicorn.Server):
                 log_level="warning",
                 access_log=False,
                 timeout_graceful_shutdown=2,
-                # Heads of the browser's requests only: bodies have their own limit.
+                # Limits request heads only; bodies have their own limit.
                 h11_max_incomplete_event_size=65536,
             )
         )
         self.app = app
         self.lines = lines
-        self.told = told
+        self.announce = announce
         self.samples = samples
-        self.table: _Table | None = None
+        self.table: _SimulatedMachine | None = None
         self._leaving = False
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Start, and say where; the samples follow."""
+        """Start the server, announce its URL, and add the samples in the background."""
         await super().startup(sockets)
         if self.should_exit:
             return
-        # The collector would look through all that was imported again and again, and for that
-        # time (0.3 s of a core) no thread runs, not even one that answers a heartbeat.
+        # Exclude imported objects from garbage collection: scanning them takes 0.3 s, during which
+        # no thread runs, not even one that answers a heartbeat.
         gc.collect()
         gc.freeze()
         if self.table is not None:
@@ -251,7 +251,7 @@ class _Server(uvicorn.Server):
         if self.samples:
             threading.Thread(target=_add_samples, args=(self._service,), daemon=True).start()
         for line in self.lines:
-            self.told(line)
+            self.announce(line)
 
     @property
     def _service(self) -> Service:
@@ -259,7 +259,7 @@ class _Server(uvicorn.Server):
         return service
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
-        """Leave in order at the first signal, and at once at the second."""
+        """Shut down in order at the first signal, immediately at the second."""
         if self._leaving or not self.started:
             super().handle_exit(sig, frame)
             return
@@ -269,20 +269,20 @@ class _Server(uvicorn.Server):
     def _leave(self) -> None:
         if self.table is not None:
             self.table.leave()
-        # Streams of events and long polls end now: uvicorn waits for their connections.
+        # Ends event streams and long polls, for whose connections uvicorn would wait.
         self._service.stop()
         time.sleep(0.25)
         self.should_exit = True
 
 
 def _add_samples(service: Service) -> None:
-    """Read the samples into a database in which nothing ever happened."""
+    """Add the samples to a database without events."""
     try:
         if service.store.events.last_id() == 0:
-            # Drawn by ezdxf, which the server does without at every other start.
+            # Imports ezdxf, which is not needed otherwise.
             from knifetip.dxf.samples import samples
 
             for name, content in samples().items():
-                added(service, None, name, content, "", "default")
+                add_drawing(service, None, name, content, "", "default")
     except (KnifetipError, TaskCancelled) as reason:
         _log.warning("the samples could not be read: %s", reason)

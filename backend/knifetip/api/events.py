@@ -1,11 +1,11 @@
-"""events: what happens to jobs and drawings, as server-sent events.
+"""Changes of jobs and drawings as server-sent events.
 
-    event: job       data: JobOut           id: of the transition; none for mere progress
+    event: job       data: JobOut           id: of the transition; none for progress
     event: drawing   data: DrawingSummary   id
     event: deleted   data: {"drawing": id}  id
 
-A client that connects again sends the last id that it received (``Last-Event-ID``) and gets one
-event for each job and drawing that has changed since.
+A client that reconnects sends the last id that it received (``Last-Event-ID``) and gets one event
+for each job and drawing that has changed since.
 """
 
 from __future__ import annotations
@@ -23,60 +23,60 @@ from fastapi.sse import EventSourceResponse, ServerSentEvent
 from knifetip.api.drawings import summary_out
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.service import Service
-from knifetip.api.wake import woken_by
+from knifetip.api.wake import wake_on_change
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
 
 router = APIRouter(tags=["events"])
 
-_TICK = 0.2  # seconds between two looks for progress
-_LOOK = 1.0  # seconds between two looks for changes that other servers made
-_REFRESH = 2.0  # seconds between two looks at what queued jobs wait for, where nothing happened
+_TICK = 0.2  # seconds between two queries for progress
+_LOOK = 1.0  # seconds between two queries for changes made by other servers
+_REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
-_BACKLOG = 1000  # messages that a slow listener may owe before it is hung up on
+_BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
 _MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
 
 
 class Stream:
-    """Looks for changes while there are listeners, and sends them to all."""
+    """Queries the store for changes while there are listeners, and sends them to all."""
 
     def __init__(self, service: Service) -> None:
         self._service = service
         self._listeners: set[asyncio.Queue[ServerSentEvent | None]] = set()
-        self._somebody = asyncio.Event()
-        self._door = asyncio.Lock()
+        self._has_listeners = asyncio.Event()
+        self._lock = asyncio.Lock()
         self._last = 0
-        self._told: dict[str, tuple[object, ...]] = {}
+        self._sent_progress: dict[str, tuple[object, ...]] = {}
         self._waits: dict[str, tuple[str, str, str]] = {}
         self._refreshed = 0.0
 
     async def run(self) -> None:
         """Send changes to the listeners until cancelled."""
-        with woken_by(self._service.store.changes) as changed:
+        with wake_on_change(self._service.store.changes) as changed:
             while True:
-                await self._somebody.wait()
+                await self._has_listeners.wait()
                 try:
-                    async with self._door:
-                        messages = await asyncio.to_thread(self._news)
+                    async with self._lock:
+                        messages = await asyncio.to_thread(self._new_messages)
                         for message in messages:
-                            self._tell(message)
+                            self._broadcast(message)
                 except Exception:
                     _log.exception("the stream of events failed")
-                # Progress is no change: it is looked for while a job moves.
-                await changed.wait(_TICK if self._told else _LOOK)
+                # Progress sets no change event, so it is polled while a job is active.
+                await changed.wait(_TICK if self._sent_progress else _LOOK)
                 if self._service.stopping.is_set():
-                    self._hang_up()
+                    self._disconnect_all()
 
-    def _hang_up(self) -> None:
+    def _disconnect_all(self) -> None:
         """End all streams."""
         for queue in list(self._listeners):
             if queue.full():
                 queue.get_nowait()
             queue.put_nowait(None)
 
-    def _tell(self, message: ServerSentEvent) -> None:
+    def _broadcast(self, message: ServerSentEvent) -> None:
         for queue in list(self._listeners):
             try:
                 queue.put_nowait(message)
@@ -85,30 +85,30 @@ class Stream:
                 queue.get_nowait()
                 queue.put_nowait(None)
 
-    def _news(self) -> list[ServerSentEvent]:
+    def _new_messages(self) -> list[ServerSentEvent]:
         events = self._service.store.events.after(self._last)
         messages = self._messages(events)
         if events:
             self._last = events[-1].id
         moving = self._service.store.jobs.search(_MOVING, limit=500)
-        told: dict[str, tuple[object, ...]] = {
+        progress: dict[str, tuple[object, ...]] = {
             row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
             for row in moving
         }
         messages += [
             _message("job", job_out(self._service.store, row).model_dump_json())
             for row in moving
-            if self._told.get(row.id) != told[row.id]
+            if self._sent_progress.get(row.id) != progress[row.id]
         ]
-        self._told = told
+        self._sent_progress = progress
         if events or time.monotonic() - self._refreshed >= _REFRESH:
             messages += self._queued({event.subject for event in events})
         return messages
 
     def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
-        """Return messages for queued jobs that wait for something else than before.
+        """Return messages for queued jobs whose ``waiting_for`` or reason has changed.
 
-        Another job, or a gateway that comes or goes, changes that without an event of their own.
+        Other jobs and connecting gateways change these without an event of the job.
         """
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
@@ -147,20 +147,20 @@ class Stream:
         return _message("drawing", drawing.model_dump_json(), number)
 
     async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
-        """Yield what happened after an event (None: nothing of the past), then what happens."""
+        """Yield the changes since event ``after`` (None: no past ones), then new changes."""
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
-        async with self._door:
+        async with self._lock:
             newest = await asyncio.to_thread(store.events.last_id)
             missed: list[ServerSentEvent] = []
             if not self._listeners:
-                self._last, self._told = newest, {}
-                # What queued jobs wait for now is no news: who listens has asked for the jobs.
+                self._last, self._sent_progress = newest, {}
+                # The client has just fetched the jobs, so their present state is not sent.
                 await asyncio.to_thread(self._queued, ())
             if after is not None and after < self._last:
                 missed = await asyncio.to_thread(self._missed, after, self._last)
             self._listeners.add(queue)
-            self._somebody.set()
+            self._has_listeners.set()
         try:
             yield ServerSentEvent(retry=_RETRY)
             for message in missed:
@@ -170,7 +170,7 @@ class Stream:
         finally:
             self._listeners.discard(queue)
             if not self._listeners:
-                self._somebody.clear()
+                self._has_listeners.clear()
 
     def _missed(self, after: int, last: int) -> list[ServerSentEvent]:
         events: list[Event] = []
@@ -190,9 +190,9 @@ async def get_events(
     last: Annotated[str | None, Header(alias="Last-Event-ID")] = None,
     after: Annotated[int | None, Query(ge=0, le=2**53)] = None,
 ) -> AsyncIterator[ServerSentEvent]:
-    """Stream what happens to jobs and drawings as server-sent events."""
+    """Stream changes of jobs and drawings as server-sent events."""
     stream: Stream = request.app.state.stream
-    # An id that is no number is not from this server: the past is not replayed.
+    # An id that is not a number is not from this server; past events are not replayed.
     since = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
     async for event in stream.listen(since):
         yield event

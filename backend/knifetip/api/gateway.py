@@ -1,4 +1,4 @@
-"""gateway: what the process beside a table says and asks: claim, program, heartbeat, finish."""
+"""Routes for gateways: claim a job, fetch its program, send heartbeats, finish."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from fastapi.responses import PlainTextResponse
 from knifetip.api.jobs import job_out
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
-from knifetip.api.service import Here, bytes_answer, on_shelf
-from knifetip.api.wake import woken_by
+from knifetip.api.service import Here, bytes_response, check_library_name
+from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, WrongState
 from knifetip.jobs.gateway_store import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
@@ -21,27 +21,27 @@ from knifetip.library import load
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
-_LOOK = 1.0  # seconds between two looks at the queue, for what other servers changed
-_SEEN = 2.0  # seconds between two notes that a gateway is there
+_LOOK = 1.0  # seconds between two queries of the queue for changes by other servers
+_SEEN = 2.0  # seconds between two records of a gateway's contact
 
 
-@router.post("/claim", response_model=Claim, responses={204: {"description": "Nothing to do"}})
+@router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
 async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Response:
-    """Wait for the next job of a machine and take it; 204 when there is none in that time.
+    """Wait for the next job of a machine and claim it; 204 if there is none within ``wait``.
 
-    With ``confirm`` the job stays queued until the operator has confirmed it.
+    If ``confirm`` is true in the answer, the job stays queued until the operator confirms it.
     """
-    on_shelf("machines", wanted.machine)
+    check_library_name("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
     noted = -_SEEN
-    with woken_by(here.store.changes) as changed:
+    with wake_on_change(here.store.changes) as changed:
         while not here.stopping.is_set():
             if time.monotonic() - noted >= _SEEN:
                 noted = time.monotonic()
                 await here.threads.claims(
                     here.store.gateways.record_contact, wanted.machine, wanted.gateway
                 )
-            # A gateway that has hung up would never start the job that it is given.
+            # A disconnected gateway would never start the job.
             if await request.is_disconnected():
                 break
             job = await here.threads.claims(_next, here, wanted)
@@ -73,46 +73,46 @@ def _next(here: Here, wanted: ClaimIn) -> Job | None:
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
 async def get_gateway_program(here: Here, request: Request, id: str) -> Response:
-    """Return the program of a job that a gateway has claimed."""
+    """Download the program of a claimed job."""
     job = await here.threads.claims(here.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
     text = await here.threads.claims(here.store.jobs.column, id, "program")
-    return bytes_answer(request, text, job.program_sha256, "text/plain; charset=utf-8")
+    return bytes_response(request, text, job.program_sha256, "text/plain; charset=utf-8")
 
 
 @router.post("/heartbeat")
-async def heartbeat(here: Here, said: HeartbeatIn) -> HeartbeatOut:
-    """Report what the machine did and get the next command; renews the lease."""
+async def heartbeat(here: Here, report: HeartbeatIn) -> HeartbeatOut:
+    """Report progress, renew the lease and get the next command."""
     command = await here.threads.reports(
         here.store.gateways.heartbeat,
-        said.job,
-        said.epoch,
+        report.job,
+        report.epoch,
         GatewayReport(
-            line=said.line,
-            copies_done=said.copies_done,
-            held=said.held,
-            waiting=said.waiting,
-            position=said.position,
-            seconds_left=said.seconds_left,
+            line=report.line,
+            copies_done=report.copies_done,
+            held=report.held,
+            waiting=report.waiting,
+            position=report.position,
+            seconds_left=report.seconds_left,
         ),
     )
     return HeartbeatOut.model_validate({"command": command, "lease": LEASE})
 
 
 @router.post("/finish")
-async def finish(here: Here, said: FinishIn) -> JobOut:
-    """Report how a job ended; the last owner's late report corrects an interrupted job."""
-    return await here.threads.reports(_finished, here, said)
+async def finish(here: Here, report: FinishIn) -> JobOut:
+    """Report the end of a job; a late report of the last owner corrects an interrupted job."""
+    return await here.threads.reports(_finish_job, here, report)
 
 
-def _finished(here: Here, said: FinishIn) -> JobOut:
+def _finish_job(here: Here, report: FinishIn) -> JobOut:
     row = here.store.gateways.finish(
-        said.job,
-        said.epoch,
-        said.outcome,
-        said.why,
-        line=said.line,
-        copies_done=said.copies_done,
+        report.job,
+        report.epoch,
+        report.outcome,
+        report.why,
+        line=report.line,
+        copies_done=report.copies_done,
     )
     return job_out(here.store, row)

@@ -1,11 +1,11 @@
-"""headers: tells browsers what no page may do with an answer, unless the answer sets its own."""
+"""Default security headers of all responses; a response may set its own."""
 
 from __future__ import annotations
 
 from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-#: Answers of the API are data: no page may frame them, run them or load them across origins.
+#: Responses of the API are data: pages must not frame, execute or load them across origins.
 DEFAULTS = {
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
@@ -16,20 +16,20 @@ DEFAULTS = {
 
 
 class SecurityHeaders:
-    """ASGI middleware around the whole application."""
+    """ASGI middleware that adds the default headers."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, and add the headers to its answer."""
+        """Forward a request and add the headers to its response."""
 
-        async def passed(event: Message) -> None:
-            # A browser puts the headers of a 304 in place of those that it has kept.
+        async def send_with_headers(event: Message) -> None:
+            # A browser would replace the cached headers with those of a 304.
             if event["type"] == "http.response.start" and event["status"] != 304:
                 headers = MutableHeaders(scope=event)
                 for name, value in DEFAULTS.items():
                     headers.setdefault(name, value)
             await send(event)
 
-        await self.app(scope, receive, passed if scope["type"] == "http" else send)
+        await self.app(scope, receive, send_with_headers if scope["type"] == "http" else send)

@@ -1,4 +1,4 @@
-"""jobs: order, look at, release, confirm, hold, resume, cancel, finish, queue again, scrap."""
+"""Routes for jobs: create, list, read, release, confirm, hold, resume, cancel, finish, requeue."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
-from knifetip.api.drawings import overridden
+from knifetip.api.drawings import merge_overrides
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
@@ -29,11 +29,11 @@ from knifetip.api.service import (
     Key,
     Limit,
     Service,
-    bytes_answer,
+    bytes_response,
+    check_library_name,
+    customer_rules,
     fingerprint,
-    next_page,
-    on_shelf,
-    rules_named,
+    set_next_page,
 )
 from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.errors import OpenQuestions
@@ -54,7 +54,7 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 @router.post("", status_code=201)
 @queued
 def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
-    """Order a job; 409 with ``questions`` while something about it is undecided."""
+    """Create a job; 409 with ``questions`` if decisions are missing."""
     request = fingerprint(order.model_dump_json())
     row = here.store.jobs.find(key, request) if key else None
     if row is None:
@@ -64,9 +64,9 @@ def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> 
 
 
 def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
-    on_shelf("machines", order.machine)
-    on_shelf("boards", order.board)
-    # One revision: what was asked about, what is kept and what is compiled.
+    check_library_name("machines", order.machine)
+    check_library_name("boards", order.board)
+    # Questions, the stored job and the compile all use this one revision.
     drawing = here.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
     interpretation = _interpretation(here, order, drawing)
@@ -94,13 +94,13 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
 
 
 def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpretation:
-    """Return the drawing's interpretation with the changes of an order."""
+    """Return the drawing's interpretation with the profile, overrides and corners of the job."""
     interpretation = interpretation_of(drawing, drawing.overrides)
     if order.profile is not None:
-        rules = rules_named(here, order.profile)
+        rules = customer_rules(here, order.profile)
         interpretation = replace(interpretation, profile=order.profile, rules=rules)
     if order.overrides:
-        overrides = overridden(drawing.edges, drawing.overrides, order.overrides)
+        overrides = merge_overrides(drawing.edges, drawing.overrides, order.overrides)
         interpretation = replace(interpretation, overrides=overrides)
     if order.corners is not None:
         corners = Corners.from_json(order.corners.model_dump())
@@ -116,24 +116,24 @@ def list_jobs(
     cursor: Cursor = None,
     limit: Limit = 100,
 ) -> list[JobOut]:
-    """List jobs, the newest first; the Link header leads on."""
+    """List jobs, newest first; the Link header contains the next page."""
     states = state or []
     rows = here.store.jobs.search(states, cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
     filters = "".join(f"state={word}&" for word in states)
-    next_page(response, f"/api/jobs?{filters}", last, limit)
+    set_next_page(response, f"/api/jobs?{filters}", last, limit)
     return jobs_out(here.store, rows)
 
 
 @router.get("/{id}")
 def get_job(here: Here, id: str) -> JobOut:
-    """Look at a job."""
+    """Get a job."""
     return job_out(here.store, here.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
 def get_job_events(here: Here, id: str) -> list[JobEvent]:
-    """List what happened to a job: when, who and why."""
+    """List the transitions of a job with time, cause and reason."""
     return [
         JobEvent.model_validate(
             {
@@ -151,12 +151,12 @@ def get_job_events(here: Here, id: str) -> list[JobEvent]:
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
 def get_program(here: Here, request: Request, id: str) -> Response:
-    """Return the program, byte for byte as the machine gets it."""
+    """Download the program, byte for byte as sent to the machine."""
     row = here.store.jobs.get(id)
     text = here.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
     name = f"{stem}-{row.machine}.nc"
-    return bytes_answer(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
+    return bytes_response(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
 
 
 @router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
@@ -166,16 +166,16 @@ def get_verdict(
     id: str,
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
-    """Return the judge's answer, edge by edge, as JSON or binary columns (``format=columns``)."""
+    """Get the verdict for each edge, as JSON or as binary columns (``format=columns``)."""
     row = here.store.jobs.get(id)
     block = here.store.jobs.column(id, "verdict")
     if format == "columns":
-        return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
+        return bytes_response(request, block, row.program_sha256, "application/octet-stream")
     return Response(verdict_out(block).model_dump_json(), media_type="application/json")
 
 
 def verdict_out(block: bytes) -> VerdictOut:
-    """Return a verdict as the API shows it; what one of an older version does not have is empty."""
+    """Return the API model of a stored verdict; columns missing in older ones are empty."""
     columns, meta = unpacked(block)
     figures = {
         f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
@@ -199,72 +199,74 @@ def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(here: Here, request: Request, id: str) -> Response:
-    """Return the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
+    """Get the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
     row = here.store.jobs.get(id)
     block = here.store.jobs.column(id, "toolpath")
-    return bytes_answer(request, block, row.program_sha256, "application/octet-stream")
+    return bytes_response(request, block, row.program_sha256, "application/octet-stream")
 
 
 @router.post("/{id}/release")
 def release_job(here: Here, id: str) -> JobOut:
-    """Queue a job that is ready."""
+    """Queue a ready job."""
     return job_out(here.store, here.store.jobs.release(id))
 
 
 @router.post("/{id}/confirm")
 def confirm_job(here: Here, id: str, found: ConfirmIn | None = None) -> JobOut:
-    """Confirm at the machine: table clear, this board, these tools.  The machine starts.
+    """Confirm that table, board and tools are ready; the machine then starts.
 
-    The same confirms the new sheet between two copies.  A confirmation counts for the gateway's
-    present claim; 409 while the job does not wait for one, or where another board is named.
+    Between two copies this confirms the new sheet.  A confirmation is valid for the current claim
+    of the gateway; 409 if the job does not wait for one, or if another board is named.
     """
-    said = found or ConfirmIn()
-    return job_out(here.store, here.store.jobs.confirm(id, said.board or "", said.by))
+    confirmation = found or ConfirmIn()
+    return job_out(
+        here.store, here.store.jobs.confirm(id, confirmation.board or "", confirmation.by)
+    )
 
 
 @router.post("/{id}/hold")
 def hold_job(here: Here, id: str) -> JobOut:
-    """Ask the machine to hold; the job is ``held`` when it stands."""
+    """Request a hold; the job is ``held`` when the machine has stopped."""
     return job_out(here.store, here.store.jobs.hold(id))
 
 
 @router.post("/{id}/resume")
 def resume_job(here: Here, id: str) -> JobOut:
-    """Ask the machine to go on; between two copies this confirms the new sheet."""
+    """Request to resume; between two copies this confirms the new sheet."""
     return job_out(here.store, here.store.jobs.resume(id))
 
 
 @router.post("/{id}/cancel")
 def cancel_job(here: Here, id: str) -> JobOut:
-    """Cancel a job: at once before it runs, as soon as the machine stands while it does."""
+    """Cancel a job: immediately, or when the machine has stopped if the job is running."""
     return job_out(here.store, here.store.jobs.cancel(id))
 
 
 @router.post("/{id}/finish")
 def finish_job(here: Here, id: str) -> JobOut:
-    """Declare an interrupted job finished: all its sheets were found complete."""
+    """Declare an interrupted job finished: all its sheets are complete."""
     return job_out(here.store, here.store.jobs.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
 def requeue_job(here: Here, id: str) -> JobOut:
-    """Queue an interrupted job again, from its beginning: the table has been seen to."""
+    """Queue an interrupted job again from its first line; the table must be clear."""
     return job_out(here.store, here.store.jobs.requeue(id))
 
 
 @router.post("/{id}/scrap")
 def scrap_job(here: Here, id: str) -> JobOut:
-    """Give an interrupted job up, and its table free."""
+    """Scrap an interrupted job and free its table."""
     return job_out(here.store, here.store.jobs.scrap(id))
 
 
 def job_out(store: Store, row: Job) -> JobOut:
-    """Return a job as the API shows it."""
+    """Return the API model of a job."""
     return jobs_out(store, [row])[0]
 
 
 def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
-    """Return jobs as the API shows them."""
+    """Return the API models of jobs."""
     return [_job_out(row, waits) for row, waits in zip(rows, waiting_of(store, rows), strict=True)]
 
 
@@ -286,13 +288,13 @@ def _job_out(row: Job, waits: Waiting) -> JobOut:
 
 
 def progress(row: Job) -> float:
-    """Return how much of its compile, or of its run, a job has behind it: 0 … 1."""
+    """Return the completed share of the compile, or of the run, 0 … 1."""
     match row.state:
         case State.DONE:
             return 1.0
         case State.RUNNING | State.HELD | State.INTERRUPTED | State.SCRAPPED | State.CANCELLED:
             through = row.line / row.lines if row.lines else 0.0
-            # Between two copies the last line still stands: it is counted with its copy.
+            # Between two copies ``line`` is the last line of the completed copy, already counted.
             if row.copies_done and through >= 1.0:
                 through = 0.0
             return min((row.copies_done + through) / row.copies, 1.0)

@@ -1,4 +1,4 @@
-"""library: the import formats, and the boards and tools that orders may name."""
+"""Routes for the import formats, boards and tools of the library."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fastapi import APIRouter
 
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
-from knifetip.api.service import on_shelf
+from knifetip.api.service import check_library_name
 from knifetip.formats import FORMATS
 from knifetip.library import deflection, load
 from knifetip.library.load import find_cutter
@@ -29,49 +29,48 @@ def list_formats() -> list[FormatOut]:
 
 @router.get("/boards")
 def list_boards() -> list[BoardOut]:
-    """List the boards."""
+    """List the boards of the library."""
     return [get_board(name) for name in load.names("boards")]
 
 
 @router.get("/boards/{name}")
 def get_board(name: str) -> BoardOut:
-    """Look at a board."""
-    board = asdict(load.board(on_shelf("boards", name)))
+    """Get a board."""
+    board = asdict(load.board(check_library_name("boards", name)))
     return BoardOut.model_validate({field: board[field] for field in BoardOut.model_fields})
 
 
 @router.post("/boards/{name}/deflection")
 def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
-    """Say how far a cutter gives way in a board, from measured points, by least squares.
+    """Compute the deflection of a cutter in a board from measured points, by least squares.
 
-    Nothing is kept: the library is a folder of files, and ``toml`` is what belongs into the
-    board's.
+    Nothing is stored; ``toml`` contains the lines for the board's file.
     """
-    on_shelf("boards", name)
-    station = find_cutter(load.machine(on_shelf("machines", order.machine)), order.tool)
+    check_library_name("boards", name)
+    station = find_cutter(load.machine(check_library_name("machines", order.machine)), order.tool)
     # The engines import numba, which listing the library does not need.
     from knifetip.compensation.calibration import calibrate as fit_deflection
 
-    made = fit_deflection(
+    fitted = fit_deflection(
         [point.azimuth for point in order.points],
         [(point.dx, point.dy) for point in order.points],
         1 if order.side == "left" else -1,
     )
-    kept = Deflection(station.name, made.x, made.y)
+    result = Deflection(station.name, fitted.x, fitted.y)
     return CalibrationOut(
         board=name,
         machine=order.machine,
         tool=station.name,
-        x=made.x,
-        y=made.y,
-        residual=made.residual,
-        toml=deflection.deflection_toml(kept),
+        x=fitted.x,
+        y=fitted.y,
+        residual=fitted.residual,
+        toml=deflection.deflection_toml(result),
     )
 
 
 @router.get("/tools")
 def list_tools() -> list[StationTool]:
-    """List the tools on all machines."""
+    """List the tools of all machines."""
     return [
         StationTool.model_validate(
             {

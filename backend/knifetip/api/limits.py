@@ -1,6 +1,6 @@
-"""limits: refuses requests that are too large.
+"""Middleware that refuses requests that are too large.
 
-A request's size is known before it is read where the client says it, and counted where not.
+The size is taken from Content-Length if the client sends it, and counted otherwise.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from knifetip.api.problems import problem
 
 
 class TooLarge(Exception):
-    """More came than may come."""
+    """Raised when a request body exceeds its limit."""
 
 
 class Limits:
-    """ASGI middleware around the whole application."""
+    """ASGI middleware that limits the size of requests."""
 
     def __init__(self, app: ASGIApp, upload: int, body: int) -> None:
         self.app = app
@@ -28,13 +28,13 @@ class Limits:
         self.body = body
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, as long as it is small enough."""
+        """Forward a request; refuse it with 413 if it exceeds its limit."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
         headers = Request(scope).headers
         multipart = headers.get("content-type", "").lower().startswith("multipart/form-data")
-        # The parts of a form have heads of their own: a little more than the file in it.
+        # A multipart form has part headers in addition to the file.
         limit = self.upload + 65536 if multipart else self.body
         refusal = _refusal(limit, multipart)
         declared = headers.get("content-length", "")
@@ -43,9 +43,9 @@ class Limits:
             return
         received = 0
         refused = False
-        begun = False
+        started = False
 
-        async def counted() -> Message:
+        async def receive_counted() -> Message:
             nonlocal received, refused
             message = await receive()
             received += len(message.get("body", b""))
@@ -54,16 +54,16 @@ class Limits:
                 raise TooLarge
             return message
 
-        async def passed(message: Message) -> None:
-            nonlocal begun
-            # Whatever the application makes of the broken-off body, the answer is ours.
-            if not refused or begun:
-                begun = True
+        async def send_unless_refused(message: Message) -> None:
+            nonlocal started
+            # The application's response to the truncated body is replaced by the refusal.
+            if not refused or started:
+                started = True
                 await send(message)
 
         with contextlib.suppress(TooLarge):
-            await self.app(scope, counted, passed)
-        if refused and not begun:
+            await self.app(scope, receive_counted, send_unless_refused)
+        if refused and not started:
             await refusal(scope, receive, send)
 
 

@@ -1,4 +1,4 @@
-"""machines: the tables, their stations, and what is on them now."""
+"""Routes for the machines: stations, tools, gateway and current job."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import asdict
 from fastapi import APIRouter
 
 from knifetip.api.schemas.machines import MachineOut
-from knifetip.api.service import Here, on_shelf
+from knifetip.api.service import Here, check_library_name
 from knifetip.api.waiting import ABSENT
 from knifetip.library import load
 from knifetip.model.machine import Machine
@@ -18,7 +18,7 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 
 @router.get("")
 def list_machines(here: Here) -> list[MachineOut]:
-    """List the machines."""
+    """List the machines of the library."""
     connected = here.store.gateways.connected(ABSENT)
     on_table = here.store.gateways.jobs_on_tables()
     return [
@@ -29,8 +29,8 @@ def list_machines(here: Here) -> list[MachineOut]:
 
 @router.get("/{name}")
 def get_machine(here: Here, name: str) -> MachineOut:
-    """Look at a machine."""
-    machine = load.machine(on_shelf("machines", name))
+    """Get a machine."""
+    machine = load.machine(check_library_name("machines", name))
     return _machine_out(
         machine,
         name in here.store.gateways.connected(ABSENT),

@@ -1,4 +1,4 @@
-"""problems: error answers as application/problem+json (RFC 9457)."""
+"""Error responses in the format application/problem+json (RFC 9457)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def problem(
     revision: int | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> Response:
-    """Return an error as RFC 9457 has it; ``title`` defaults to the phrase of the status."""
+    """Return an error response; ``title`` defaults to the reason phrase of the status."""
     body = Problem.model_validate(
         {
             **message.as_json(),

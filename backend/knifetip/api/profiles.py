@@ -1,7 +1,7 @@
-"""profiles: the rules that tell cuts from creases; those that are shipped, and the customers' own.
+"""Routes for classification profiles: those of the library and those of customers.
 
-A profile travels as TOML or as JSON.  Whoever changes one says which version they saw; drawings and
-jobs keep the rules that they were made with.
+A profile is sent as TOML or JSON.  A change names the version that it is based on; drawings and
+jobs keep the rules with which they were made.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from knifetip.api.queue import queued
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
-from knifetip.api.service import Here, bytes_answer, not_shipped, on_shelf
+from knifetip.api.service import Here, bytes_response, check_library_name, require_customer_profile
 from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
@@ -39,7 +39,7 @@ IfMatch = Annotated[
     Header(
         alias="If-Match",
         max_length=40,
-        description="The version that was looked at, as its ETag; * for whatever there is",
+        description="ETag of the version on which the change is based; * for any version",
     ),
 ]
 
@@ -53,27 +53,33 @@ Body = Annotated[bytes, Depends(_body)]
 
 @router.get("/profiles")
 def list_profiles(here: Here) -> list[ProfileOut]:
-    """List the classification profiles: the customers' own, then those that are shipped."""
-    kept = here.store.profiles.all()
-    names = {row.name for row in kept}
+    """List the classification profiles: those of customers, then those of the library."""
+    stored = here.store.profiles.all()
+    names = {row.name for row in stored}
     shipped = [name for name in load.names("profiles") if name not in names]
-    return [_kept_out(row) for row in kept] + [_shipped_out(name) for name in shipped]
+    return [_stored_out(row) for row in stored] + [_shipped_out(name) for name in shipped]
 
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=_TEXT)
 def export_profile(here: Here, request: Request, name: str) -> Response:
-    """Return a profile as TOML, to be kept, edited and sent back."""
+    """Download a profile as TOML."""
     row = here.store.profiles.get(name)
-    text = custom_profiles.library_text(on_shelf("profiles", name)) if row is None else row.text
+    text = (
+        custom_profiles.library_text(check_library_name("profiles", name))
+        if row is None
+        else row.text
+    )
     tag = str(row.version if row is not None else 0)
-    return bytes_answer(request, text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
+    return bytes_response(request, text.encode(), tag, f"{TOML}; charset=utf-8", f"{name}.toml")
 
 
 @router.get("/profiles/{name}")
 def get_profile(here: Here, response: Response, name: str) -> ProfileOut:
-    """Look at a classification profile: its rules, of which the first that matches decides."""
+    """Get a classification profile; the first rule that matches an edge decides."""
     row = here.store.profiles.get(name)
-    profile = _shipped_out(on_shelf("profiles", name)) if row is None else _kept_out(row)
+    profile = (
+        _shipped_out(check_library_name("profiles", name)) if row is None else _stored_out(row)
+    )
     response.headers["ETag"] = f'"{profile.version}"'
     return profile
 
@@ -82,12 +88,12 @@ def get_profile(here: Here, response: Response, name: str) -> ProfileOut:
 def keep_profile(
     here: Here, request: Request, response: Response, name: str, body: Body, match: IfMatch = None
 ) -> ProfileOut:
-    """Keep a customer's profile, as TOML or as JSON.
+    """Create or replace a customer's profile, sent as TOML or JSON.
 
-    A new one needs no If-Match; to change one, say which version it was made from.
+    To replace a profile, name the version that the change is based on.
     """
     custom_profiles.check_name(name)
-    not_shipped(here, name)
+    require_customer_profile(here, name)
     version, anyway = _version(match)
     if "json" in request.headers.get("content-type", "").lower():
         given = _profile_in(body)
@@ -100,20 +106,20 @@ def keep_profile(
     row = here.store.profiles.save(name, title, text, version, anyway=anyway)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
-    return _kept_out(row)
+    return _stored_out(row)
 
 
 @router.delete("/profiles/{name}", status_code=204)
 def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
-    """Forget a customer's profile; drawings and jobs keep the rules that they were made with."""
-    not_shipped(here, name)
+    """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""
+    require_customer_profile(here, name)
     here.store.profiles.delete(name, _version(match)[0])
 
 
 @router.post("/drawings/{id}/preview")
 @queued
 def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
-    """Say what a profile would do to a drawing; nothing is kept."""
+    """Preview the effect of a profile on a drawing; nothing is stored."""
     row = here.store.drawings.get_with(id, "content", "overrides")
     found = here.run(
         profiling.preview,
@@ -127,7 +133,7 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 @router.post("/drawings/{id}/learned")
 @queued
 def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
-    """Propose rules that would have said what somebody corrected by hand; nothing is kept."""
+    """Propose rules that explain the user's corrections of line types; nothing is stored."""
     row = here.store.drawings.get_with(id, "content", "overrides")
     found = here.run(
         profiling.learn,
@@ -138,7 +144,7 @@ def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
 
 
 def fields_of(profile: ProfileIn) -> dict[str, Any]:
-    """Return a profile of a request as the library takes it."""
+    """Return a profile of a request in the form of the library's files."""
     rules = [
         {key: value for key, value in rule.model_dump().items() if value} for rule in profile.rules
     ]
@@ -149,7 +155,7 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
 
 
 def _version(match: str | None) -> tuple[int | None, bool]:
-    """Return the version that an If-Match names, and whether any will do."""
+    """Return the version in an If-Match header, and whether any version is accepted."""
     if match is None:
         return None, False
     if match.strip() == "*":
@@ -172,7 +178,7 @@ def _profile_in(body: bytes) -> ProfileIn:
 
 
 def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
-    """Return where in a profile something is, rules counted from 1 as people do."""
+    """Return the place of a fault in a profile; rules are counted from 1."""
     match loc:
         case ("rules", int(number), field, *_):
             return (f"rule {number + 1}", str(field)[:80])
@@ -201,11 +207,11 @@ def _shipped_out(name: str) -> ProfileOut:
     return _out(name, custom_profiles.library_text(name), shipped=True)
 
 
-def _kept_out(row: Profile) -> ProfileOut:
+def _stored_out(row: Profile) -> ProfileOut:
     try:
         return _out(row.name, row.text, version=row.version, updated=row.updated)
     except ProfileError as reason:
-        # One that an older knifetip took must not hide all the others.
+        # An invalid profile, stored by an older version, must not make the list fail.
         return ProfileOut(
             name=row.name,
             title=row.title,

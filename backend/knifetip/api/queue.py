@@ -1,11 +1,11 @@
-"""queue: requests that need a worker process wait here, without a thread and in order.
+"""Queue of requests that need a worker process; they wait in order and without a thread.
 
     @router.post(…)
     @queued
     def upload_drawing(here: Here, …): …
 
-Only a few of them are on threads at the same time, since each thread that computes delays every
-other one of the server.  When too many wait, the next is refused before anything of it is kept.
+Only a few run at the same time, because each computing thread delays all others of the server.
+When too many wait, the next request is refused before anything of it is stored.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from knifetip.errors import ServerBusy
 P = ParamSpec("P")
 T = TypeVar("T")
 
-WAITING = 16  #: requests that may wait
-_LONGEST = 60  # seconds that Retry-After may ask for
+WAITING = 16  #: most requests that may wait
+_LONGEST = 60  # greatest Retry-After (s)
 
 
 class WorkQueue:
-    """A bounded queue of calls and the threads that make them.
+    """A bounded queue of calls, executed by a fixed number of threads.
 
     Parameters
     ----------
     at_once
-        Calls that are made at the same time.
+        Number of threads.
     waiting
-        Calls that may wait besides.
+        Most calls that may wait.
     """
 
     def __init__(self, at_once: int, waiting: int = WAITING) -> None:
@@ -43,15 +43,15 @@ class WorkQueue:
         self._at_once = at_once
         self._most = at_once + waiting
         self._inside = 0
-        self._seconds = 1.0  # of a call, on average
+        self._seconds = 1.0  # average duration of a call
 
     async def run(self, call: Callable[[], T]) -> T:
-        """Return ``call()``, made on one of the threads.
+        """Execute ``call`` on one of the threads and return its result.
 
         Raises
         ------
         ServerBusy
-            Too many wait; the call was not made.
+            Too many calls wait; this one was not executed.
         """
         if self._inside >= self._most:
             waiting = self._inside - self._at_once
@@ -66,14 +66,14 @@ class WorkQueue:
             self._inside -= 1
 
     def _timed(self, call: Callable[[], T]) -> T:
-        begun = time.monotonic()
+        started = time.monotonic()
         try:
             return call()
         finally:
-            self._seconds += 0.2 * (time.monotonic() - begun - self._seconds)
+            self._seconds += 0.2 * (time.monotonic() - started - self._seconds)
 
     def close(self) -> None:
-        """Make no further calls."""
+        """Stop accepting and executing calls."""
         self._threads.shutdown(wait=False, cancel_futures=True)
 
 
@@ -82,7 +82,7 @@ class _Queued(Protocol):
 
 
 def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
-    """Return a route that waits in the queue of its argument ``here``."""
+    """Decorate a route so that it waits in the queue of its argument ``here``."""
 
     @wraps(endpoint)
     async def route(*args: P.args, **named: P.kwargs) -> T:

@@ -1,7 +1,7 @@
-"""revisions: the revision of a drawing as ETag, If-Match and If-None-Match (RFC 9110, section 13).
+"""Revisions of drawings as ETag, If-Match and If-None-Match (RFC 9110, section 13).
 
-A drawing's revision counts its changes.  Its ETag is the revision, and says besides where the
-profile has changed since: that changes the answer and not the drawing.
+The ETag of a drawing is its revision.  If the profile has changed since the classification, the
+ETag also contains that state, because it changes the response but not the drawing.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ IfMatch = Annotated[
     Header(
         alias="If-Match",
         max_length=200,
-        description="ETag of the revision that the change was made for; 412 if it is not the "
-        "newest. Without it the change applies to whatever there is.",
+        description="ETag of the revision on which the change is based; 412 if it is not the "
+        "newest. Without it the change applies to the newest.",
     ),
 ]
 IfNoneMatch = Annotated[
@@ -28,7 +28,7 @@ IfNoneMatch = Annotated[
     Header(
         alias="If-None-Match",
         max_length=1000,
-        description="ETag of what the client has already; 304 if that is still so",
+        description="ETag of the client's copy; 304 if it is current",
     ),
 ]
 
@@ -39,7 +39,7 @@ def etag(revision: int, profile_state: str = "current") -> str:
 
 
 def check_match(match: str | None, row: Drawing) -> None:
-    """Raise StaleRevision where an If-Match names no ETag of the drawing as it is now."""
+    """Raise StaleRevision if an If-Match header does not match the drawing's ETag."""
     if match is None or "*" in _tags(match):
         return
     named = [tag.partition("-")[0] for tag in _tags(match)]
@@ -48,18 +48,18 @@ def check_match(match: str | None, row: Drawing) -> None:
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
-    """Raise StaleRevision where an order names another revision than the drawing's."""
+    """Raise StaleRevision if a job names another revision than the drawing's."""
     if revision is not None and revision != row.version:
         raise StaleRevision(row.id, row.version, str(revision))
 
 
 def is_known(tag: str, none_match: str | None) -> bool:
-    """Return whether an If-None-Match names this ETag."""
+    """Return whether an If-None-Match header contains this ETag."""
     known = list(_tags(none_match or ""))
     return "*" in known or tag.strip('"') in known
 
 
 def _tags(header: str) -> Iterator[str]:
     for word in header.split(","):
-        # A proxy that compresses makes a strong ETag weak; it is the same revision still.
+        # A compressing proxy marks ETags as weak; the revision is the same.
         yield word.strip().removeprefix("W/").strip('"')

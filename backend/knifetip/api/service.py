@@ -1,4 +1,4 @@
-"""service: what every route needs: settings, database, process pool, and small helpers."""
+"""Settings and parts of a server, and helpers that several routes share."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How a server is set up."""
+    """Settings of a server."""
 
     database: str = "sqlite:///knifetip.sqlite"
-    compiles: bool = True  #: False where the compile workers are other processes
-    name: str = ""  #: of this process among its peers, the same after a restart
+    compiles: bool = True  #: False if compile workers run in other processes
+    name: str = ""  #: of this process, unique among its peers, the same after a restart
     processes: int = 2  #: processes that read and compile
-    waiting: int = WAITING  #: requests that may wait for one of them
-    limit: float = LIMIT  #: seconds that a reading or a compile may take
-    upload: int = 64 * MEGABYTE  #: bytes of a drawing
-    body: int = 16 * MEGABYTE  #: bytes of any other request
-    page: Path = Path(__file__).parent / "page"  #: the built page
-    access: AccessRules = field(default_factory=AccessRules)  #: who may use it
+    waiting: int = WAITING  #: most requests that may wait for a process
+    limit: float = LIMIT  #: time limit of reading or compiling (s)
+    upload: int = 64 * MEGABYTE  #: largest drawing (bytes)
+    body: int = 16 * MEGABYTE  #: largest other request (bytes)
+    page: Path = Path(__file__).parent / "page"  #: folder of the built page
+    access: AccessRules = field(default_factory=AccessRules)  #: access rules
 
 
 @dataclass(slots=True)
 class Service:
-    """One server's parts."""
+    """Parts of one server."""
 
     settings: Settings
     store: Store
@@ -56,7 +56,7 @@ class Service:
     ready: bool = False
 
     def stop(self) -> None:
-        """End the requests that wait for something: event streams and long polls."""
+        """End event streams and long polls."""
         self.stopping.set()
         self.store.changes.notify()
 
@@ -72,7 +72,7 @@ class Service:
         return self.pool.run(task, *arguments, limit=self.settings.limit)
 
 
-# Not a plain function: FastAPI would run it on a thread of the pool that everything else waits for.
+# A coroutine: FastAPI would run a plain function on a thread of the shared pool.
 async def _service(request: Request) -> Service:
     service: Service = request.app.state.service
     return service
@@ -85,16 +85,18 @@ Key = Annotated[
         alias="Idempotency-Key",
         min_length=1,
         max_length=200,
-        description="The same key and request answer with the first result",
+        description="Repeating a request with the same key returns the first result",
     ),
 ]
-Cursor = Annotated[int | None, Query(ge=0, le=2**31 - 1, description="From the Link header")]
+Cursor = Annotated[
+    int | None, Query(ge=0, le=2**31 - 1, description="Position in the list, from the Link header")
+]
 Limit = Annotated[int, Query(ge=1, le=500)]
 BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}
 
 
 def fingerprint(*parts: str | bytes) -> str:
-    """Return what tells one request from another under the same Idempotency-Key."""
+    """Return a hash of a request, to detect different requests with one Idempotency-Key."""
     digest = hashlib.sha256()
     for part in parts:
         block = part.encode("utf-8", "replace") if isinstance(part, str) else part
@@ -102,13 +104,13 @@ def fingerprint(*parts: str | bytes) -> str:
     return digest.hexdigest()
 
 
-def on_shelf(shelf: str, name: str) -> str:
-    """Return a name that is in the library; files beside it are none of a caller's business.
+def check_library_name(shelf: str, name: str) -> str:
+    """Return the name of a library entry; paths of files are not accepted.
 
     Raises
     ------
     LibraryError
-        It is not.
+        The library has no such entry.
     """
     known = load.names(shelf)
     if name not in known:
@@ -118,13 +120,13 @@ def on_shelf(shelf: str, name: str) -> str:
     return name
 
 
-def rules_named(here: Service, name: str) -> str:
-    """Return the TOML of a customer's profile; empty for one that is shipped.
+def customer_rules(here: Service, name: str) -> str:
+    """Return the TOML of a customer's profile; empty for one of the library.
 
     Raises
     ------
     LibraryError
-        There is none of that name.
+        There is no such profile.
     """
     row = here.store.profiles.get(name)
     if row is not None:
@@ -136,22 +138,22 @@ def rules_named(here: Service, name: str) -> str:
     return ""
 
 
-def not_shipped(here: Service, name: str) -> None:
-    """Raise WrongState for a profile that is shipped: it stays as it is."""
+def require_customer_profile(here: Service, name: str) -> None:
+    """Raise WrongState if a profile belongs to the library and cannot be changed."""
     if name in load.names("profiles") and here.store.profiles.get(name) is None:
         raise WrongState("profile.shipped", name=name)
 
 
-def next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
-    """Name the next page of a list in its Link header, if there is one."""
+def set_next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
+    """Set the Link header to the next page of a list, if there is one."""
     if cursor is not None:
         response.headers["Link"] = f'<{path}cursor={cursor}&limit={limit}>; rel="next"'
 
 
-def bytes_answer(
+def bytes_response(
     request: Request, content: bytes, tag: str, media: str, attachment: str = ""
 ) -> Response:
-    """Return bytes with their ETag, or 304 where the caller has them already."""
+    """Return a response with bytes and their ETag, or 304 if the client has them."""
     headers = {"ETag": f'"{tag}"', "Cache-Control": "no-cache"}
     if f'"{tag}"' in request.headers.get("If-None-Match", ""):
         return Response(status_code=304, headers=headers)
@@ -161,6 +163,6 @@ def bytes_answer(
 
 
 def file_name(name: str) -> str:
-    """Return a name of letters, digits, dots and dashes that every file system takes."""
+    """Return a portable file name of letters, digits, dots and dashes."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
     return plain[-100:] or "knifetip"

@@ -1,9 +1,9 @@
-"""signin: how a browser gets a session, by the link with the key or by typing the key.
+"""Sign-in of browsers: by a link with the key, or by entering the key.
 
-    GET /?key=KEY  or  POST /sign-in (key=KEY)  ->  a session cookie, and on to the page
+    GET /?key=KEY  or  POST /sign-in (key=KEY)  ->  session cookie, then the page
 
-A session is ``EXPIRY.SIGNATURE``, signed with the key: the server stores none, and a new key ends
-all of them.
+A session is ``EXPIRY.SIGNATURE``, signed with the key.  The server stores no sessions; a new key
+invalidates all of them.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from fastapi.responses import HTMLResponse
 from starlette.requests import Request
 
 PATH = "/sign-in"
-LIFETIME = 30 * 24 * 3600  #: seconds that a session lasts
-_LONGEST = 4096  # bytes of the form
+LIFETIME = 30 * 24 * 3600  #: lifetime of a session (s)
+_LONGEST = 4096  # longest form (bytes)
 _HEADERS = {
     "Cache-Control": "no-store",
     "Referrer-Policy": "same-origin",
@@ -40,28 +40,28 @@ style="font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"></p>
 <p role="alert">{fault}</p>
 <button style="font: inherit; padding: 0.4rem 1rem">Sign in</button>
 </form>
-<p>The server's start log has the key, or a link with it.</p>
+<p>The key, or a link with it, is in the server's start log.</p>
 </html>
 """
-_AGAIN = "again"  # in the query of a second try
+_AGAIN = "again"  # query parameter of the second attempt
 
 
 def cookie_name(key: str) -> str:
-    """Return the name of the session's cookie.
+    """Return the name of the session cookie.
 
-    Cookies of one host are shared by all its ports, so each key has a name of its own.
+    All ports of a host share their cookies, so the name depends on the key.
     """
     return f"knifetip-{hashlib.sha256(b'cookie ' + key.encode()).hexdigest()[:8]}"
 
 
-def session(key: str, now: float) -> str:
-    """Return a new session's cookie."""
+def new_session(key: str, now: float) -> str:
+    """Return the cookie value of a new session."""
     expiry = str(int(now) + LIFETIME)
     return f"{expiry}.{_signature(key, expiry)}"
 
 
 def is_session(cookie: str, key: str, now: float) -> bool:
-    """Return whether a cookie is a session of this key that has not expired."""
+    """Return whether a cookie is a valid session of this key."""
     expiry, _, signature = cookie.partition(".")
     if not (expiry.isascii() and expiry.isdecimal() and len(expiry) < 16):
         return False
@@ -75,7 +75,7 @@ def _signature(key: str, expiry: str) -> str:
 
 
 async def given_key(request: Request) -> str | None:
-    """Return the key that a browser gives in a link or in the form, or None if it gives none."""
+    """Return the key in the link or the form of a request, or None if there is none."""
     path = request.url.path
     if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
         return request.query_params.get("key")
@@ -91,15 +91,15 @@ async def given_key(request: Request) -> str | None:
 
 
 def wants_page(request: Request) -> bool:
-    """Return whether a request asks for a page rather than for data."""
+    """Return whether the client accepts HTML."""
     return "text/html" in request.headers.get("accept", "")
 
 
 def welcome(request: Request, key: str, now: float) -> Response:
-    """Return the session's cookie and a page that leads on, to an address without the key."""
-    # Not a redirect: after a link on another site a browser would follow it without the cookie.
+    """Return a response that sets the session cookie and goes to the URL without the key."""
+    # Not a redirect: after a link from another site a browser would follow it without the cookie.
     path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
-    rest = urlencode([one for one in request.query_params.multi_items() if one[0] != "key"])
+    rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
     url = f"{path}?{rest}" if rest else path
     refresh = _refresh(url)
     answer = HTMLResponse(
@@ -109,7 +109,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
     )
     answer.set_cookie(
         cookie_name(key),
-        session(key, now),
+        new_session(key, now),
         max_age=LIFETIME,
         path="/",
         secure=request.url.scheme == "https",
@@ -119,17 +119,17 @@ def welcome(request: Request, key: str, now: float) -> Response:
     return answer
 
 
-def next_try(request: Request) -> str:
-    """Return the address for a second try of the same request; empty if this is the second."""
-    # Another address: to load the same one again would count as the first site's request still.
+def retry_url(request: Request) -> str:
+    """Return the URL for a second attempt of a request; empty if this is the second."""
+    # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:
         return ""
     path = "/" + request.url.path.lstrip("/")
     return f"{path}?{urlencode([*request.query_params.multi_items(), (_AGAIN, '1')])}"
 
 
-def page(fault: str = "", *, again: str = "") -> Response:
-    """Return the page where a key is typed; the browser asks for ``again`` first, if given."""
+def sign_in_page(fault: str = "", *, again: str = "") -> Response:
+    """Return the sign-in page; with ``again`` the browser first loads that URL."""
     refresh = _refresh(again) if again else ""
     body = _PAGE.format(path=PATH, fault=html.escape(fault), refresh=refresh)
     return HTMLResponse(body, 401, headers=_HEADERS)

@@ -1,4 +1,4 @@
-"""site: serves the built page, and its index at the routes of the page."""
+"""Static files of the built page."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
 
-#: The page loads nothing from elsewhere.  Its widgets set styles in the document itself.
+#: The page loads nothing from other origins.  Its components set inline styles.
 PAGE_POLICY = (
     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "font-src 'self' data:; worker-src 'self' blob:; object-src 'none'; base-uri 'none'; "
@@ -24,14 +24,14 @@ _UNBUILT = """<!doctype html>
 it: see <a href="/api/openapi.json">/api/openapi.json</a>.</p>
 """
 _PAGE_HEADERS = {"Content-Security-Policy": PAGE_POLICY, "X-Frame-Options": "SAMEORIGIN"}
-# Built files have their content's hash in the name, so they never change.
+# Names of built files contain a hash of their content, so the files never change.
 _FOREVER = "public, max-age=31536000, immutable"
 
 
 class Site(StaticFiles):
     """ASGI application that serves the folder of the built page.
 
-    Routes of the page, which are not files, get ``index.html``.
+    Paths that are not files get ``index.html``, because the page has its own routes.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -39,7 +39,7 @@ class Site(StaticFiles):
         self._index = folder / "index.html"
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return a file or the page.
+        """Return the response with a file or with the page.
 
         Raises
         ------

@@ -1,7 +1,7 @@
-"""threads: threads of their own for the requests of gateways.
+"""Separate threads for the requests of gateways.
 
-Requests that wait for a process (uploads, orders) hold threads of the server's common pool.  What a
-gateway reports must not wait behind them: a heartbeat that is late by a lease interrupts the cut.
+Uploads and new jobs occupy threads of the server's shared pool while they wait for a process.
+Heartbeats must not wait behind them: one that is late by a lease interrupts the cut.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ T = TypeVar("T")
 
 
 class GatewayThreads:
-    """Two pools: gateways that wait for work do not keep those waiting that report."""
+    """Two thread pools, so that claims do not delay reports."""
 
     def __init__(self) -> None:
         self._reports = ThreadPoolExecutor(4, "report")
         self._claims = ThreadPoolExecutor(2, "claim")
 
     async def reports(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Return ``call(*args, **named)``, of a heartbeat, a finish or a health check."""
+        """Execute a call of a heartbeat, a finish or a health check and return its result."""
         return await _run(self._reports, partial(call, *args, **named))
 
     async def claims(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Return ``call(*args, **named)``, of a look at the queue or the fetch of a program."""
+        """Execute a call that claims a job or fetches a program and return its result."""
         return await _run(self._claims, partial(call, *args, **named))
 
     def close(self) -> None:
-        """End the threads when their calls have returned."""
+        """Shut the threads down after their current calls."""
         for pool in (self._reports, self._claims):
             pool.shutdown(wait=False, cancel_futures=True)
 

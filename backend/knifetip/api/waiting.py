@@ -1,14 +1,14 @@
-"""waiting: what a job waits for, as a field and in words for the operator.
+"""What a job waits for: a field for programs, reason and hint for the operator.
 
     job rows + queues of their machines -> waiting_for, reason, hint
 
 ``waiting_for`` is one of
 
-- ``confirmation``: table clear, board and tools are to be confirmed before the first line,
-- ``sheet``: the same for the next copy,
-- ``machine``: it is next, and its machine has not taken it yet,
-- ``turn``: other jobs come first,
-- empty: nothing.
+- ``confirmation``: the operator must confirm table, board and tools before the first line,
+- ``sheet``: the operator must confirm the sheet of the next copy,
+- ``machine``: the job is next, but its machine has not claimed it,
+- ``turn``: other jobs of the machine come first,
+- empty: the job does not wait.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from knifetip.library import load
 
 WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn"]
 
-#: Seconds without a request after which a gateway is absent.
+#: Seconds without a request after which a gateway counts as absent.
 ABSENT = 6.0
 
 
@@ -39,7 +39,7 @@ class Waiting(NamedTuple):
 
 
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
-    """Return what each job waits for; asks the store only where one of them is queued."""
+    """Return what each job waits for; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.gateways.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]

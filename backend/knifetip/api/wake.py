@@ -1,4 +1,4 @@
-"""wake: lets coroutines wait for the next change in the store."""
+"""Wait in a coroutine for the next change in the store."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from knifetip.jobs.changes import Changes
 
 
 class Wake:
-    """Set by every change in the store, from whatever thread."""
+    """Event that every change in the store sets, from any thread."""
 
     def __init__(self) -> None:
         self._event = asyncio.Event()
 
     async def wait(self, seconds: float) -> None:
-        """Return after the next change since the last call, or after so many seconds."""
+        """Wait for the next change since the last call, at most ``seconds``."""
         with suppress(TimeoutError):
             await asyncio.wait_for(self._event.wait(), seconds)
         self._event.clear()
 
 
 @contextmanager
-def woken_by(changes: Changes) -> Iterator[Wake]:
-    """Return a ``Wake`` for the running event loop; inside the context no change is missed."""
+def wake_on_change(changes: Changes) -> Iterator[Wake]:
+    """Return a context with a ``Wake`` of the running event loop that misses no change."""
     loop = asyncio.get_running_loop()
     wake = Wake()
 

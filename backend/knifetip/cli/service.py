@@ -79,7 +79,7 @@ def register(app: typer.Typer) -> None:
             key=key,
             key_file=key_file,
             hosts=tuple(allow_host or ()),
-            told=print_stderr,
+            announce=print_stderr,
         )
 
     @app.command()

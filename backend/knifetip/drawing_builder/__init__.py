@@ -1,1 +1,1 @@
-"""The last step of every reader: from segments and styles to a Drawing with its import report."""
+"""Build a Drawing with its import report from the segments and styles of a reader."""

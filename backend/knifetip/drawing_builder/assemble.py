@@ -1,8 +1,8 @@
-"""assemble: a Drawing from the segments and the report rows of a reader.
+"""Assemble a Drawing from the segments and the report rows of a reader.
 
     ReportRows, Columns, Styles -> Drawing
 
-Segments without length are dropped, and a segment that is drawn twice is kept once.
+Segments of zero length are dropped, and of duplicate segments one is kept.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ from knifetip.model.words import Repeated
 
 
 class KnownUnit(NamedTuple):
-    """The unit of a file, as far as it is known."""
+    """The unit of a file, if known, and what the header states about it."""
 
-    scale: float  #: millimetres to a file unit, 0 while it is unknown
-    unit: str  #: empty while it is unknown
+    scale: float  #: millimetres per file unit, 0 if unknown
+    unit: str  #: empty if unknown
     evidence: Message
-    stated: str  #: the unit that the header states, empty if none
-    hints: tuple[UnitHint, ...] = ()  #: other statements of the header about it
+    stated: str  #: unit in the header, empty if none
+    hints: tuple[UnitHint, ...] = ()  #: other evidence in the header
 
 
 #: Bulges that differ by less than this are equal.
@@ -57,7 +57,7 @@ def assemble(
     inscriptions: Iterable[Inscription],
     known: KnownUnit,
 ) -> Drawing:
-    """Return the drawing, without segments of no length and with each line once.
+    """Return the drawing without duplicate segments and segments of zero length.
 
     Parameters
     ----------
@@ -83,10 +83,10 @@ def assemble(
         keep = ~(speck | twice)
         length = length[keep]
         found = Columns(found.ends[keep], found.bulge[keep], found.row[keep], found.style[keep])
-    # ``bincount`` adds in the order of the file.
+    # ``bincount`` adds in file order, so sums are reproducible.
     kept_length: F64 = np.bincount(found.row, length, minlength=len(fate)).astype(np.float64)
     size = scale or 1.0
-    # + 0 turns -0 into 0.
+    # Adding 0 turns -0 into 0.
     ends = found.ends * size
     ends += 0.0
     return Drawing(
@@ -127,9 +127,9 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return layer names, linetype names, and the columns of the s styles, (s, 5).
+    """Return layer names, linetype names, and an (s, 5) array of the s styles.
 
-    These are layer, layer regardless of case, colour, true colour and linetype.
+    Its columns are layer, layer regardless of case, colour, true colour and linetype.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
@@ -147,7 +147,7 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
-    """Return for each segment the first segment with the same line, in either direction, (n,)."""
+    """Return for each segment its first duplicate, in either direction, (n,)."""
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
     _find_survivors(ends, bulge, alike, speck, 1.0 / point, slots, first)
@@ -164,7 +164,7 @@ def _find_survivors(
     slots: OutU64_1,
     first: OutI64_1,
 ) -> None:
-    """Write the first segment of each line to ``first``."""
+    """Write for each segment its first duplicate to ``first``."""
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
         if speck[row]:

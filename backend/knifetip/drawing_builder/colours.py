@@ -1,4 +1,4 @@
-"""colours: the nearest colour of the AutoCAD colour index.
+"""Nearest colour of the AutoCAD colour index.
 
 0xFF0000 -> 1          0xE02020 -> 1
 """
@@ -8,10 +8,10 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Final
 
-#: Stands for a paint without a single colour: a pattern, a gradient, an ink.
+#: Marks paint without a single colour, such as a pattern, a gradient or an ink.
 UNKNOWN_COLOUR: Final = -1
 
-#: The colours of AutoCAD's index that are the same in every program.
+#: Colours 1 to 7 of AutoCAD's index, which are the same in all programs.
 _INDEX: Final = (
     (1, 0xFF0000),
     (2, 0xFFFF00),

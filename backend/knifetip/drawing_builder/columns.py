@@ -1,4 +1,4 @@
-"""columns: segments and styles, as every reader passes them to ``assemble``."""
+"""Segments and styles that a reader passes to ``assemble``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Style(NamedTuple):
 
     layer: str
     colour: int  #: AutoCAD colour index 1 … 255
-    true_colour: int  #: 0xRRGGBB, -1 where there is none
+    true_colour: int  #: 0xRRGGBB, -1 if none
     linetype: str
 
 
@@ -23,5 +23,5 @@ class Columns:
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
-    row: I32  #: (n,) of the ledger
-    style: I32  #: (n,) which of the styles
+    row: I32  #: (n,) row of the import report
+    style: I32  #: (n,) index of the style

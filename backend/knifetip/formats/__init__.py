@@ -1,4 +1,4 @@
-"""The file formats that drawings are read from: how each is detected, named and read."""
+"""Import formats: detection by content, names and readers."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""detection: the kind of a file, by its content and never by its name.
+"""Detect the format of a file by its content; the file name is not used.
 
-    bytes -> Beginning -> whether it is SVG, PDF, CF2, or what it is instead
+    bytes -> Beginning -> SVG, PDF, CF2, or the name of a foreign format
 
-Only the beginning of the file is examined.
+Only the first bytes of the file are examined.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Final
 _HEAD: Final = 4096
 _ROOT_WITHIN: Final = 1 << 18
 
-#: First bytes of files that are sent by mistake, and what they are.
+#: First bytes of other file formats, and their names for error messages.
 _FOREIGN: Final = (
     (b"\x89PNG", "a PNG picture"),
     (b"\xff\xd8\xff", "a JPEG picture"),
@@ -53,7 +53,7 @@ _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
 
 @dataclass(frozen=True, slots=True)
 class Beginning:
-    """The part of a file by which its kind is detected."""
+    """The first bytes of a file, normalised for detection."""
 
     head: bytes  #: without byte order mark and leading blanks; UTF-16 as UTF-8; b"" if empty
     data: bytes  #: the whole file
@@ -89,7 +89,7 @@ def is_cf2(file: Beginning) -> bool:
 
 
 def foreign_kind(file: Beginning) -> str:
-    """Return what a file is that is no drawing: "a PNG picture"; "" where that is not known."""
+    """Return the name of a foreign format, such as "a PNG picture"; "" if it is unknown."""
     if file.head.startswith(_GZIP):
         return "a gzip archive"
     if file.head.startswith(b"<"):
@@ -100,7 +100,7 @@ def foreign_kind(file: Beginning) -> str:
 
 
 def _unpacked(data: bytes) -> bytes:
-    """Return the first bytes inside a gzip; b"" if it is damaged."""
+    """Return the first decompressed bytes of a gzip file; b"" if it is damaged."""
     try:
         inside = zlib.decompressobj(31).decompress(data, _HEAD)
     except zlib.error:
@@ -109,9 +109,9 @@ def _unpacked(data: bytes) -> bytes:
 
 
 def _root_element(data: bytes) -> str:
-    """Return the name of the root element of an XML; "" where there is none near its beginning."""
+    """Return the name of an XML file's root element; "" if there is none in the first 256 KB."""
     begin = data[:_ROOT_WITHIN]
     if begin[:2] in (b"\xff\xfe", b"\xfe\xff"):
         begin = begin.decode("utf-16", "ignore").encode()
-    found = _ROOT.search(_PROLOG.sub(b"", begin))
-    return "" if found is None else found[1].decode("utf-8", "replace")
+    match = _ROOT.search(_PROLOG.sub(b"", begin))
+    return "" if match is None else match[1].decode("utf-8", "replace")

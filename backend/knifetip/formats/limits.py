@@ -1,4 +1,4 @@
-"""limits: sizes and times beyond which a file is refused."""
+"""Limits of file size, number of entities and reading time."""
 
 from __future__ import annotations
 
@@ -13,22 +13,19 @@ REACH: Final = 1e7
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """The most that one drawing may ask for; beyond it is DrawingTooLarge."""
+    """Limits for one drawing; a reader raises DrawingTooLarge if one is exceeded."""
 
     bytes: int = 64 * 2**20  #: of the file
-    slow_bytes: int = 24 * 2**20  #: of a DXF that only ezdxf reads, in forty times its memory
+    slow_bytes: int = (
+        24 * 2**20
+    )  #: of a DXF that needs ezdxf, which uses forty times as much memory
     entities: int = 500_000  #: in the file, those of its blocks included
-    expanded: int = 1_000_000  #: entities that the INSERTs stand for
-    insert_depth: int = 16  #: blocks inside blocks
+    expanded: int = 1_000_000  #: entities after block references are expanded
+    insert_depth: int = 16  #: depth of nested blocks
     segments: int = 1_000_000  #: lines and arcs of the drawing
     seconds: float = 120.0  #: for expanding and fitting
 
     def admit(self, size: int) -> None:
-        """Raise DrawingTooLarge for a file that is too large to be examined.
-
-        Raises
-        ------
-        DrawingTooLarge
-        """
+        """Raise DrawingTooLarge if a file exceeds the size limit."""
         if size > self.bytes:
             raise DrawingTooLarge("reading.too-large", size=size / 2**20, limit=self.bytes / 2**20)

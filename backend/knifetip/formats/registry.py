@@ -1,10 +1,9 @@
-"""registry: the table of import formats.
+"""The table of import formats.
 
     bytes -> Format -> Drawing
 
-A format is one row of ``FORMATS`` and a room of its own with a module ``read``.  Everything else
-that depends on the format is taken from its row: detection, media type, file name extensions, and
-what the page offers in its file dialog.
+A format is one row of ``FORMATS`` and a package with a module ``read``.  Detection, media type,
+file name extensions and the file dialog of the page all use this row.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from knifetip.formats import detection
 from knifetip.formats.detection import Beginning
 from knifetip.model.drawing import Drawing
 
-# A browser executes scripts in an SVG or a PDF, so both are sent as plain bytes.
+# Browsers execute scripts in SVG and PDF, so both are sent as binary data.
 _BYTES: Final = "application/octet-stream"
 
 
@@ -28,15 +27,15 @@ class Format:
     """An import format."""
 
     name: str  #: "dxf", "svg" …
-    title: str  #: for a sentence: "DXF (text or binary, any version)"
-    extensions: tuple[str, ...]  #: of file names, with the dot, the usual one first
-    media_type: str  #: in which the stored file is sent back
-    reader: str  #: module whose ``read(data, unit)`` reads it; imported when it is first needed
-    #: whether a file is of this format, by its content; None for the format of all other files
+    title: str  #: name in messages: "DXF (text or binary, any version)"
+    extensions: tuple[str, ...]  #: file name extensions with the dot, most common first
+    media_type: str  #: media type of downloads
+    reader: str  #: module with ``read(data, unit)``; imported on first use
+    #: whether a file has this format; None for the format of all other files
     matches: Callable[[Beginning], bool] | None
 
 
-#: In the order in which errors and the page list them.
+#: All formats, in the order of messages and of the page.
 FORMATS: Final = (
     Format(
         "dxf",
@@ -50,17 +49,17 @@ FORMATS: Final = (
     Format("svg", "SVG", (".svg", ".svgz"), _BYTES, "knifetip.svg.read", detection.is_svg),
     Format("pdf", "PDF", (".pdf", ".ai"), _BYTES, "knifetip.pdf.read", detection.is_pdf),
 )
-#: Reads files of unknown content: its reader reports where they stop being one.
+#: Format of files with unknown content; its reader reports what is wrong.
 _FALLBACK: Final = next(one for one in FORMATS if one.matches is None)
 
 
 def format_of(data: bytes) -> Format:
-    """Return the format of a file, by its content.
+    """Return the format of a file, detected by its content.
 
     Raises
     ------
     NotADrawing
-        The file is empty, or of a known kind that is not an import format.
+        The file is empty or has a known format that cannot be imported.
     """
     titles = [one.title for one in FORMATS]
     beginning = Beginning.of(data)
@@ -75,12 +74,12 @@ def format_of(data: bytes) -> Format:
 
 
 def read_file(data: bytes, unit: str = "") -> Drawing:
-    """Return the drawing in a file, in the unit that is given or else in that of the file.
+    """Read the drawing in a file; ``unit`` overrides the unit of the file.
 
     Raises
     ------
     ReadError
-        The bytes are not a drawing, or one that is damaged or too large.
+        The file is not a drawing, damaged, or too large.
     """
     reader = import_module(format_of(data).reader)
     drawing: Drawing = reader.read(data, unit or None)

@@ -1,1 +1,1 @@
-"""A job is a finished, verified program and a machine."""
+"""Store and compile jobs: drawings, jobs, profiles, events, worker processes and transitions."""

@@ -1,8 +1,8 @@
-"""changes: wakes threads and coroutines of this process when a job or drawing has changed.
+"""Wake threads and coroutines of this process after a change of a job or a drawing.
 
     with changes.subscribed(event.set): event.wait(1.0)
 
-Other processes on the same database are not woken; they look at it now and then.
+Other processes on the same database are not notified; they poll it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Changes:
 
     @contextmanager
     def subscribed(self, callback: Callable[[], object]) -> Iterator[None]:
-        """Have ``callback()`` called after each change, on the thread that made it."""
+        """Return a context in which ``callback()`` is called after each change, on its thread."""
         with self._lock:
             self._callbacks.append(callback)
         try:
@@ -31,7 +31,7 @@ class Changes:
                 self._callbacks.remove(callback)
 
     def notify(self) -> None:
-        """Call the callbacks; each must return at once and raise nothing."""
+        """Call the callbacks; they must return immediately and not raise."""
         with self._lock:
             callbacks = list(self._callbacks)
         for callback in callbacks:

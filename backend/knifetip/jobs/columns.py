@@ -28,7 +28,7 @@ _DTYPES = {"f": "<f8", "i": "<i4", "u": "|u1"}
 
 
 def packed(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> bytes:
-    """Return the columns and their meta data as one block of bytes."""
+    """Return columns and metadata as one block of bytes."""
     listed: list[dict[str, object]] = []
     data = bytearray()
     for name, column in columns.items():
@@ -50,7 +50,7 @@ def packed(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> b
 
 
 def unpacked(block: bytes) -> tuple[dict[str, NDArray[Any]], dict[str, Any]]:
-    """Return the columns (read-only views of the block) and the meta data.
+    """Return the columns (read-only views of the block) and the metadata.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""compile_result: what a compile returns to the store."""
+"""The result of a compile as it is stored."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class CompileResult:
-    """Program, tool path and verdict of a compiled job."""
+    """Program, tool path, verdict and tools of a compiled job."""
 
     accepted: bool
-    reason: str  #: of a refusal
+    reason: str  #: why the job was refused
     program: bytes
     sha256: str
     lines: int
     toolpath: bytes  #: see ``columns``
     verdict: bytes  #: see ``columns``
-    judged: dict[str, Any]  #: the verdict in four figures
+    judged: dict[str, Any]  #: figures of the verdict
     source: list[str] = field(default_factory=list)
-    #: stations that the program uses, in their order: number, name, kind
+    #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)

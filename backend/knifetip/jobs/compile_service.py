@@ -48,7 +48,7 @@ def _kernels_for(machine: str) -> tuple[str, ...]:
 
 @dataclass(slots=True)
 class CompileService:
-    """Compiles received jobs, and takes back what silent owners had."""
+    """Threads that compile received jobs and take jobs back from owners whose lease has expired."""
 
     store: Store
     pool: ProcessPool
@@ -80,7 +80,7 @@ class CompileService:
         self._threads.append(thread)
 
     def stop(self) -> None:
-        """Stop at once: a compile under way is cancelled, and repeated at the next start."""
+        """Stop immediately: a running compile is cancelled and repeated at the next start."""
         self._stopping.set()
         self.warm_up.close()
         self.pool.close()

@@ -1,4 +1,4 @@
-"""compile_store: what a compile worker does to a job while it has its epoch."""
+"""Repository operations of compile workers; each checks the epoch of the job."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions
 from knifetip.model.stage import Stage
 
-ATTEMPTS = 5  #: compiles that may die under a job before it is refused
+ATTEMPTS = 5  #: failed attempts after which a job is refused
 _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
 
 
 class CompileStore:
-    """Jobs as compile workers move them."""
+    """Transitions of jobs by compile workers."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -68,14 +68,14 @@ class CompileStore:
             return self._transitions.locked(session, id)
 
     def recover(self, worker: str) -> None:
-        """Take back the jobs that an earlier process of this name was compiling when it died."""
+        """Take back the jobs that an earlier process with this name was compiling when it ended."""
         with self._db.writing() as session:
             dead = sa.select(Job).where(Job.state == State.COMPILING, Job.owner == worker)
             for row in session.scalars(dead.with_for_update()).all():
                 self.take_back(session, row)
 
     def take_back(self, session: Session, row: Job) -> None:
-        """Return a job whose worker is silent to the queue, unless too many compiles died."""
+        """Return the job of a silent worker to the queue; refuse it after too many attempts."""
         if row.attempt < ATTEMPTS:
             self._transitions.move(
                 session,
@@ -103,7 +103,7 @@ class CompileStore:
         )
 
     def report_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
-        """Report the progress of a compile and renew its lease; False when the job was lost."""
+        """Store the progress of a compile and renew its lease; return False if the job was lost."""
         with self._db.writing() as session:
             return bool(
                 rows(
@@ -115,7 +115,7 @@ class CompileStore:
             )
 
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
-        """Keep what a compile made: ready (and queued, if that was ordered) or refused."""
+        """Store the result of a compile: the job becomes ready, queued or refused."""
         kept: dict[str, Any] = {
             "program": result.program,
             "program_sha256": result.sha256,
@@ -186,7 +186,7 @@ class CompileStore:
             )
 
     def give_back(self, id: str, epoch: int) -> None:
-        """Return a job whose compile was broken off, so that it is tried again."""
+        """Return a job whose compile was cancelled to the queue."""
         with self._db.writing() as session:
             attempt = self._transitions.locked(session, id).attempt
             self._transitions.move(

@@ -1,4 +1,4 @@
-"""database: the connection to SQLite or PostgreSQL, its transactions and its tables' form.
+"""Connection to SQLite or PostgreSQL: transactions and migration of the tables.
 
 "sqlite:///knifetip.sqlite" -> Database
 """
@@ -66,7 +66,7 @@ def dialect_url(url: str) -> str:
 
 
 class Database:
-    """The database; safe to use from many threads and from many processes."""
+    """A database connection; safe to use from several threads and processes."""
 
     def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
         self.url = dialect_url(url)
@@ -81,7 +81,7 @@ class Database:
         self._writer = self._engine.execution_options(writes=True)
 
     def migrate(self) -> None:
-        """Bring the tables to the newest form, from none at all if need be."""
+        """Create the tables or migrate them to the current schema."""
         settings = Config()
         settings.set_main_option("script_location", str(_MIGRATIONS).replace("%", "%%"))
         with self._writer.begin() as connection:
@@ -96,15 +96,15 @@ class Database:
 
     @contextmanager
     def reading(self) -> Iterator[Session]:
-        """Begin a transaction that only reads."""
+        """Return a context with a read-only transaction."""
         with Session(self._engine, expire_on_commit=False) as session:
             yield session
 
     @contextmanager
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
-        """Begin a transaction that writes; ``urgent`` ones come before all others that wait.
+        """Return a context with a transaction that writes; ``urgent`` ones run before waiting ones.
 
-        When it has written events, ``changes`` is notified.
+        If it has written events, ``changes`` is notified afterwards.
         """
         with (
             self._turns.turn(urgent),
@@ -144,7 +144,7 @@ class Database:
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
-    """Return how many rows a statement changed."""
+    """Return the number of rows that a statement changed."""
     return cast("sa.CursorResult[Any]", session.execute(statement)).rowcount
 
 

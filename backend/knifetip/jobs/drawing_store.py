@@ -1,4 +1,4 @@
-"""drawing_store: uploaded drawings, and what users decided about them."""
+"""Repository of drawings with the decisions of the user."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from knifetip.model.interpretation import Interpretation
 
 
 class DrawingStore:
-    """Uploaded drawings."""
+    """Repository of drawings."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -37,11 +37,11 @@ class DrawingStore:
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
-        """Keep a drawing that was read; the same key gives the drawing that it first made.
+        """Store a drawing; an Idempotency-Key that was used before returns the earlier drawing.
 
         Raises
         ------
-        WrongState
+        KeyReused
             The key was used for another request.
         """
         row = Drawing(
@@ -69,7 +69,7 @@ class DrawingStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Drawing | None:
-        """Return the drawing that a request with this Idempotency-Key made, with its ledger."""
+        """Return the drawing created under this Idempotency-Key, with its ledger, or None."""
         with self._db.reading() as session:
             row = session.scalar(
                 sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.ledger))
@@ -81,7 +81,7 @@ class DrawingStore:
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing with these of its large columns, all of the same revision."""
+        """Return a drawing with the named large columns, all of the same revision."""
         large = [undefer(getattr(Drawing, column)) for column in columns]
         with self._db.reading() as session:
             row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
@@ -90,11 +90,11 @@ class DrawingStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return one of a drawing's large columns: content, overrides, edges or ledger."""
+        """Return a large column of a drawing: content, overrides, edges or ledger."""
         return self._db.large_column(Drawing, id, column, "drawing")
 
     def recent(self, before: int | None, limit: int) -> list[Drawing]:
-        """Return drawings, the newest first, older than the one with serial ``before``."""
+        """Return drawings older than the one with serial ``before``, newest first."""
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
         if before is not None:
             query = query.where(Drawing.serial < before)
@@ -102,14 +102,14 @@ class DrawingStore:
             return list(session.scalars(query))
 
     def change(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
-        """Change a drawing that is still as it was at ``version``; return it with its ledger.
+        """Change a drawing if its version is still ``version``; return it with its ledger.
 
         Raises
         ------
         NoSuchJob
-            It was deleted in between.
+            The drawing was deleted in between.
         StaleRevision
-            It was changed in between.
+            The drawing was changed in between.
         """
         with self._db.writing() as session:
             changed = rows(
@@ -130,7 +130,7 @@ class DrawingStore:
             ).one()
 
     def delete(self, id: str) -> None:
-        """Forget a drawing that no job was made from."""
+        """Delete a drawing without jobs."""
         self.get(id)
         with self._db.writing() as session:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):

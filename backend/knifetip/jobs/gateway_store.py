@@ -1,4 +1,4 @@
-"""gateway_store: claims, heartbeats and ends of jobs, as gateways report them."""
+"""Repository operations of gateways: claim a job, report progress, finish it."""
 
 from __future__ import annotations
 
@@ -25,40 +25,40 @@ _TURN = (Job.priority.desc(), Job.queued, Job.serial)
 
 @dataclass(frozen=True, slots=True)
 class GatewayReport:
-    """What a gateway reports of a job that it runs."""
+    """Report of a gateway on the progress of a job."""
 
-    line: int  #: lines of the present copy that the machine has executed
-    copies_done: int = 0  #: under this claim
+    line: int  #: executed lines of the current copy
+    copies_done: int = 0  #: since this claim
     held: bool = False
-    waiting: bool = False  #: nothing is sent yet: the gateway waits for the command to start
+    waiting: bool = False  #: nothing is sent yet: the gateway waits for ``start``
     position: Sequence[float] | None = None
     seconds_left: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """The queue of one machine: what keeps its jobs waiting."""
+    """State of a machine's queue: why its jobs wait."""
 
-    first: str  #: the job that is claimed next; empty if none waits unclaimed
-    ahead: str  #: the job that is on the table, or claimed and not confirmed; empty if none is
+    first: str  #: next job to be claimed; empty if none
+    ahead: str  #: job on the table, or claimed and not confirmed; empty if none
     ahead_state: str
-    connected: bool  #: a gateway was heard lately
+    connected: bool  #: whether a gateway made a request recently
 
 
 class GatewayStore:
-    """Jobs as gateways move them, and the gateways that ask for work."""
+    """Transitions of jobs by gateways, and the known gateways."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
         self._transitions = transitions
 
     def record_contact(self, machine: str, name: str) -> None:
-        """Note that a gateway asked for work."""
+        """Record that a gateway has requested a job."""
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
     def connected(self, within: float) -> set[str]:
-        """Return the machines whose gateway was heard within so many seconds."""
+        """Return the machines whose gateway made a request within ``within`` seconds."""
         now = self._db.clock()
         asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
         working = sa.select(Job.machine).where(
@@ -68,13 +68,13 @@ class GatewayStore:
             return {*session.scalars(asking), *session.scalars(working)}
 
     def jobs_on_tables(self) -> dict[str, str]:
-        """Return the job on each machine's table."""
+        """Return the job on the table of each machine."""
         query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
         with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
     def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
-        """Return what keeps the queued jobs of these machines waiting.
+        """Return the state of the queues of some machines.
 
         Parameters
         ----------
@@ -100,17 +100,17 @@ class GatewayStore:
         return found
 
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
-        """Give the next queued job of a machine to a gateway, or None if there is none.
+        """Assign the next queued job of a machine to a gateway; None if there is none.
 
-        With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until a
-        heartbeat is answered with ``start``.  A gateway that claims again while it waits gets the
-        same job under a new epoch, to be confirmed anew.  Otherwise ``running`` is committed when
-        this returns, before a byte goes to the controller.
+        With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until the
+        answer to a heartbeat is ``start``.  A gateway that claims again while it waits gets
+        the same job under a new epoch, which must be confirmed again.  Otherwise ``running`` is
+        committed before this returns, so before any byte is sent to the controller.
 
         Raises
         ------
         MachineBusy
-            Another job is on the table of this machine, or waits there under another gateway.
+            Another job is on the table of this machine, or another gateway waits with one.
         """
         waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
         with self._db.reading() as session:
@@ -168,19 +168,19 @@ class GatewayStore:
         )
 
     def heartbeat(self, id: str, epoch: int, report: GatewayReport) -> str:
-        """Take a gateway's report, renew its lease and return what it is to do.
+        """Store a gateway's report, renew its lease and return the next command.
 
         Returns
         -------
         str
-            ``wait`` or ``start`` to a gateway that waits for the operator's confirmation, else
-            ``continue``, ``hold`` or ``resume``; ``cancel`` to either.  When this returns
-            ``start``, ``running`` is committed.
+            ``wait`` or ``start`` if the gateway waits for the operator's confirmation, otherwise
+            ``continue``, ``hold`` or ``resume``; ``cancel`` in both cases.  ``running`` is
+            committed before ``start`` is returned.
 
         Raises
         ------
         StaleEpoch
-            The job is no longer this gateway's: stop the machine.
+            The gateway no longer owns the job and must stop the machine.
         """
         with self._db.writing(urgent=True) as session:
             row = self._transitions.locked(session, id)
@@ -193,7 +193,7 @@ class GatewayStore:
             return self._runs(session, row, report)
 
     def _awaits(self, session: Session, row: Job) -> str:
-        """Answer a gateway that has sent nothing to the machine yet."""
+        """Return the command for a gateway that has sent nothing to the machine yet."""
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
             self._change(session, row, renewed)
@@ -201,7 +201,7 @@ class GatewayStore:
         if row.confirmation == Confirmation.AWAITED:
             self._change(session, row, renewed)
             return "wait"
-        # Where the job is running already, the answer with the start was lost on the way.
+        # If the job is already running, the answer with ``start`` was lost.
         starts = row.requested_action == "resume" or (
             row.state != State.HELD and row.requested_action != "hold"
         )
@@ -217,7 +217,7 @@ class GatewayStore:
         return "start" if starts else "wait"
 
     def _started(self, session: Session, row: Job, **changes: Any) -> Job:
-        """Move a claimed job to ``running``: confirmed, or because its gateway runs it anyway."""
+        """Move a claimed job to ``running``: it is confirmed, or its gateway already runs it."""
         confirmed = row.confirmation == Confirmation.GIVEN
         why = "started" if confirmed else "started without the operator's confirmation"
         self._gateway_moves(session, row, State.RUNNING, why, **changes)
@@ -238,11 +238,11 @@ class GatewayStore:
         )
 
     def _runs(self, session: Session, row: Job, report: GatewayReport) -> str:
-        """Keep what a gateway reports of a running job; return the operator's command."""
+        """Store a report on a running job and return the operator's command."""
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
         confirmation, requested = row.confirmation, row.requested_action
-        # A request ends when it is done; a resume must not start the copy after the next, too.
+        # The action is completed: a resume must not also start the copy after the next.
         if requested == ("hold" if report.held else "resume") or (
             copy_done and requested == "resume"
         ):
@@ -250,7 +250,7 @@ class GatewayStore:
         if copy_done and confirmation == Confirmation.GIVEN:
             confirmation = Confirmation.SHEET
         elif copy_done and confirmation == Confirmation.NONE and report.held:
-            # The machine feeds the next sheet itself, unless the operator wants it to stop.
+            # The machine feeds the next sheet itself, unless the operator has requested a hold.
             requested = "resume" if row.requested_action in ("", "resume") else requested
         heard: dict[str, Any] = {
             "line": min(report.line, row.lines),
@@ -292,24 +292,24 @@ class GatewayStore:
         line: int | None = None,
         copies_done: int | None = None,
     ) -> Job:
-        """Take a gateway's report of how a job ended; a repeated report changes nothing.
+        """Store a gateway's report that a job has ended; a repeated report has no effect.
 
-        The last owner may report late.  While the job is still ``interrupted`` its report is
-        evidence: ``done`` ends the job, anything else corrects the line and the reason.
+        The last owner may report late.  While the job is still ``interrupted``, ``done`` ends the
+        job, and any other outcome corrects its line and reason.
 
         Parameters
         ----------
         outcome
-            ``done``, ``interrupted`` or ``cancelled``; ``returned`` gives a claim back that was
-            never started, with nothing sent to the machine.
+            ``done``, ``interrupted`` or ``cancelled``; ``returned`` releases a claim that was never
+            started, with nothing sent to the machine.
         line, copies_done
-            The last line that was executed and the copies that were finished under this claim,
-            where they are known better than by the last heartbeat.
+            Last executed line, and copies completed under this claim; by default those of the last
+            heartbeat.
 
         Raises
         ------
         StaleEpoch
-            The job is no longer this gateway's.
+            The gateway no longer owns the job.
         """
         returned = outcome == "returned"
         goal = State.INTERRUPTED if returned else State(outcome)
@@ -391,7 +391,7 @@ class GatewayStore:
         self._transitions.note(session, "job", row.id, State.QUEUED, f"{who} {name}".strip(), why)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
-        """Change columns of a row that was read for update in this transaction."""
+        """Change columns of a row that is locked by this transaction."""
         statement = sa.update(Job).where(Job.id == row.id, Job.epoch == row.epoch)
         statement = statement.execution_options(synchronize_session=False)
         if not rows(session, statement.values(**changes)):

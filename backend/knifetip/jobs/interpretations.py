@@ -1,4 +1,4 @@
-"""interpretations: the interpretation of a drawing in the columns of a row of the store."""
+"""Convert between an Interpretation and the columns of a drawing or a job."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from knifetip.model.interpretation import Interpretation
 
 
 def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
-    """Return the interpretation by which a drawing was read, or is to be compiled for a job.
+    """Return the interpretation stored with a drawing or a job.
 
     Parameters
     ----------
     overrides
-        The row's column of that name, which is only loaded on request.
+        The column ``overrides`` of the row, which is loaded separately.
     """
     corners = row.corners if isinstance(row, Job) else None
     return Interpretation(
@@ -28,7 +28,7 @@ def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
 
 
 def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
-    """Return the columns of a drawing's row that hold its interpretation."""
+    """Return the columns of a drawing that store its interpretation."""
     return {
         "unit_given": interpretation.unit,
         "profile": interpretation.profile,
@@ -38,7 +38,7 @@ def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
 
 
 def job_columns(interpretation: Interpretation) -> dict[str, Any]:
-    """Return the columns of a job's row that hold the interpretation of its drawing."""
+    """Return the columns of a job that store its interpretation."""
     corners = interpretation.corners
     return {
         **drawing_columns(interpretation),

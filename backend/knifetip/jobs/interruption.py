@@ -1,8 +1,8 @@
-"""interruption: where an interrupted job stopped, and what the operator can do about it.
+"""Where an interrupted job stopped, and what the operator can do about it.
 
     interruption(row, "A belt tore.", line=34) -> line, copies done, reason, hint
 
-The line is the last one that the gateway reported, so the machine may be further on.
+The line is the last one that the gateway reported; the machine may have executed more.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ _REST = (
 
 @dataclass(frozen=True, slots=True)
 class Interruption:
-    """What an interruption leaves of a job."""
+    """Line, copies, reason and hint of an interrupted job."""
 
-    line: int  #: executed lines of the copy that was interrupted
+    line: int  #: executed lines of the interrupted copy
     copies_done: int
     reason: str
     hint: str
@@ -43,17 +43,17 @@ def interruption(
     Parameters
     ----------
     row
-        The job as it was before the interruption, or already interrupted.
+        The job before the interruption, or already interrupted.
     why
-        A sentence of the gateway or of the sweep.
+        Reason from the gateway or from the lease sweep.
     line, copies_done
-        What the gateway reported last; by default what the job has.
+        Last values reported by the gateway; by default those of the job.
     """
     at = row.line if line is None else min(line, row.lines)
     done = row.copies_done if copies_done is None else min(copies_done, row.copies)
     whole = 0 < row.lines == at
     if whole and row.state in (State.HELD, State.INTERRUPTED) and 0 < done < row.copies:
-        # Between two copies the last line of the one that is done still counts.
+        # Between two copies ``line`` is the last line of the completed copy.
         at, whole = 0, False
     elif whole and done + 1 < row.copies:
         at, done, whole = 0, done + 1, False

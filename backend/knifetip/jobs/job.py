@@ -1,16 +1,16 @@
-"""job: the states of a job, and the table of its transitions.
+"""States of a job and the table of its transitions.
 
     received → compiling → ready → queued → running ⇄ held → done
                   ↘ refused                    ↘ interrupted → queued again | scrapped
     cancelled from any state before done
 
-A compile may be repeated; a cut may not, since the board is gone and a blade may be in it.  So
-only an operator returns a job from ``interrupted`` to the queue.  The last owner's late report may
-correct an interrupted job, up to ``done``, but never starts it again.
+A compile may be repeated.  A cut may not, since the board is used up and a blade may be in it, so
+only an operator returns a job from ``interrupted`` to the queue.  A late report of the last owner
+may correct an interrupted job, up to ``done``, but never restarts it.
 
-On a machine that is fed by hand a gateway claims a queued job and waits: the job stays ``queued``
-until an operator has confirmed the sheet (see ``Confirmation``).  Nothing is sent before, so such
-a claim is given back when its lease runs out.
+On a machine with manual feed, a gateway claims a queued job and waits: the job stays ``queued``
+until the operator has confirmed the sheet (see ``Confirmation``).  Nothing is sent to the machine
+before, so such a claim is released when its lease expires.
 """
 
 from __future__ import annotations
@@ -41,24 +41,24 @@ class State(StrEnum):
 
 
 class Who(StrEnum):
-    """Who moves a job."""
+    """Causes of transitions."""
 
     OPERATOR = "operator"
     WORKER = "worker"  #: a compile worker
-    GATEWAY = "gateway"  #: the process beside the table
-    CLOCK = "clock"  #: a lease that ran out
+    GATEWAY = "gateway"  #: a gateway
+    CLOCK = "clock"  #: an expired lease
 
 
 class Confirmation(StrEnum):
-    """What the operator has to confirm before the machine may move, under the present claim."""
+    """What the operator must confirm before the machine may move, under the current claim."""
 
-    NONE = ""  #: nothing: no gateway has claimed the job, or its machine feeds itself
-    AWAITED = "awaited"  #: claimed; table clear, board and tools are to be confirmed
+    NONE = ""  #: nothing: the job is not claimed, or its machine has automatic feed
+    AWAITED = "awaited"  #: claimed; table, board and tools must be confirmed
     GIVEN = "given"  #: confirmed for this claim
-    SHEET = "sheet"  #: a copy is done; the next sheet is to be confirmed
+    SHEET = "sheet"  #: a copy is done; the next sheet must be confirmed
 
 
-#: States in which a job's board lies on the table: one job to a machine.
+#: States in which a job's board is on the table; at most one job per machine.
 ON_TABLE = (State.RUNNING, State.HELD, State.INTERRUPTED)
 
 #: States in which a gateway holds a lease.
@@ -66,7 +66,7 @@ LEASED = (State.RUNNING, State.HELD)
 
 
 class Action(StrEnum):
-    """What moves a job to another state; each has one target."""
+    """Actions that move a job to another state; each has one target state."""
 
     COMPILE = "compile"
     ACCEPT = "accept"
@@ -84,17 +84,17 @@ class Action(StrEnum):
 
 
 class Transition(NamedTuple):
-    """One row of the table of transitions."""
+    """One row of the transition table."""
 
     source: State
     action: Action
     target: State
-    actors: tuple[Who, ...]  #: who may do it
+    actors: tuple[Who, ...]  #: who may perform it
 
 
 _OPERATOR, _WORKER, _GATEWAY, _CLOCK = Who.OPERATOR, Who.WORKER, Who.GATEWAY, Who.CLOCK
-#: All transitions.  An operator's hold, resume and cancel of a job on a table are requests to its
-#: gateway, which does them.
+#: All transitions.  For a job on a table, the operator's hold, resume and cancel are requests that
+#: its gateway performs.
 TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.RECEIVED, Action.COMPILE, State.COMPILING, (_WORKER,)),
     Transition(State.RECEIVED, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
@@ -102,7 +102,7 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.COMPILING, Action.REFUSE, State.REFUSED, (_WORKER, _CLOCK)),
     Transition(State.COMPILING, Action.RETRY, State.RECEIVED, (_WORKER, _CLOCK)),
     Transition(State.COMPILING, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
-    # The worker releases a job whose order requests it.
+    # The worker queues a job that is to be released when ready.
     Transition(State.READY, Action.RELEASE, State.QUEUED, (_OPERATOR, _WORKER)),
     Transition(State.READY, Action.CANCEL, State.CANCELLED, (_OPERATOR,)),
     Transition(State.QUEUED, Action.START, State.RUNNING, (_GATEWAY,)),
@@ -117,7 +117,7 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.HELD, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
     Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR,)),
     Transition(State.INTERRUPTED, Action.SCRAP, State.SCRAPPED, (_OPERATOR,)),
-    # The gateway: a late report that the whole program was executed.
+    # Late report of the gateway that the whole program was executed.
     Transition(State.INTERRUPTED, Action.FINISH, State.DONE, (_OPERATOR, _GATEWAY)),
 )
 #: What an operator can do about a job whose state refuses an action.
@@ -137,12 +137,12 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, who: Who) -> tuple[State, ...]:
-    """Return the states in which ``who`` may do an action."""
+    """Return the states in which ``who`` may perform an action."""
     return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
 
 
 def target(action: Action) -> State:
-    """Return the state to which an action moves a job."""
+    """Return the target state of an action."""
     return next(row.target for row in TRANSITIONS if row.action is action)
 
 
@@ -152,11 +152,11 @@ def action_between(source: State, goal: State) -> Action:
     Raises
     ------
     StopIteration
-        There is none.
+        There is no such action.
     """
     return next(row.action for row in TRANSITIONS if (row.source, row.target) == (source, goal))
 
 
 def new_id() -> str:
-    """Return ten letters and digits that can be read aloud: nothing that looks like another."""
+    """Return a random id of ten letters and digits, without characters that look alike."""
     return "".join(secrets.choice(_ALPHABET) for _ in range(10))

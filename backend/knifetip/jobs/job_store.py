@@ -1,4 +1,4 @@
-"""job_store: the jobs, and what operators do with them."""
+"""Repository of jobs, with the actions of operators."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from knifetip.model.interpretation import Interpretation
 
 
 class JobStore:
-    """Jobs, and what operators do with them."""
+    """Repository of jobs, with the actions of operators."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -37,11 +37,11 @@ class JobStore:
         key: str | None = None,
         fingerprint: str = "",
     ) -> Job:
-        """Keep an order as ``received``; the same key gives the job that it first made.
+        """Store a new job as ``received``; an Idempotency-Key used before returns the earlier job.
 
         Raises
         ------
-        WrongState
+        KeyReused
             The key was used for another request.
         """
         now = self._db.clock()
@@ -101,7 +101,7 @@ class JobStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Job | None:
-        """Return the job that a request with this Idempotency-Key made, or None."""
+        """Return the job created under this Idempotency-Key, or None."""
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.key == key))
         return None if row is None else same_request(row, key, fingerprint)
@@ -115,12 +115,12 @@ class JobStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return one of a job's large columns: overrides, program, toolpath or verdict.
+        """Return a large column of a job: overrides, program, toolpath or verdict.
 
         Raises
         ------
         WrongState
-            The job has none yet, or was refused before it had one.
+            The job is not compiled yet, or was refused before the column was computed.
         """
         return self._db.large_column(Job, id, column, "job")
 
@@ -131,7 +131,7 @@ class JobStore:
         limit: int = 100,
         ids: Sequence[str] | None = None,
     ) -> list[Job]:
-        """Return jobs in any of these states (all, if none is named), the newest first."""
+        """Return jobs in one of the given states (in any if none is given), newest first."""
         query = sa.select(Job).order_by(Job.serial.desc()).limit(limit)
         if states:
             query = query.where(Job.state.in_(states))
@@ -143,7 +143,7 @@ class JobStore:
             return list(session.scalars(query))
 
     def release(self, id: str) -> Job:
-        """Queue a job that is ready."""
+        """Queue a ready job."""
         with self._db.writing() as session:
             self._transitions.move(
                 session,
@@ -156,7 +156,7 @@ class JobStore:
         return self.get(id)
 
     def requeue(self, id: str) -> Job:
-        """Queue an interrupted job again, at its former place: the table has been cleared."""
+        """Queue an interrupted job again, at its former position; the table must be clear."""
         with self._db.writing() as session:
             self._transitions.move(
                 session,
@@ -175,7 +175,7 @@ class JobStore:
         return self.get(id)
 
     def scrap(self, id: str) -> Job:
-        """Give an interrupted job up: its table is free again."""
+        """Scrap an interrupted job and free its table."""
         with self._db.writing() as session:
             self._transitions.move(
                 session, id, Action.SCRAP, Who.OPERATOR, "scrapped", requested_action=""
@@ -183,7 +183,7 @@ class JobStore:
         return self.get(id)
 
     def declare_finished(self, id: str) -> Job:
-        """End an interrupted job as done: an operator found all its sheets complete."""
+        """Mark an interrupted job as done: an operator has found all its sheets complete."""
         with self._db.writing() as session:
             row = self._transitions.locked(session, id)
             self._transitions.move(
@@ -205,20 +205,20 @@ class JobStore:
     def confirm(self, id: str, board: str = "", by: str = "") -> Job:
         """Confirm that the table is clear and the job's board and tools are in place.
 
-        Starts a job that a gateway has claimed, the next copy of one that waits for a sheet, or
-        lets one go on that was started without a confirmation.  To confirm twice changes nothing.
+        Starts a claimed job, or the next copy of a job that waits for a sheet, or resumes a job
+        that was started without a confirmation.  Repeating it has no effect.
 
         Parameters
         ----------
         board
-            The board that lies on the table, where the operator names it.
+            The board on the table, if the operator names it.
         by
-            Who confirms, for the record.
+            Name of the operator, for the record.
 
         Raises
         ------
         WrongState
-            The job does not wait for a confirmation, or for another board.
+            The job does not wait for a confirmation, or needs another board.
         """
         with self._db.writing() as session:
             row = self._transitions.locked(session, id)
@@ -270,15 +270,15 @@ class JobStore:
                 )
 
     def hold(self, id: str) -> Job:
-        """Ask the gateway to hold; the job is ``held`` when the machine has stopped."""
+        """Request a hold; the job becomes ``held`` when the machine has stopped."""
         return self._request(id, "hold", (State.RUNNING,), already=State.HELD)
 
     def resume(self, id: str) -> Job:
-        """Ask the gateway to go on; between two copies this confirms the new sheet."""
+        """Request to resume; between two copies this confirms the new sheet."""
         return self._request(id, "resume", (State.HELD, State.RUNNING))
 
     def cancel(self, id: str) -> Job:
-        """Cancel a job: at once before it runs, by its gateway while it does."""
+        """Cancel a job: immediately before it runs, through its gateway while it runs."""
         before = sources(Action.CANCEL, Who.OPERATOR)
         with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())

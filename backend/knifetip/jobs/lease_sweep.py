@@ -1,4 +1,4 @@
-"""lease_sweep: takes jobs back from workers and gateways whose lease has expired."""
+"""Take jobs back from workers and gateways whose lease has expired."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _MAY_GO_ON = " The machine may have executed more lines than it reported."
 
 
 class LeaseSweep:
-    """Expires leases."""
+    """Expires the leases of silent owners."""
 
     def __init__(
         self,
@@ -31,15 +31,15 @@ class LeaseSweep:
         self._gateways = gateways
 
     def run(self, *, gateways: bool = True) -> None:
-        """Take back what silent owners had.
+        """Take jobs back from owners whose lease has expired.
 
-        A job on a table becomes ``interrupted``, never ``queued``; a claim that was not confirmed
-        is given back.  A compile is tried again.
+        A job on a table becomes ``interrupted``, never ``queued``; an unconfirmed claim is
+        released; a compile is repeated.
 
         Parameters
         ----------
         gateways
-            Whether silent gateways count; False while they could not reach this service.
+            Whether leases of gateways expire; False while gateways could not reach this service.
         """
         now = self._db.clock()
         leased = Job.state == State.COMPILING

@@ -1,9 +1,9 @@
-"""ledger: every entity of a file as the page lists it, and where that stands which gave no line.
+"""The import report as rows of JSON data, with locations and texts.
 
-    Drawing -> rows of plain data: handle, kind, layer, fate, reason, length, box; text and place
+    Drawing -> rows: handle, kind, layer, fate, reason, length, box; text and place
 
-An entity that became edges is found by them.  Words, hatches and the like become none, so the box
-around them goes with them; of words what they say, and how large.
+Entities with edges are located by their edges.  Texts, hatches and other entities without edges
+have a bounding box; texts also have their content and height.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, Fate, Inscription
 
 _FATES = {fate.value: fate.name.lower() for fate in Fate}
-#: Kinds, layers and reasons come again and again.
+#: Cached, since kinds, layers and reasons repeat.
 _said = lru_cache(maxsize=4096)(said)
 _as_json = lru_cache(maxsize=4096)(Message.as_json)
 
 
 def listed(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return the ledger of a drawing, a row to an entity, in the order of the file."""
+    """Return the import report of a drawing, one row per entity in file order."""
     ledger = drawing.ledger
     rows: list[dict[str, Any]] = [
         {
@@ -54,10 +54,10 @@ def listed(drawing: Drawing) -> list[dict[str, Any]]:
 
 
 def inscribed(drawing: Drawing) -> dict[int, Inscription]:
-    """Return the words of a drawing by their row of the ledger.
+    """Return the texts of a drawing by their row of the import report.
 
-    Words have no handle, but both lists are in the order of the file.  Of a kind and layer of
-    which one list has more than the other, none is matched: a wrong place is worse than none.
+    Texts have no handle, so they are matched by file order within each kind and layer.  If the two
+    counts differ, none of that kind and layer is matched: a wrong location is worse than none.
     """
     ledger = drawing.ledger
     words: dict[tuple[str, str], list[Inscription]] = defaultdict(list)
@@ -65,7 +65,7 @@ def inscribed(drawing: Drawing) -> dict[int, Inscription]:
         words[one.kind, one.layer].append(one)
     rows: dict[tuple[str, str], list[int]] = defaultdict(list)
     for row, named in enumerate(zip(ledger.kind, ledger.layer, strict=True)):
-        # What a block holds stands wherever the block is placed.
+        # Entities of a block have the locations of its references.
         if (
             named in words
             and "/" not in ledger.handle[row]

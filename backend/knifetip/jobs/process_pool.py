@@ -64,12 +64,12 @@ class _Worker:
 
 
 class ProcessPool:
-    """At most ``size`` worker processes, each started when it is first needed.
+    """At most ``size`` worker processes, each started on first use.
 
     Parameters
     ----------
     memory
-        Bytes of address space that a worker may use.
+        Greatest address space of a worker (bytes).
     """
 
     def __init__(self, size: int = 2, memory: int = MEMORY) -> None:
@@ -88,7 +88,9 @@ class ProcessPool:
         limit: float,
         watch: Watch = lambda _stage, _fraction: True,
     ) -> T:
-        """Return ``task(progress, *arguments)``, run in a worker; blocks this thread.
+        """Execute ``task(progress, *arguments)`` in a worker process and return its result.
+
+        Blocks the calling thread.
 
         Parameters
         ----------
@@ -107,7 +109,7 @@ class ProcessPool:
         TaskCancelled
             ``watch`` returned False, or the pool was closed.
         TaskFailed
-            The task raised an exception that is no ``KnifetipError``.
+            The task raised an exception that is not a ``KnifetipError``.
         """
         with self._free:
             with self._lock:

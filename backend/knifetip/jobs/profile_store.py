@@ -1,4 +1,4 @@
-"""profile_store: classification profiles of customers, with optimistic locking by version."""
+"""Repository of the classification profiles of customers, with optimistic locking by version."""
 
 from __future__ import annotations
 
@@ -11,46 +11,46 @@ from knifetip.errors import NoSuchJob, StaleVersion, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.tables import Profile
 
-#: More than any shop has customers; each is read when the list is.
+#: Greatest number of profiles; listing them parses each.
 MOST = 1000
 
 
 class ProfileStore:
-    """Classification profiles of customers."""
+    """Repository of the classification profiles of customers."""
 
     def __init__(self, database: Database) -> None:
         self._db = database
 
     def get(self, name: str) -> Profile | None:
-        """Return a profile, or None where none of that name is kept."""
+        """Return a profile, or None if there is none of that name."""
         with self._db.reading() as session:
             return session.scalar(sa.select(Profile).where(Profile.name == name))
 
     def all(self) -> Sequence[Profile]:
-        """Return all profiles by name."""
+        """Return all profiles, ordered by name."""
         with self._db.reading() as session:
             return list(session.scalars(sa.select(Profile).order_by(Profile.name)))
 
     def save(
         self, name: str, title: str, text: str, version: int | None, *, anyway: bool = False
     ) -> Profile:
-        """Keep a new profile, or change one that is still as it was at ``version``.
+        """Create a profile, or replace one whose version is still ``version``.
 
         Parameters
         ----------
         version
-            That was looked at; None makes a new one.
+            Version on which the change is based; None to create a profile.
         anyway
-            Whatever it is now, if it is at all.
+            Replace any version.
 
         Raises
         ------
         StaleVersion
-            Somebody else changed it in between.
+            The profile was changed in between.
         WrongState
-            There is one already, or there are too many.
+            The profile exists already, or there are too many profiles.
         NoSuchJob
-            It is gone.
+            The profile was deleted.
         """
         now = self._db.clock()
         if version is None and not anyway:
@@ -84,12 +84,12 @@ class ProfileStore:
         return row
 
     def delete(self, name: str, version: int | None = None) -> None:
-        """Forget a profile; drawings and jobs keep the rules that they were made with.
+        """Delete a profile; drawings and jobs keep the rules with which they were made.
 
         Raises
         ------
         NoSuchJob, StaleVersion
-            There is none, or not at this version.
+            There is no such profile, or it has another version.
         """
         with self._db.writing() as session:
             statement = sa.delete(Profile).where(Profile.name == name)

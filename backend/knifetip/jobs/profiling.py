@@ -1,7 +1,7 @@
-"""profiling: what a profile would say of a drawing before anybody keeps it.
+"""Preview a profile on a drawing, and propose rules from the user's corrections.
 
-preview   drawing, its profile, another -> which rule takes which edges, and what would change
-learn     drawing, its profile, corrections -> rules that explain them, and what each would change
+preview   drawing, its profile, another -> edges that each rule matches, and line types that change
+learn     drawing, its profile, corrections -> rules that explain them, and their other effects
 """
 
 from __future__ import annotations
@@ -20,20 +20,21 @@ from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.profile import LineRule, LineRules
 from knifetip.model.stage import Progress, Stage
 
-#: Rules that are proposed at once: each is tried on the whole drawing.
+#: Greatest number of proposed rules; each is applied to the whole drawing.
 _MOST = 12
 
 
 def preview(
     progress: Progress, content: bytes, interpretation: Interpretation, text: str
 ) -> dict[str, Any]:
-    """Return what the profile in ``text`` would do to a drawing that has another.
+    """Return the effect of the profile in ``text`` on a drawing that has another profile.
 
     Returns
     -------
     dict
-        ``rules``: for each, its words, whether it is inherited, and how many edges it takes;
-        ``open``: how many no rule takes; ``changes``: edges that would become something else.
+        ``rules``: each with its description, whether it is inherited, and the number of edges it
+        matches; ``open``: number of edges that no rule matches; ``changes``: edges that would get
+        another line type.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -69,17 +70,17 @@ def preview(
 def learn(
     progress: Progress, content: bytes, interpretation: Interpretation
 ) -> list[dict[str, Any]]:
-    """Return rules that would have said what somebody corrected, the surest first.
+    """Return proposed rules that explain the user's corrections, most certain first.
 
-    Those come first that contradict nothing.  For corrections that none of them explains follows
-    what attributes say all the same, with what it would change: ten red lines of a layer were made
-    creases, and the eleventh may have been forgotten.
+    Rules without contradiction come first.  Corrections that none of them explains get rules by
+    layer and colour, listed with the other edges they would change: if the user set ten red lines
+    of a layer to crease, an eleventh may have been overlooked.
 
     Returns
     -------
     list of dict
-        ``rule``; ``explains``: corrected edges that it covers; ``sure``: whether it changes
-        nothing that was decided; ``changes``: what else it would change, as in ``preview``.
+        ``rule``; ``explains``: corrected edges that it matches; ``sure``: whether it changes no
+        edge with a decided line type; ``changes``: other edges it would change, as in ``preview``.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -92,7 +93,7 @@ def learn(
     progress(Stage.CLASSIFY, 0.6)
     before = pipeline.interpret(drawing, interpretation)
     alone = pipeline.classify(drawing, mine)
-    # A kind of line alone is no habit of a customer: it would take half of any other drawing.
+    # A rule by linetype alone is too general: it would match half of any other drawing.
     sure = [
         one
         for one in propose_rules(drawing, alone, given, mine)
@@ -119,7 +120,7 @@ def learn(
 
 
 def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRule]:
-    """Return a rule of layer and colour for each such pair that all went the same way."""
+    """Return a rule for each pair of layer and colour whose corrections all agree."""
     wanted: dict[tuple[str, int, int], set[int]] = {}
     for row in rows:
         key = (
@@ -141,7 +142,7 @@ def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRul
 
 
 def plain(rule: LineRule) -> dict[str, Any]:
-    """Return a rule as plain data, the way a profile's TOML has it, with its words."""
+    """Return a rule as JSON data with the fields of a profile file, and its description."""
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {
         "type": rule.line_type.word,
@@ -155,7 +156,7 @@ def plain(rule: LineRule) -> dict[str, Any]:
 
 
 def _changes(before: U8, after: U8) -> list[dict[str, Any]]:
-    """Return the edges of which two classifications differ, by what they were and would be."""
+    """Return the edges whose line type differs, grouped by line type before and after."""
     rows = np.flatnonzero(before != after)
     pairs, pair = np.unique(
         np.stack([before[rows], after[rows]], axis=1), axis=0, return_inverse=True

@@ -1,9 +1,9 @@
-"""readings: a drawing as the store keeps it, and the records that a compile makes of it again.
+"""The stored reading of a drawing, and the records that a compile restores from it.
 
     Drawing, Dieline, Report  ⇄  block of columns, one row per edge
 
-A reading holds all that questions, planning and verification need of a drawing, so that its file
-is read and classified once: when it is uploaded, or when its unit or profile is changed.
+A reading contains all data that questions, planning and verification need, so a file is read and
+classified only once: at upload, or when its unit or profile changes.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from knifetip.model.words import Repeated
 
 @dataclass(frozen=True, slots=True)
 class StoredDrawing:
-    """A file with its reading."""
+    """A file with its stored reading."""
 
     content: bytes  #: the file
-    edges: bytes  #: its reading, see ``edge_block``
-    interpretation: Interpretation  #: by which it was read
+    edges: bytes  #: reading, see ``edge_block``
+    interpretation: Interpretation  #: interpretation of the reading
 
 
 def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
@@ -68,13 +68,13 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
 def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
     """Return the drawing and the dieline of a reading.
 
-    The drawing's ledger has one row per edge: entities without edges are not in the reading, nor
-    are the file's texts.
+    The drawing's ledger has one row per edge; entities without edges and texts are not in the
+    reading.
 
     Raises
     ------
     KeyError
-        The reading is of an older version and lacks a column.
+        The reading was stored by an older version and lacks a column.
     """
     columns, meta = unpacked(edges)
     count = len(columns["bulge"])
@@ -116,10 +116,10 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
 
 
 def interpreted(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
-    """Return a drawing by the wanted interpretation: from its reading, or else from its file.
+    """Return drawing and dieline for an interpretation, from the reading or from the file.
 
-    The reading serves as long as unit and profile are the same and no override was taken back:
-    the line type under an override is not in it.
+    The reading is used if unit and profile are the same and no override was removed: the reading
+    does not contain the line type under an override.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def interpreted(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing,
         except KeyError:
             pass
         else:
-            # The unit is asked with evidence from the whole file.
+            # The question about the unit needs evidence from the whole file.
             if drawing.unit:
                 return drawing, _overridden(dieline, changed)
     from knifetip import pipeline
@@ -142,17 +142,17 @@ def interpreted(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing,
     return drawing, pipeline.interpret(drawing, wanted)
 
 
-# A change of overrides or profile needs the same drawing again: the last few are kept.
+# Changes of overrides or profile need the same drawing again: cache the last few.
 @lru_cache(maxsize=4)
 def read_drawing(content: bytes, unit: str) -> Drawing:
-    """Return the drawing in a file; ``unit`` as the user gave it, "" for the file's own."""
+    """Read the drawing in a file; ``unit`` is the user's, "" for that of the file."""
     from knifetip import pipeline
 
     return pipeline.read(content, unit or None)
 
 
 def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
-    """Return the overrides that a reading lacks, (n,); None where it does not serve."""
+    """Return the overrides that a reading lacks, (n,); None if the reading cannot be used."""
     if (stored.unit, stored.profile, stored.rules) != (wanted.unit, wanted.profile, wanted.rules):
         return None
     before, after = (np.frombuffer(one.overrides, np.uint8) for one in (stored, wanted))

@@ -1,10 +1,10 @@
-"""store: drawings, profiles, jobs and their events, in SQLite or PostgreSQL.
+"""The store: drawings, profiles, jobs and their events in SQLite or PostgreSQL.
 
-"sqlite:///knifetip.sqlite" -> Store, with one repository per kind of thing
+"sqlite:///knifetip.sqlite" -> Store with one repository per aggregate
 
-Each transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  Of two
-that want the same job, or two jobs that want the same table, the database refuses one: by that
-WHERE, by the job's epoch, and by a unique index on the machine of the jobs on a table.
+A transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  If two
+clients claim the same job, or two jobs the same table, the database refuses one of them: by that
+WHERE clause, by the job's epoch, and by a unique index on the machine of jobs on a table.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from knifetip.jobs.transitions import Transitions
 
 
 class Store:
-    """The repositories of one database; safe to use from many threads and many processes.
+    """The repositories of one database; safe to use from several threads and processes.
 
     Parameters
     ----------
     url
         ``sqlite:///FILE`` or ``postgresql://USER@HOST/NAME``.
     clock
-        Returns the seconds since the epoch.
+        Returns the seconds since 1970.
     """
 
     def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:

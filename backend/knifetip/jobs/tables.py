@@ -1,7 +1,7 @@
-"""tables: the rows that the store keeps, in SQLite or PostgreSQL.
+"""Tables of the store in SQLite or PostgreSQL.
 
-Drawing ← Job, each with its Events; the customers' Profiles; and the Gateways that ask for work.
-What is large is deferred: it is read only where it is asked for by name.
+Drawings, their jobs, events of both, profiles of customers, and gateways.  Large columns are
+deferred: they are loaded only when they are named.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
-#: Jobs that keep others from their machine: on its table, or claimed and waiting for the operator.
+#: Jobs that occupy their machine: on its table, or claimed and waiting for the operator.
 _RESERVES_TABLE = sa.text(
     "state IN ('running', 'held', 'interrupted') OR (state = 'queued' AND confirmation <> '')"
 )
@@ -19,18 +19,18 @@ _SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
 
 class Base(DeclarativeBase):
-    """All tables of knifetip."""
+    """Base class of all tables."""
 
 
 class Profile(Base):
-    """A classification profile that a customer keeps, beside those that are shipped."""
+    """A classification profile of a customer."""
 
     __tablename__ = "profile"
 
     name: Mapped[str] = mapped_column(sa.String(64), primary_key=True)
     title: Mapped[str] = mapped_column(sa.String(200))
-    text: Mapped[str] = mapped_column(sa.Text)  #: TOML, as it came or as the page wrote it
-    version: Mapped[int]  #: counts the changes, so that none is lost between two users
+    text: Mapped[str] = mapped_column(sa.Text)  #: TOML
+    version: Mapped[int]  #: increases with each change, for optimistic locking
     created: Mapped[float] = mapped_column(sa.Double)
     updated: Mapped[float] = mapped_column(sa.Double)
 
@@ -45,15 +45,17 @@ class Drawing(Base):
     name: Mapped[str] = mapped_column(sa.String(200))
     created: Mapped[float] = mapped_column(sa.Double)
     sha256: Mapped[str] = mapped_column(sa.String(64))
-    unit_given: Mapped[str] = mapped_column(sa.String(2))  #: by the user; empty: the file's own
+    unit_given: Mapped[str] = mapped_column(
+        sa.String(2)
+    )  #: set by the user; empty: that of the file
     profile: Mapped[str] = mapped_column(sa.String(200))
-    version: Mapped[int]  #: counts the changes, so that none is lost between two users
-    #: TOML of the profile as it was when it classified this; empty where that is shipped
+    version: Mapped[int]  #: increases with each change, for optimistic locking
+    #: TOML of the profile at classification; empty for one of the library
     rules: Mapped[str] = mapped_column(sa.Text, default="")
-    #: what the page shows: unit, evidence, bounds, counts, layers, questions
+    #: data for the page: unit, evidence, bounds, counts, layers, questions
     summary: Mapped[dict[str, Any]] = mapped_column(sa.JSON)
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)  #: Idempotency-Key
-    fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: of the request under that key
+    fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
     content: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: (n,) 255 for none
     edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: see ``columns``
@@ -61,7 +63,7 @@ class Drawing(Base):
 
 
 class Job(Base):
-    """An order, its program and where it stands."""
+    """A job with its program, state and progress."""
 
     __tablename__ = "job"
     __table_args__ = (
@@ -83,36 +85,38 @@ class Job(Base):
     machine: Mapped[str] = mapped_column(sa.String(200))
     board: Mapped[str] = mapped_column(sa.String(200))
     profile: Mapped[str] = mapped_column(sa.String(200))
-    #: TOML of the profile as it was when this was ordered; empty where that is shipped
+    #: TOML of the profile when the job was created; empty for one of the library
     rules: Mapped[str] = mapped_column(sa.Text, default="")
     unit_given: Mapped[str] = mapped_column(sa.String(2))
     copies: Mapped[int]
     priority: Mapped[int]
-    release: Mapped[bool]  #: queue it as soon as it is ready
+    release: Mapped[bool]  #: queue the job when it is ready
     created: Mapped[float] = mapped_column(sa.Double)
     updated: Mapped[float] = mapped_column(sa.Double)
-    queued: Mapped[float] = mapped_column(sa.Double)  #: when; 0 before
+    queued: Mapped[float] = mapped_column(sa.Double)  #: time of queueing; 0 before
     reason: Mapped[str] = mapped_column(sa.Text)  #: why it was refused or interrupted
     hint: Mapped[str] = mapped_column(sa.Text)
     source: Mapped[list[str]] = mapped_column(sa.JSON)
     questions: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
-    attempt: Mapped[int]  #: of the compile
-    epoch: Mapped[int]  #: grows with each owner: what an earlier owner says is refused
-    owner: Mapped[str] = mapped_column(sa.String(200))  #: the worker or gateway that has it
-    lease: Mapped[float] = mapped_column(sa.Double)  #: until when it has it
-    owner_epoch: Mapped[int] = mapped_column(default=0)  #: of the last gateway that claimed it
-    #: what the operator must confirm under this claim: see ``Confirmation``
+    attempt: Mapped[int]  #: number of compile attempts
+    epoch: Mapped[int]  #: increases with each owner; reports of earlier owners are refused
+    owner: Mapped[str] = mapped_column(sa.String(200))  #: worker or gateway that owns the job
+    lease: Mapped[float] = mapped_column(sa.Double)  #: expiry time of the lease
+    owner_epoch: Mapped[int] = mapped_column(
+        default=0
+    )  #: epoch of the last gateway that claimed the job
+    #: what the operator must confirm: see ``Confirmation``
     confirmation: Mapped[str] = mapped_column(sa.String(8), default="")
-    #: stations that the program uses, in their order: number, name, kind
+    #: stations that the program uses, ordered by number: number, name, kind
     tools: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
-    #: by the operator, of the gateway: hold, resume or cancel; empty when it is done
+    #: requested by the operator: hold, resume or cancel; empty when done
     requested_action: Mapped[str] = mapped_column(sa.String(8))
     stage: Mapped[str] = mapped_column(sa.String(80))
     progress: Mapped[float] = mapped_column(sa.Double)
     line: Mapped[int]
     lines: Mapped[int]
     copies_done: Mapped[int]
-    copies_before: Mapped[int]  #: that were done under earlier owners
+    copies_before: Mapped[int]  #: copies completed under earlier owners
     position: Mapped[list[float] | None] = mapped_column(sa.JSON(none_as_null=True))
     seconds: Mapped[float] = mapped_column(sa.Double)
     seconds_left: Mapped[float | None] = mapped_column(sa.Double)
@@ -120,7 +124,7 @@ class Job(Base):
     judged: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))
-    #: how a cutter goes round corners; None leaves it to the machine
+    #: path of a cutter round outer corners; None: chosen by duration
     corners: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     program: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
@@ -129,7 +133,7 @@ class Job(Base):
 
 
 class Event(Base):
-    """Something that happened to a job or a drawing; rows are only ever added."""
+    """A change of a job or a drawing; rows are only appended."""
 
     __tablename__ = "event"
     __table_args__ = (
@@ -147,7 +151,7 @@ class Event(Base):
 
 
 class Gateway(Base):
-    """A gateway and when it last asked for work."""
+    """A gateway and the time of its last request."""
 
     __tablename__ = "gateway"
 

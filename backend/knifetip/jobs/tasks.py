@@ -1,9 +1,9 @@
-"""tasks: what worker processes do, with bytes in and bytes and plain data out.
+"""Tasks of the worker processes; arguments and results are bytes and JSON data.
 
-read      bytes, Interpretation -> Reading                     what the page shows of a drawing
-ask       StoredDrawing, Interpretation, machine -> questions  what must be decided first
-compile   … and a board -> CompileResult                              program, head path and verdict
-cleaned   edges of a Reading -> plain data                     what cleaning makes of each edge
+read      bytes, Interpretation -> Reading                     data for the page
+ask       StoredDrawing, Interpretation, machine -> questions  open questions before a compile
+compile   … and a board -> CompileResult                       program, head path and verdict
+cleaned   edges of a Reading -> JSON data                      cleaning report
 """
 
 from __future__ import annotations
@@ -51,13 +51,13 @@ from knifetip.warming import Part, compile_module, missing_parts
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
 
-#: Findings that the reason of a refused job lists.
+#: Greatest number of findings in the reason of a refused job.
 _SHOWN: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A drawing as the store keeps it."""
+    """A drawing as it is stored."""
 
     summary: dict[str, Any]
     edges: bytes  #: see ``columns``
@@ -71,15 +71,15 @@ def read(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> Reading:
-    """Return a drawing as the store and the page have it.
+    """Read and classify a drawing for the store and the page.
 
     Parameters
     ----------
     interpretation
-        Its overrides are those of an earlier reading of the same file, if there was one.
+        Its overrides belong to an earlier reading of the same file, if there is one.
     handles : (n,)
-        Of the edges of that earlier reading.  Overrides are carried over row by row where the
-        handles are the same, else by handle where all edges of the handle have the same override.
+        Handles of the edges of that earlier reading.  Overrides are carried over by row if the
+        handles are the same, else by handle if all edges of the handle have the same override.
     """
     from knifetip import pipeline
 
@@ -102,7 +102,7 @@ def read(
 def _summary(
     drawing: Drawing, dieline: Dieline, overrides: U8, report: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return what the page shows of a drawing before its edges."""
+    """Return the data of a drawing that the page shows apart from its edges."""
     from knifetip import pipeline
 
     ledger = drawing.ledger
@@ -168,12 +168,12 @@ def _layers(drawing: Drawing, dieline: Dieline, layers: Sequence[str]) -> list[d
 
 
 def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
-    """Return what cleaning makes of a drawing's edges, as its Reading holds them.
+    """Return the cleaning report for the edges of a Reading.
 
     Raises
     ------
     UnitUnknown
-        Specks and gaps are measured in millimetres, and nobody has said what the numbers are.
+        The drawing has no unit, so lengths in mm are unknown.
     """
     from knifetip import pipeline
 
@@ -187,12 +187,12 @@ def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
 def ask(
     progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
-    """Return what must be decided before the drawing can be made on this machine.
+    """Return the open questions about a drawing for a machine.
 
     Raises
     ------
     PlanError
-        Types of corners were chosen for a machine that does not mill.
+        Corner types are set for a machine that does not mill.
     """
     from knifetip import pipeline
     from knifetip.planning.plan import check_corners
@@ -213,12 +213,12 @@ def compile(
     board: str,
     notes: Sequence[str],
 ) -> CompileResult:
-    """Return the program of a drawing on a board and a machine, with its verdict.
+    """Compile a drawing for a board and a machine, and verify the program.
 
     Raises
     ------
     KnifetipError
-        It cannot be made; the reason names the place and the measure.
+        The drawing cannot be made; the message contains place and measure.
     """
     from knifetip import pipeline
 
@@ -240,12 +240,12 @@ def compile(
 
 
 def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
-    """Return what a compile made as the store keeps it.
+    """Return the result of a compile as it is stored.
 
     Parameters
     ----------
     handles : (n,)
-        Of the drawing's edges.
+        Handles of the drawing's edges.
     """
     verdict = made.verdict
     findings = findings_of(verdict, handles)
@@ -304,7 +304,7 @@ def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
 
 
 def _tools(made: Compiled, machine: Machine) -> list[dict[str, Any]]:
-    """Return the stations that a tool path uses, in the order of their numbers."""
+    """Return the stations that a tool path uses, ordered by number."""
     used = set(np.unique(made.toolpath.tool).tolist())
     return [
         {"station": station.number, "name": station.name, "kind": kind_of(station.tool).name}
@@ -316,7 +316,7 @@ def _tools(made: Compiled, machine: Machine) -> list[dict[str, Any]]:
 def _toolpath(made: Compiled, machine: Machine) -> bytes:
     path = made.toolpath
     rows = made.program.source
-    # The last line that a row became: when the machine has executed it, the row is behind it.
+    # Last program line of each row: when it is executed, the row is complete.
     line = np.full(len(path), -1, np.int32)
     numbers = np.arange(1, len(rows) + 1, dtype=np.int32)
     moving = rows >= 0

@@ -1,7 +1,7 @@
-"""transitions: moves jobs from state to state, each in one transaction with its event.
+"""Transitions of jobs, each in one transaction with its event.
 
-A transition is one UPDATE … WHERE state IN … (AND epoch = …): of two that want the same job, one is
-refused.  The table of transitions is in ``job``.
+A transition is one UPDATE … WHERE state IN … (AND epoch = …), so that only one of two concurrent
+ones succeeds.  The table of transitions is in ``job``.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from knifetip.jobs.job import ADVICE, Action, State, Who, sources, target
 from knifetip.jobs.tables import Drawing, Event, Job
 from knifetip.messages import from_json
 
-LEASE = 10.0  #: seconds for which a gateway or a worker may be silent
+LEASE = 10.0  #: duration of a lease (s)
 Row = TypeVar("Row", Drawing, Job)
 
 
 class Transitions:
-    """Changes of jobs and the events that record them; used inside a transaction."""
+    """Transitions of jobs and the events that record them; used inside a transaction."""
 
     def __init__(self, database: Database) -> None:
         self._db = database
@@ -40,29 +40,29 @@ class Transitions:
         new_epoch: int | None = None,
         **changes: Any,
     ) -> None:
-        """Move a job by an action, if ``who`` may do it in the job's state, and write the event.
+        """Perform an action on a job if ``who`` may do so in its state, and write the event.
 
         Parameters
         ----------
         name
-            Of the worker or gateway.
+            Name of the worker or gateway.
         epoch
-            That the job must have.
+            Epoch that the job must have.
         new_epoch
-            That the job gets; by default it keeps its own.
+            New epoch of the job; by default it keeps its own.
         changes
             Columns to change besides the state.
 
         Raises
         ------
         NoSuchJob, WrongState, StaleEpoch
-            The job was not moved.
+            The transition is not permitted.
         """
         goal = target(action)
         statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, who)))
         if epoch is not None:
             statement = statement.where(Job.epoch == epoch)
-        # Rows that this session has read keep their values; read them again with ``locked``.
+        # Rows that this session has loaded keep their values; ``locked`` reloads them.
         statement = statement.execution_options(synchronize_session=False)
         values = {"state": goal.value, "updated": self._db.clock(), **changes}
         if new_epoch is not None:
@@ -101,7 +101,7 @@ class Transitions:
         )
 
     def locked(self, session: Session, id: str) -> Job:
-        """Return a job as it is now, locked until the transaction ends."""
+        """Return a job, locked until the transaction ends."""
         row = session.scalar(
             sa.select(Job)
             .where(Job.id == id)
@@ -124,7 +124,7 @@ def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
 
 
 def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return the row that was made under an Idempotency-Key.
+    """Return the row that was created under an Idempotency-Key.
 
     Raises
     ------

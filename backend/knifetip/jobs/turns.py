@@ -1,7 +1,7 @@
-"""turns: who of several threads writes to SQLite next.
+"""Order of the threads that write to SQLite.
 
-SQLite has one writer at a time and no queue: a thread that waits looks again now and then, and
-under many writers it may be late by seconds.  Within a process, turns are taken here instead.
+SQLite permits one writer at a time and has no queue: a waiting thread retries at intervals, and
+with many writers it may wait for seconds.  Within a process, writers therefore wait here.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 
 class Turns:
-    """One thread at a time; urgent ones come before all others that wait."""
+    """A lock with two priorities: urgent threads come before all others that wait."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -21,7 +21,7 @@ class Turns:
 
     @contextmanager
     def turn(self, urgent: bool) -> Iterator[None]:
-        """Wait for a turn, and have it for the time of the context."""
+        """Return a context that waits for the lock and holds it."""
         with self._changed:
             self._urgent += urgent
             try:
@@ -38,8 +38,8 @@ class Turns:
 
 
 class NoTurns:
-    """For databases that take many writers at a time."""
+    """Replacement for databases that permit several writers at a time."""
 
     def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002
-        """Return a context that waits for nothing."""
+        """Return a context that does not wait."""
         return nullcontext()

@@ -11,7 +11,7 @@ import pytest
 from starlette.responses import PlainTextResponse
 
 from knifetip.api import access, signin
-from knifetip.api.access import Access, AccessRules, RequestFacts, authority, refusal
+from knifetip.api.access import Access, AccessRules, RequestFacts, find_refusal, parse_authority
 from knifetip.messages import hint
 
 KEY = "correct-horse-battery"
@@ -39,7 +39,7 @@ LAN = replace(CURL, host="192.168.1.20:8080", peer="192.168.1.77", server=("192.
 
 def status(rules: AccessRules, facts: RequestFacts) -> int:
     """Return the status of the refusal; 200 for none."""
-    found = refusal(rules, facts, NOW)
+    found = find_refusal(rules, facts, NOW)
     return 200 if found is None else found.status
 
 
@@ -169,7 +169,7 @@ def test_plain_forms_are_no_requests_of_the_api(kind: str, expected: int) -> Non
 def test_without_a_key_only_this_machine_is_served() -> None:
     assert status(OPEN, CURL) == 200
     assert status(OPEN, LAN) == 403
-    refused = refusal(OPEN, LAN, NOW)
+    refused = find_refusal(OPEN, LAN, NOW)
     assert refused is not None
     assert "--key" in hint(refused.message)
     # A page that is led to this machine by its address, and a stranger who names it localhost.
@@ -208,7 +208,7 @@ def test_what_is_not_the_key_opens_nothing(header: str) -> None:
 
 
 def test_a_wrong_key_is_refused_on_this_machine_too() -> None:
-    found = refusal(KEYED, replace(CURL, authorization="Bearer nonsense"), NOW)
+    found = find_refusal(KEYED, replace(CURL, authorization="Bearer nonsense"), NOW)
     assert found is not None
     assert found.status == 401
     assert found.wrong_key
@@ -269,7 +269,7 @@ def test_a_session_is_signed_with_the_key_and_ends(cookie: str) -> None:
     ],
 )
 def test_hosts_are_taken_apart(text: str, expected: tuple[str, int | None] | None) -> None:
-    assert authority(text) == expected
+    assert parse_authority(text) == expected
 
 
 def asking(rules: AccessRules, peer: str = "192.168.1.77") -> httpx.AsyncClient:
