@@ -139,7 +139,10 @@ def test_a_change_must_show_that_no_foreign_page_sent_it(
     assert status(HOME, asked) == expected
     if not seen.get("origins"):
         # The key does not make a foreign page the server's own.
-        assert status(KEYED, replace(asked, session=signin.session(KEY, NOW))) in (expected, 401)
+        assert status(KEYED, replace(asked, session=signin.new_session(KEY, NOW))) in (
+            expected,
+            401,
+        )
 
 
 @pytest.mark.parametrize("method", ["GET", "HEAD", "OPTIONS"])
@@ -196,7 +199,7 @@ def test_others_need_the_key(peer: str | None) -> None:
     assert status(KEYED, asked) == 401
     assert status(KEYED, replace(asked, authorization=f"Bearer {KEY}")) == 200
     assert status(KEYED, replace(asked, authorization=f"bearer  {KEY} ")) == 200
-    assert status(KEYED, replace(asked, session=signin.session(KEY, NOW))) == 200
+    assert status(KEYED, replace(asked, session=signin.new_session(KEY, NOW))) == 200
 
 
 @pytest.mark.parametrize(
@@ -217,7 +220,7 @@ def test_a_wrong_key_is_refused_on_this_machine_too() -> None:
 def test_the_key_proves_intent_under_any_name_and_a_session_does_not() -> None:
     rebound = replace(LAN, host="rebound.example:8080")
     assert status(KEYED, replace(rebound, authorization=f"Bearer {KEY}")) == 200
-    assert status(KEYED, replace(rebound, session=signin.session(KEY, NOW))) == 421
+    assert status(KEYED, replace(rebound, session=signin.new_session(KEY, NOW))) == 421
     foreign = replace(LAN, method="POST", origins=("http://evil.example",))
     assert status(KEYED, replace(foreign, authorization=f"Bearer {KEY}")) == 403
 
@@ -238,16 +241,16 @@ def test_probes_need_no_key() -> None:
         ".",
         f"{int(NOW) + 100}.",
         f"{int(NOW) + 100}.{'0' * 64}",
-        signin.session("another-key", NOW),
-        signin.session(KEY, NOW - signin.LIFETIME - 1),
-        signin.session(KEY, NOW).replace("1", "9", 1),
+        signin.new_session("another-key", NOW),
+        signin.new_session(KEY, NOW - signin.LIFETIME - 1),
+        signin.new_session(KEY, NOW).replace("1", "9", 1),
         "9" * 5000 + ".x",
         "١٢٣.x",
         "\udcff.\udcff",
     ],
 )
 def test_a_session_is_signed_with_the_key_and_ends(cookie: str) -> None:
-    assert signin.is_session(signin.session(KEY, NOW), KEY, NOW)
+    assert signin.is_session(signin.new_session(KEY, NOW), KEY, NOW)
     assert not signin.is_session(cookie, KEY, NOW)
 
 
