@@ -13,13 +13,13 @@ export interface paths {
         };
         /**
          * List Drawings
-         * @description List drawings, the newest first; the Link header leads on.
+         * @description List drawings, newest first; the Link header contains the next page.
          */
         get: operations["list_drawings"];
         put?: never;
         /**
          * Upload Drawing
-         * @description Read and classify a drawing: DXF (text or binary), CF2, SVG or PDF, told by its content.
+         * @description Upload a drawing (DXF, CF2, SVG or PDF, detected by content); read and classify it.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -37,21 +37,21 @@ export interface paths {
         };
         /**
          * Get Drawing
-         * @description Look at a drawing.
+         * @description Get a drawing.
          */
         get: operations["get_drawing"];
         put?: never;
         post?: never;
         /**
          * Delete Drawing
-         * @description Forget a drawing that no job was made from.
+         * @description Delete a drawing without jobs.
          */
         delete: operations["delete_drawing"];
         options?: never;
         head?: never;
         /**
          * Change Drawing
-         * @description Say a drawing's unit, or classify it by another profile, or by one as it was.
+         * @description Set the unit of a drawing, or classify it with another profile or an earlier version.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -75,7 +75,7 @@ export interface paths {
         head?: never;
         /**
          * Override Edges
-         * @description Give edges a line type; the later override lies on top.
+         * @description Set line types of edges; later overrides replace earlier ones.
          */
         patch: operations["override_edges"];
         trace?: never;
@@ -89,7 +89,7 @@ export interface paths {
         };
         /**
          * Get Ledger
-         * @description List what became of every entity of the file, or only of those of one fate.
+         * @description Get the import report: all entities of the file, or only those with one outcome.
          */
         get: operations["get_ledger"];
         put?: never;
@@ -109,7 +109,7 @@ export interface paths {
         };
         /**
          * Get Cleaning
-         * @description List what cleaning makes of the edges before they are planned: joined, moved, dropped.
+         * @description Get the cleaning report: edges merged, shortened, joined or dropped before planning.
          */
         get: operations["get_cleaning"];
         put?: never;
@@ -129,7 +129,7 @@ export interface paths {
         };
         /**
          * Get File
-         * @description Return the file as it came.
+         * @description Download the uploaded file.
          */
         get: operations["get_file"];
         put?: never;
@@ -149,13 +149,13 @@ export interface paths {
         };
         /**
          * List Jobs
-         * @description List jobs, the newest first; the Link header leads on.
+         * @description List jobs, newest first; the Link header contains the next page.
          */
         get: operations["list_jobs"];
         put?: never;
         /**
          * Order Job
-         * @description Order a job; 409 with ``questions`` while something about it is undecided.
+         * @description Create a job; 409 with ``questions`` if decisions are missing.
          */
         post: operations["order_job"];
         delete?: never;
@@ -173,7 +173,7 @@ export interface paths {
         };
         /**
          * Get Job
-         * @description Look at a job.
+         * @description Get a job.
          */
         get: operations["get_job"];
         put?: never;
@@ -193,7 +193,7 @@ export interface paths {
         };
         /**
          * Get Job Events
-         * @description List what happened to a job: when, who and why.
+         * @description List the transitions of a job with time, cause and reason.
          */
         get: operations["get_job_events"];
         put?: never;
@@ -213,7 +213,7 @@ export interface paths {
         };
         /**
          * Get Program
-         * @description Return the program, byte for byte as the machine gets it.
+         * @description Download the program, byte for byte as sent to the machine.
          */
         get: operations["get_program"];
         put?: never;
@@ -233,7 +233,7 @@ export interface paths {
         };
         /**
          * Get Verdict
-         * @description Return the judge's answer, edge by edge, as JSON or binary columns (``format=columns``).
+         * @description Get the verdict for each edge, as JSON or as binary columns (``format=columns``).
          */
         get: operations["get_verdict"];
         put?: never;
@@ -253,7 +253,7 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Return the head's path as binary columns: pose, bulge, motion, feed, source, tool, line.
+         * @description Get the head's path as binary columns: pose, bulge, motion, feed, source, tool, line.
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -275,7 +275,7 @@ export interface paths {
         put?: never;
         /**
          * Release Job
-         * @description Queue a job that is ready.
+         * @description Queue a ready job.
          */
         post: operations["release_job"];
         delete?: never;
@@ -295,10 +295,10 @@ export interface paths {
         put?: never;
         /**
          * Confirm Job
-         * @description Confirm at the machine: table clear, this board, these tools.  The machine starts.
+         * @description Confirm that table, board and tools are ready; the machine then starts.
          *
-         *     The same confirms the new sheet between two copies.  A confirmation counts for the gateway's
-         *     present claim; 409 while the job does not wait for one, or where another board is named.
+         *     Between two copies this confirms the new sheet.  A confirmation is valid for the current claim
+         *     of the gateway; 409 if the job does not wait for one, or if another board is named.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -318,7 +318,7 @@ export interface paths {
         put?: never;
         /**
          * Hold Job
-         * @description Ask the machine to hold; the job is ``held`` when it stands.
+         * @description Request a hold; the job is ``held`` when the machine has stopped.
          */
         post: operations["hold_job"];
         delete?: never;
@@ -338,7 +338,7 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Ask the machine to go on; between two copies this confirms the new sheet.
+         * @description Request to resume; between two copies this confirms the new sheet.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -358,7 +358,7 @@ export interface paths {
         put?: never;
         /**
          * Cancel Job
-         * @description Cancel a job: at once before it runs, as soon as the machine stands while it does.
+         * @description Cancel a job: immediately, or when the machine has stopped if the job is running.
          */
         post: operations["cancel_job"];
         delete?: never;
@@ -378,7 +378,7 @@ export interface paths {
         put?: never;
         /**
          * Finish Job
-         * @description Declare an interrupted job finished: all its sheets were found complete.
+         * @description Declare an interrupted job finished: all its sheets are complete.
          */
         post: operations["finish_job"];
         delete?: never;
@@ -398,7 +398,7 @@ export interface paths {
         put?: never;
         /**
          * Requeue Job
-         * @description Queue an interrupted job again, from its beginning: the table has been seen to.
+         * @description Queue an interrupted job again from its first line; the table must be clear.
          */
         post: operations["requeue_job"];
         delete?: never;
@@ -418,7 +418,7 @@ export interface paths {
         put?: never;
         /**
          * Scrap Job
-         * @description Give an interrupted job up, and its table free.
+         * @description Scrap an interrupted job and free its table.
          */
         post: operations["scrap_job"];
         delete?: never;
@@ -436,7 +436,7 @@ export interface paths {
         };
         /**
          * Get Events
-         * @description Stream what happens to jobs and drawings as server-sent events.
+         * @description Stream changes of jobs and drawings as server-sent events.
          */
         get: operations["get_events"];
         put?: never;
@@ -456,7 +456,7 @@ export interface paths {
         };
         /**
          * List Machines
-         * @description List the machines.
+         * @description List the machines of the library.
          */
         get: operations["list_machines"];
         put?: never;
@@ -476,7 +476,7 @@ export interface paths {
         };
         /**
          * Get Machine
-         * @description Look at a machine.
+         * @description Get a machine.
          */
         get: operations["get_machine"];
         put?: never;
@@ -516,7 +516,7 @@ export interface paths {
         };
         /**
          * List Boards
-         * @description List the boards.
+         * @description List the boards of the library.
          */
         get: operations["list_boards"];
         put?: never;
@@ -536,7 +536,7 @@ export interface paths {
         };
         /**
          * Get Board
-         * @description Look at a board.
+         * @description Get a board.
          */
         get: operations["get_board"];
         put?: never;
@@ -558,10 +558,9 @@ export interface paths {
         put?: never;
         /**
          * Calibrate
-         * @description Say how far a cutter gives way in a board, from measured points, by least squares.
+         * @description Compute the deflection of a cutter in a board from measured points, by least squares.
          *
-         *     Nothing is kept: the library is a folder of files, and ``toml`` is what belongs into the
-         *     board's.
+         *     Nothing is stored; ``toml`` contains the lines for the board's file.
          */
         post: operations["calibrate"];
         delete?: never;
@@ -579,7 +578,7 @@ export interface paths {
         };
         /**
          * List Tools
-         * @description List the tools on all machines.
+         * @description List the tools of all machines.
          */
         get: operations["list_tools"];
         put?: never;
@@ -599,7 +598,7 @@ export interface paths {
         };
         /**
          * List Profiles
-         * @description List the classification profiles: the customers' own, then those that are shipped.
+         * @description List the classification profiles: those of customers, then those of the library.
          */
         get: operations["list_profiles"];
         put?: never;
@@ -619,7 +618,7 @@ export interface paths {
         };
         /**
          * Export Profile
-         * @description Return a profile as TOML, to be kept, edited and sent back.
+         * @description Download a profile as TOML.
          */
         get: operations["export_profile"];
         put?: never;
@@ -639,20 +638,20 @@ export interface paths {
         };
         /**
          * Get Profile
-         * @description Look at a classification profile: its rules, of which the first that matches decides.
+         * @description Get a classification profile; the first rule that matches an edge decides.
          */
         get: operations["get_profile"];
         /**
          * Keep Profile
-         * @description Keep a customer's profile, as TOML or as JSON.
+         * @description Create or replace a customer's profile, sent as TOML or JSON.
          *
-         *     A new one needs no If-Match; to change one, say which version it was made from.
+         *     To replace a profile, name the version that the change is based on.
          */
         put: operations["keep_profile"];
         post?: never;
         /**
          * Delete Profile
-         * @description Forget a customer's profile; drawings and jobs keep the rules that they were made with.
+         * @description Delete a customer's profile; drawings and jobs keep the rules with which they were made.
          */
         delete: operations["delete_profile"];
         options?: never;
@@ -671,7 +670,7 @@ export interface paths {
         put?: never;
         /**
          * Preview Profile
-         * @description Say what a profile would do to a drawing; nothing is kept.
+         * @description Preview the effect of a profile on a drawing; nothing is stored.
          */
         post: operations["preview_profile"];
         delete?: never;
@@ -691,7 +690,7 @@ export interface paths {
         put?: never;
         /**
          * Learn From Corrections
-         * @description Propose rules that would have said what somebody corrected by hand; nothing is kept.
+         * @description Propose rules that explain the user's corrections of line types; nothing is stored.
          */
         post: operations["learn_from_corrections"];
         delete?: never;
@@ -711,9 +710,9 @@ export interface paths {
         put?: never;
         /**
          * Claim
-         * @description Wait for the next job of a machine and take it; 204 when there is none in that time.
+         * @description Wait for the next job of a machine and claim it; 204 if there is none within ``wait``.
          *
-         *     With ``confirm`` the job stays queued until the operator has confirmed it.
+         *     If ``confirm`` is true in the answer, the job stays queued until the operator confirms it.
          */
         post: operations["claim"];
         delete?: never;
@@ -731,7 +730,7 @@ export interface paths {
         };
         /**
          * Get Gateway Program
-         * @description Return the program of a job that a gateway has claimed.
+         * @description Download the program of a claimed job.
          */
         get: operations["get_gateway_program"];
         put?: never;
@@ -753,7 +752,7 @@ export interface paths {
         put?: never;
         /**
          * Heartbeat
-         * @description Report what the machine did and get the next command; renews the lease.
+         * @description Report progress, renew the lease and get the next command.
          */
         post: operations["heartbeat"];
         delete?: never;
@@ -773,7 +772,7 @@ export interface paths {
         put?: never;
         /**
          * Finish
-         * @description Report how a job ended; the last owner's late report corrects an interrupted job.
+         * @description Report the end of a job; a late report of the last owner corrects an interrupted job.
          */
         post: operations["finish"];
         delete?: never;
@@ -791,7 +790,7 @@ export interface paths {
         };
         /**
          * Health
-         * @description Return that the process is alive.
+         * @description Report that the process is running.
          */
         get: operations["health"];
         put?: never;
@@ -811,7 +810,7 @@ export interface paths {
         };
         /**
          * Ready
-         * @description Return whether requests can be served: 503 while not.
+         * @description Report whether requests can be served; 503 if not.
          */
         get: operations["ready"];
         put?: never;
@@ -6728,7 +6727,7 @@ export interface operations {
     list_drawings: {
         parameters: {
             query?: {
-                /** @description From the Link header */
+                /** @description Position in the list, from the Link header */
                 cursor?: number | null;
                 limit?: number;
             };
@@ -6747,7 +6746,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingSummary"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6762,7 +6761,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The same key and request answer with the first result */
+                /** @description Repeating a request with the same key returns the first result */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -6783,7 +6782,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6798,7 +6797,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description ETag of what the client has already; 304 if that is still so */
+                /** @description ETag of the client's copy; 304 if it is current */
                 "If-None-Match"?: string | null;
             };
             path: {
@@ -6817,14 +6816,14 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description As it was */
+            /** @description Not modified */
             304: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6853,7 +6852,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6868,7 +6867,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                /** @description ETag of the revision on which the change is based; 412 if it is not the newest. Without it the change applies to the newest. */
                 "If-Match"?: string | null;
             };
             path: {
@@ -6891,7 +6890,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6925,14 +6924,14 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description As it was */
+            /** @description Not modified */
             304: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -6947,7 +6946,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description ETag of the revision that the change was made for; 412 if it is not the newest. Without it the change applies to whatever there is. */
+                /** @description ETag of the revision on which the change is based; 412 if it is not the newest. Without it the change applies to the newest. */
                 "If-Match"?: string | null;
             };
             path: {
@@ -6970,7 +6969,7 @@ export interface operations {
                     "application/json": components["schemas"]["DrawingOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7003,7 +7002,7 @@ export interface operations {
                     "application/json": components["schemas"]["LedgerOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7034,7 +7033,7 @@ export interface operations {
                     "application/json": components["schemas"]["CleaningOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7065,7 +7064,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7080,7 +7079,7 @@ export interface operations {
         parameters: {
             query?: {
                 state?: ("received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled")[] | null;
-                /** @description From the Link header */
+                /** @description Position in the list, from the Link header */
                 cursor?: number | null;
                 limit?: number;
             };
@@ -7099,7 +7098,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7114,7 +7113,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The same key and request answer with the first result */
+                /** @description Repeating a request with the same key returns the first result */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -7135,7 +7134,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7166,7 +7165,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7197,7 +7196,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobEvent"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7228,7 +7227,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7262,7 +7261,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7293,7 +7292,7 @@ export interface operations {
                     "application/octet-stream": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7324,7 +7323,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7359,7 +7358,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7390,7 +7389,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7421,7 +7420,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7452,7 +7451,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7483,7 +7482,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7514,7 +7513,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7545,7 +7544,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7578,7 +7577,7 @@ export interface operations {
                     "text/event-stream": unknown;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7607,7 +7606,7 @@ export interface operations {
                     "application/json": components["schemas"]["MachineOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7638,7 +7637,7 @@ export interface operations {
                     "application/json": components["schemas"]["MachineOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7667,7 +7666,7 @@ export interface operations {
                     "application/json": components["schemas"]["FormatOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7696,7 +7695,7 @@ export interface operations {
                     "application/json": components["schemas"]["BoardOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7727,7 +7726,7 @@ export interface operations {
                     "application/json": components["schemas"]["BoardOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7762,7 +7761,7 @@ export interface operations {
                     "application/json": components["schemas"]["CalibrationOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7791,7 +7790,7 @@ export interface operations {
                     "application/json": components["schemas"]["StationTool"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7820,7 +7819,7 @@ export interface operations {
                     "application/json": components["schemas"]["ProfileOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7851,7 +7850,7 @@ export interface operations {
                     "application/toml": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7882,7 +7881,7 @@ export interface operations {
                     "application/json": components["schemas"]["ProfileOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7897,7 +7896,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The version that was looked at, as its ETag; * for whatever there is */
+                /** @description ETag of the version on which the change is based; * for any version */
                 "If-Match"?: string | null;
             };
             path: {
@@ -7921,7 +7920,7 @@ export interface operations {
                     "application/json": components["schemas"]["ProfileOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7936,7 +7935,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The version that was looked at, as its ETag; * for whatever there is */
+                /** @description ETag of the version on which the change is based; * for any version */
                 "If-Match"?: string | null;
             };
             path: {
@@ -7953,7 +7952,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -7988,7 +7987,7 @@ export interface operations {
                     "application/json": components["schemas"]["PreviewOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8019,7 +8018,7 @@ export interface operations {
                     "application/json": components["schemas"]["ProposalOut"][];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8052,14 +8051,14 @@ export interface operations {
                     "application/json": components["schemas"]["Claim"];
                 };
             };
-            /** @description Nothing to do */
+            /** @description No job */
             204: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8090,7 +8089,7 @@ export interface operations {
                     "text/plain": string;
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8123,7 +8122,7 @@ export interface operations {
                     "application/json": components["schemas"]["HeartbeatOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8156,7 +8155,7 @@ export interface operations {
                     "application/json": components["schemas"]["JobOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8185,7 +8184,7 @@ export interface operations {
                     "application/json": components["schemas"]["Health"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8214,7 +8213,7 @@ export interface operations {
                     "application/json": components["schemas"]["Health"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
@@ -8243,7 +8242,7 @@ export interface operations {
                     "application/json": components["schemas"]["ServiceOut"];
                 };
             };
-            /** @description What went wrong, and what to do about it */
+            /** @description Error with a hint */
             default: {
                 headers: {
                     [name: string]: unknown;
