@@ -183,7 +183,7 @@ def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
         ("1e308 0", "the operands of its operator 'l' are invalid"),
         ("NaN 0", "the operands of its operator 'l' are invalid"),
         ("inf 0", "the operands of its operator 'l' are invalid"),
-        ("9" * 400 + " 0", "a coordinate is not a number; the limit is 2.83465e+07"),
+        ("9" * 400 + " 0", "a coordinate is not a number"),
         ("9" * 200 + " 0", "a coordinate is 1e+200; the limit is 2.83465e+07"),
         ("--5 0", "the operands of its operator 'l' are invalid"),
         ("(5) 0", "the operands of its operator 'l' are invalid"),
