@@ -41,6 +41,8 @@ $(VENV)/.runtime: backend/requirements.lock backend/pyproject.toml | $(BIN)/pyth
 
 $(VENV)/.caches: $(VENV)/.runtime $(KERNELS)
 	@find backend/knifetip -name "*.nb[ci]" -delete
+	@# Where Python may not write bytecode, each command would compile all modules that it imports.
+	@$(BIN)/python -m compileall -q backend/knifetip
 	@touch $@
 
 $(VENV)/.kernels: $(VENV)/.caches

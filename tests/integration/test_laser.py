@@ -99,22 +99,22 @@ def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
 def test_half_a_kerf_wrong_by_15_micrometres_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = original(radius, "equidistant")
+    right = original(radius, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
         return right(paths, distance * factor, side, **more)
 
-    monkeypatch.setattr(radius, "equidistant", wrong)
+    monkeypatch.setattr(radius, "offset_paths", wrong)
     assert not judged(program("grblhal").text).accepted
 
 
 def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = original(radius, "equidistant")
+    right = original(radius, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: object) -> object:
         return right(paths, distance, -side, **more)
 
-    monkeypatch.setattr(radius, "equidistant", wrong)
+    monkeypatch.setattr(radius, "offset_paths", wrong)
     assert not judged(program("grblhal").text).accepted
 
 

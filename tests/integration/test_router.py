@@ -50,22 +50,22 @@ def test_what_the_router_makes_is_accepted(dialect: str, corner: str) -> None:
 def test_a_radius_wrong_by_a_hundredth_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = original(radius, "equidistant")
+    right = original(radius, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance * factor, side, **more)
 
-    monkeypatch.setattr(radius, "equidistant", wrong)
+    monkeypatch.setattr(radius, "offset_paths", wrong)
     assert not verdict().accepted
 
 
 def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = original(radius, "equidistant")
+    right = original(radius, "offset_paths")
 
     def wrong(paths: Paths, distance: float, side: int, **more: Any) -> Any:
         return right(paths, distance, -side, **more)
 
-    monkeypatch.setattr(radius, "equidistant", wrong)
+    monkeypatch.setattr(radius, "offset_paths", wrong)
     monkeypatch.setattr(radius, "_with_leads", lambda _operation, _cutter, way, _held: _bare(way))
     assert not verdict().accepted
 

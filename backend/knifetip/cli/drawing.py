@@ -12,7 +12,6 @@ import typer
 from knifetip import pipeline
 from knifetip.cli.rules import find_profile
 from knifetip.cli.terminal import QUESTIONS, print_json, read_bytes, report_questions, write_bytes
-from knifetip.dxf.samples import samples
 from knifetip.errors import LibraryError
 from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64
@@ -246,6 +245,9 @@ def register(app: typer.Typer) -> None:
         folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to write to.")],
     ) -> None:
         """Write the sample cartons as DXF files."""
+        # Drawing them imports ezdxf, which no other command needs at its start.
+        from knifetip.dxf.samples import samples
+
         for name, data in samples().items():
             write_bytes(folder / name, data)
             typer.echo(str(folder / name))

@@ -64,7 +64,7 @@ def validate_fields(
             shelf=shelf,
             name=name[:200],
             faults=[_message(model, fault) for fault in faults[:_MOST]],
-            source=_path(faults[0]),
+            source=_field(faults[0]),
         ) from None
 
 
@@ -80,6 +80,14 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
             path.append(str(key))
         before = key
     return tuple(path)
+
+
+def _field(fault: ErrorDetails) -> tuple[str, ...]:
+    """Return the path of the wrong field without the number of a value in a list of values."""
+    path = _path(fault)
+    if len(path) > 1 and isinstance(fault["loc"][-1], int):
+        return (*path[:-1], path[-1].rpartition(" ")[0])
+    return path
 
 
 def _message(model: type[Table], fault: ErrorDetails) -> Message:

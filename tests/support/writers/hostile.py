@@ -143,10 +143,10 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "svg: packed bomb": (413, "holds more", lambda: gzip.compress(b"<svg>" + bytes(300_000_000))),
     "svg: cut short": (422, "cut short", lambda: svg.carton()[:-20]),
     "svg: 60 MB of elements": (413, "elements", lambda: svg.svg("<g/>" * 15_000_000)),
-    "cf2: calls": (413, "stand for more than", call_bomb),
+    "cf2: calls": (413, "expand to more than", call_bomb),
     "cf2: tower": (413, "more than 16 deep", call_tower),
     "cf2: cut short": (422, "cut short", lambda: cf2.carton()[:200]),
-    "cf2: 60 MB of records": (413, "records", lambda: cf2.cf2(*["L,2,1,0,0,0,1,1"] * 3_700_000)),
+    "cf2: 60 MB of records": (413, "elements", lambda: cf2.cf2(*["L,2,1,0,0,0,1,1"] * 3_700_000)),
     "cf2: decimal commas": (422, "commas", lambda: cf2.cf2(*["L,2,1,0,5,1,6,1,5,7,1,7,0,0"] * 9)),
 }
 

@@ -154,7 +154,7 @@ def test_gateways_have_threads_that_nothing_else_takes(
     job = ordered(client, uploaded(client, square())["id"], release=True)
     until(client, job["id"], "queued")
     gate = threading.Event()
-    monkeypatch.setattr(client.service.store, "drawings", lambda *_: gate.wait(100.0) and [])
+    monkeypatch.setattr(client.service.store.drawings, "recent", lambda *_: gate.wait(100.0) and [])
     with ThreadPoolExecutor(50) as pool:
         # All threads of the common pool wait, as they would for a database that is slow.
         stuck = [pool.submit(client.get, "/api/drawings", timeout=120.0) for _ in range(50)]

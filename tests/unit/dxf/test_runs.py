@@ -51,7 +51,7 @@ def in_runs(monkeypatch: pytest.MonkeyPatch) -> InRuns:
 
     def cores(number: int) -> None:
         monkeypatch.setattr(scan, "_RUN", 300)
-        monkeypatch.setattr(scan, "number", lambda: number)
+        monkeypatch.setattr(scan, "core_count", lambda: number)
 
     return cores
 
