@@ -56,7 +56,7 @@ def uv_environment(options: Mapping[str, str], environment: Mapping[str, str]) -
         if option in options
     }
     # pip takes a package from whichever index has it. The hashes are the safeguard.
-    # pip compiles what it installs, uv only if told to: the first start would have to.
+    # uv, unlike pip, compiles bytecode only on request; otherwise the first start does it.
     defaults = {"UV_INDEX_STRATEGY": "unsafe-best-match", "UV_COMPILE_BYTECODE": "1"}
     return {**defaults, **handed_on, **environment}
 

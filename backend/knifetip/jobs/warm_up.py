@@ -66,7 +66,7 @@ class WarmUp:
         self._niceness = niceness
         self._on_progress = on_progress
         self._changed = threading.Condition()
-        # One that was never started keeps nobody waiting.
+        # A server that was never started is not waited for.
         self._running = False
         self._closed = False
         self._parts: list[Part] | None = None  # None until it is known what is missing

@@ -1,4 +1,4 @@
-"""drawings by other hands of which it is known what each line is, and by whom it was said.
+"""drawings by other authors whose line types are known, with the source of each.
 
 The sources are the corpus's own list and the conventions of the generators that drew them.
 """

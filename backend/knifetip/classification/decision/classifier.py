@@ -133,7 +133,7 @@ class Classifier:
         totals: StyleTotals,
         conventions: Sequence[FittingConvention],
     ) -> Classifier:
-        """Compute what decisions need to know about the drawing as a whole."""
+        """Compute the features of the whole drawing that decisions use."""
         group = _group_styles(styles)
         length = totals.length
         grouped = np.zeros((int(group.max(initial=-1)) + 1, length.shape[1]))

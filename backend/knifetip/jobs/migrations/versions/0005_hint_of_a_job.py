@@ -1,4 +1,4 @@
-"""Rename what an operator can do about a job's state to the word that users read: hint."""
+"""Rename the column of a job's advice to the operator from mend to hint."""
 
 from alembic import op
 
