@@ -1,7 +1,8 @@
 """Messages as records: a code with typed arguments, which a catalogue renders in a language.
 
-``codes`` lists every code with the types of its arguments, ``english`` has a text and a hint for
-each.  Another language is another file like ``english``.
+``catalogue`` has all messages, one module per area: code, English text, hint and the types of the
+arguments.  ``codes`` and ``english`` are tables of it.  Another language is another module like
+``english``.
 """
 
 from knifetip.messages.message import Argument, Message, from_json, printable

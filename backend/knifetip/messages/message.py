@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePath
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
-from knifetip.messages.codes import CODES, STORED, Kind
+from knifetip.messages.codes import CODES, STORED
+from knifetip.messages.entry import Kind
 
 #: Stands for a measure that is infinite or not a number, which JSON cannot contain.
 _FAR: Final = 1e9

@@ -3,10 +3,6 @@
 import type { Catalogue } from "./catalogue";
 
 export const TEXTS = {
-  "stored.text": {
-    "text": "{text}",
-    "hint": "{hint}"
-  },
   "advice.compiling": {
     "text": "Wait until it is ready.",
     "hint": ""
@@ -2218,6 +2214,10 @@ export const TEXTS = {
   "store.unknown": {
     "text": "There is no {kind} {id}.",
     "hint": "GET /api/{kind}s lists them."
+  },
+  "stored.text": {
+    "text": "{text}",
+    "hint": "{hint}"
   },
   "svg.cut-short": {
     "text": "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so lines may be missing.",

@@ -18,7 +18,7 @@ OTHER = {"source"}
 
 def trees() -> Iterator[tuple[str, ast.Module]]:
     for file in sorted(ROOT.rglob("*.py")):
-        if file.parent.name != "messages":
+        if "messages" not in file.relative_to(ROOT).parts:
             yield str(file.relative_to(ROOT)), ast.parse(file.read_text("utf-8"))
 
 

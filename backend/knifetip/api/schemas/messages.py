@@ -11,7 +11,8 @@ from typing import Any, ClassVar, Final
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from knifetip.messages import with_text
-from knifetip.messages.codes import CODES, Kind
+from knifetip.messages.codes import CODES
+from knifetip.messages.entry import Kind
 
 #: Key that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"

@@ -1,0 +1,52 @@
+"""All messages of knifetip, one module per area: code, types of the arguments, text and hint."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.catalogue import (
+    classification,
+    cleaning,
+    compensation,
+    controller,
+    corner,
+    drawing,
+    general,
+    geometry,
+    hpgl,
+    import_outcomes,
+    job,
+    library,
+    program,
+    reading,
+    rs274,
+    server,
+    unit,
+    verification,
+)
+from knifetip.messages.entry import Entries, Entry
+
+_AREAS: Final = (
+    general,
+    geometry,
+    reading,
+    import_outcomes,
+    unit,
+    classification,
+    cleaning,
+    drawing,
+    compensation,
+    corner,
+    program,
+    rs274,
+    hpgl,
+    verification,
+    controller,
+    job,
+    library,
+    server,
+)
+
+MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}
+
+__all__ = ["MESSAGES", "Entries", "Entry"]

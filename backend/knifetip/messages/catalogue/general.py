@@ -1,0 +1,35 @@
+"""general: messages that belong to no area: stored texts, places, and lists of errors."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "stored.text": entry("{text}", "{hint}", text="text", hint="text"),
+    "error.at-edge": entry(
+        '{error} Place: handle {handle}, layer "{layer}".',
+        "{error:hint}",
+        error="message",
+        handle="text",
+        layer="text",
+    ),
+    "error.at-edges": entry(
+        "At edge {edges: and edge }: {error}",
+        "{error:hint}",
+        edges="texts",
+        error="message",
+    ),
+    "error.in-file": entry("{name}: {error}", "{error:hint}", name="text", error="message"),
+    "finding.at-edge": entry("Edge {edge}: {fault}", "{fault:hint}", edge="count", fault="message"),
+    "finding.at-edge-and-line": entry(
+        "Edge {edge}, line {line}: {fault}",
+        "{fault:hint}",
+        edge="count",
+        line="count",
+        fault="message",
+    ),
+    "finding.at-line": entry("Line {line}: {fault}", "{fault:hint}", line="count", fault="message"),
+    "finding.more": entry(" And {count} more.", count="count"),
+}

@@ -1,0 +1,180 @@
+"""job: jobs, the machines that run them, and the processes that compile them."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "job.being-cancelled": entry(
+        "Job {job} is being cancelled.",
+        "Wait until the machine has stopped.",
+        job="text",
+    ),
+    "job.cancelled-before-request": entry(
+        "Job {job} is being cancelled, so it cannot {request}.",
+        "Wait until the machine has stopped.",
+        job="text",
+        request="text",
+    ),
+    "job.compile-crashed": entry(
+        "Internal error while compiling: {reason}. Nothing was cut.",
+        "The server's log has the details.",
+        reason="text",
+    ),
+    "job.gateway-silent": entry(
+        "The gateway {gateway} that claimed job {job} does not answer.",
+        "Switch on the machine and its gateway, then confirm when the job waits again.",
+        gateway="text",
+        job="text",
+    ),
+    "job.no-confirmation-awaited": entry(
+        "Job {job} is {state}, so it waits for no confirmation.",
+        "{advice}",
+        job="text",
+        state="text",
+        advice="message",
+    ),
+    "job.no-sheet-awaited": entry(
+        "Job {job} is held, not waiting for a sheet.",
+        "Resume it.",
+        job="text",
+    ),
+    "job.no-work": entry(
+        "There is nothing to make in this drawing: every edge is ignored.",
+        "Give at least one edge a line type that the machine makes.",
+    ),
+    "job.not-confirmed": entry(
+        "Job {job} was started without a confirmation of its sheet.",
+        "Check the table, then confirm the job or cancel it.",
+        job="text",
+    ),
+    "job.not-running": entry(
+        "Job {job} is {state}; no machine runs it.",
+        "Claim it first.",
+        job="text",
+        state="text",
+    ),
+    "job.not-taken": entry(
+        "Job {job} is queued, and its machine {machine} has not taken it yet.",
+        "Confirm it when its turn has come; its reason states what it waits for.",
+        job="text",
+        machine="text",
+    ),
+    "job.nothing-to-confirm": entry(
+        "Job {job} is running.",
+        "There is nothing to confirm.",
+        job="text",
+    ),
+    "job.other-board": entry(
+        "Job {job} is for the board {board}, not {given}.",
+        "Put {board} on the table.",
+        job="text",
+        board="text",
+        given="text",
+    ),
+    "job.program-refused": entry(
+        "The program does not cut what was drawn: {findings: }{more}",
+        findings="messages",
+        more="message?",
+    ),
+    "job.stale-epoch": entry(
+        "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch "
+        "{current} now).",
+        "Stop the machine and claim again.",
+        job="text",
+        state="text",
+        current="count",
+        epoch="count",
+    ),
+    "job.unknown": entry("There is no job {job}.", "GET /api/jobs lists them.", job="text"),
+    "job.wrong-state": entry(
+        "Job {job} is {state}, so it cannot become {goal}.",
+        "{advice}",
+        job="text",
+        state="text",
+        goal="text",
+        advice="message",
+    ),
+    "job.wrong-state-for-request": entry(
+        "Job {job} is {state}; the request {request} is for a job that is {states: or }.",
+        "{advice}",
+        job="text",
+        state="text",
+        request="text",
+        states="texts",
+        advice="message",
+    ),
+    "advice.compiling": entry("Wait until it is ready."),
+    "advice.ended": entry("Order it again."),
+    "advice.interrupted": entry(
+        "Check the table, then mark the job finished, queue it again or scrap it.",
+    ),
+    "advice.queued": entry("Wait until its machine has taken it."),
+    "advice.ready": entry("Release it first."),
+    "advice.running": entry("Hold, resume or cancel it."),
+    "machine.busy": entry(
+        "Job {job} is on the table of {machine}.",
+        "One job at a time: finish it, queue it again or scrap it.",
+        job="text",
+        machine="text",
+    ),
+    "machine.busy-with-another": entry(
+        "Another job is on the table of {machine}.",
+        "One job at a time: finish it, queue it again or scrap it.",
+        machine="text",
+    ),
+    "machine.no-cutter": entry(
+        "{machine} has no cutter {cutter!r}.",
+        "Only a rotating cutter or a beam can be calibrated.",
+        machine="text",
+        cutter="text",
+    ),
+    "machine.no-such-cutter": entry(
+        "{machine} has no cutter {cutter!r}.",
+        "It has {known:, }.",
+        machine="text",
+        cutter="text",
+        known="texts",
+    ),
+    "store.no-column": entry(
+        "The {kind} {id} has no {column}.",
+        "The compile makes it; see the job's state and reason.",
+        kind="text",
+        id="text",
+        column="text",
+    ),
+    "store.unknown": entry(
+        "There is no {kind} {id}.",
+        "GET /api/{kind}s lists them.",
+        kind="text",
+        id="text",
+    ),
+    "worker.died": entry(
+        "The worker process ended unexpectedly (exit code {code}), as happens when memory runs "
+        "out.",
+        "Send a smaller drawing, or split this one.",
+        code="text",
+    ),
+    "worker.memory": entry(
+        "The drawing needs more than the {limit} GB of memory that one drawing may use.",
+        "Send a smaller drawing, or split this one.",
+        limit="count",
+    ),
+    "worker.timeout": entry(
+        "Stage {stage} was not finished after {seconds:.0f} s.",
+        "Send a smaller drawing, or split this one.",
+        stage="text",
+        seconds="number",
+    ),
+    "database.bad-url": entry(
+        "{url!r} is not the URL of a database.",
+        "Write sqlite:///FILE or postgresql://USER@HOST/NAME.",
+        url="text",
+    ),
+    "database.in-memory": entry(
+        "A database in memory would lose its jobs.",
+        "Name a file: sqlite:///FILE.",
+    ),
+}
