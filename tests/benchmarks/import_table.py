@@ -24,7 +24,7 @@ from knifetip.errors import KnifetipError
 from knifetip.geometry.columns import F64, I64, U8
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 from knifetip.model.profile import LineRules
 from tests.conftest import CORPUS, ROOT
 from tests.support.cartons.house_files import drawn, truth
@@ -157,7 +157,8 @@ def files() -> Iterator[str]:
         dieline = pipeline.classify(drawing, rules)
         seconds = time.perf_counter() - begun
         asked = pipeline.questions(drawing, dieline)
-        fates = Counter(drawing.ledger.fate.tolist())
+        outcomes = Counter(drawing.import_report.outcome.tolist())
+        counts = " | ".join(str(outcomes[outcome]) for outcome in ImportOutcome)
         try:
             kinds = clean(dieline).dieline.line_type
             idle = (LineType.IGNORED, LineType.UNCLASSIFIED)
@@ -165,8 +166,8 @@ def files() -> Iterator[str]:
         except KnifetipError as reason:
             worked = _cell(reason.text)
         yield (
-            f"| {name} | {len(drawing.ledger)} | {fates[Fate.KEPT]} | {fates[Fate.MERGED]} "
-            f"| {fates[Fate.DROPPED]} | {len(drawing)} | {worked} | {drawing.unit or 'asked'} "
+            f"| {name} | {len(drawing.import_report)} | {counts} "
+            f"| {len(drawing)} | {worked} | {drawing.unit or 'asked'} "
             f"| {classes(dieline)} | {len(asked)} | {seconds:.3f} |"
         )
 

@@ -199,7 +199,7 @@ def process_lines() -> Bench:
 
 
 def verify_program() -> Bench:
-    """Judge a program against its drawing."""
+    """Verify a program against its drawing."""
     made, dieline = _compiled()
     return (
         "program lines",
@@ -211,7 +211,7 @@ def verify_program() -> Bench:
 
 
 def compile_sheet() -> Bench:
-    """From a classified drawing to a judged program."""
+    """From a classified drawing to a verified program."""
     drawing = read(_drawing_bytes(10_000))
     dieline = classify(drawing, load.profile("default"))
     return (

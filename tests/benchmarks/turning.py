@@ -177,7 +177,7 @@ clear. Ten V-grooves that run out on both sides of a pre-cut board:
 {grooves}
 
 The pipeline gives no outline: what a drawing shows is the blank, and around it lies the rest of the
-sheet. Neither does the judge know of board that is not there.
+sheet. Neither does the verifier know of board that is not there.
 
 ## Order of tracks
 

@@ -311,7 +311,7 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
     page.screenshot(path=screenshots / "import-4-report.png")
     page.keyboard.press("Escape")
     expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20,20,20")
-    # One fate at a time.
+    # One outcome at a time.
     page.get_by_text("Merged", exact=True).last.click()
     expect(page.get_by_test_id("report-dropped")).to_have_count(0)
     expect(page.get_by_test_id("report-merged")).to_have_count(2)

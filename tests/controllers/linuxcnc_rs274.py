@@ -1,4 +1,4 @@
-"""A second judge: LinuxCNC's own interpreter reads the program, and this moves the tip by it.
+"""A second verifier: LinuxCNC's own interpreter reads the program, and this moves the tip by it.
 
     program bytes  ->  rs274  ->  canonical moves  ->  path of each tool's tip  ->  Report
 
@@ -102,7 +102,7 @@ class Reading:
 
 @dataclass
 class Report:
-    """The second judge's answer (mm and degrees)."""
+    """The second verifier's report (mm and degrees)."""
 
     accepted: bool
     stderr: str
@@ -279,7 +279,7 @@ def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
     )
 
 
-def judge(
+def verify_by_interpreter(
     program: bytes,
     ends: ArrayLike,
     bulge: ArrayLike,

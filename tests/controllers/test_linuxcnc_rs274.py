@@ -36,8 +36,8 @@ from tests.controllers.linuxcnc_rs274 import (
     RS274,
     Report,
     TipTool,
-    judge,
     read_program,
+    verify_by_interpreter,
 )
 
 pytestmark = [
@@ -53,7 +53,7 @@ def verdict(
     placement: tuple[float, float] = (20.0, 20.0),
 ) -> Report:
     ends, bulge, line_type = edges
-    return judge(program, ends, bulge, line_type, placement, tools)
+    return verify_by_interpreter(program, ends, bulge, line_type, placement, tools)
 
 
 @pytest.mark.parametrize("job", JOBS)
@@ -98,7 +98,7 @@ def test_three_stations_in_one_program_work_with_their_own_datum_and_piston() ->
         (b"F12000\n", b"\n", "accepted", None),
     ],
 )
-def test_the_judge_sees_what_is_wrong(
+def test_the_second_verifier_finds_what_is_wrong(
     old: bytes, new: bytes, measure: str, least: float | None
 ) -> None:
     program = knife(Hand()).program()
@@ -115,7 +115,7 @@ def test_the_judge_sees_what_is_wrong(
         assert report.problems
 
 
-def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew() -> None:
+def test_the_second_verifier_finds_an_edge_that_no_tool_works_and_a_line_that_nobody_drew() -> None:
     program = knife(Hand()).program()
     more = together(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
     assert verdict(program, more).worst_gap == pytest.approx(np.hypot(100, 50), abs=0.01)
@@ -124,7 +124,9 @@ def test_the_judge_sees_an_edge_that_no_tool_works_and_a_line_that_nobody_drew()
     assert verdict(program, (*BLANK[:2], [LineType.CREASE] * 6)).worst_deviation == np.inf
 
 
-def test_the_judge_sees_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_its_way_in() -> None:
+def test_the_second_verifier_finds_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_entry() -> (
+    None
+):
     program = groove(Hand()).program()
     mirrored = {3: replace(V_CUTTER, back=-6.0)}
     assert verdict(program, GROOVE, mirrored).worst_deviation > 11.9

@@ -9,7 +9,7 @@ import pytest
 from knifetip import pipeline
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from tests.controllers.linuxcnc_rs274 import ABSENT, RS274, Report, TipTool, judge
+from tests.controllers.linuxcnc_rs274 import ABSENT, RS274, Report, TipTool, verify_by_interpreter
 from tests.support.truth.named import NAMED, SAMPLES, Named
 
 pytestmark = [
@@ -38,14 +38,14 @@ def tools(caliper: float, deepest_crease: float, groove: float) -> dict[int, Tip
     }  # fmt: skip
 
 
-def judged(named: Named, corpus: Path | None) -> tuple[Report, float]:
+def verify_named(named: Named, corpus: Path | None) -> tuple[Report, float]:
     drawing, dieline, board = named.classified(corpus)
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
     # A crease that is drawn under a cut is not worked; ``checks.cleaning_check`` answers for that.
     worked = pipeline.clean(dieline).dieline
-    report = judge(
+    report = verify_by_interpreter(
         made.program.text,
         worked.ends,
         worked.bulge,
@@ -70,7 +70,7 @@ def on_the_line(report: Report, over: float) -> None:
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
 def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named) -> None:
-    on_the_line(*judged(named, None))
+    on_the_line(*verify_named(named, None))
 
 
 @pytest.mark.corpus
@@ -78,11 +78,11 @@ def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named) -> None:
 def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(
     named: Named, corpus: Path
 ) -> None:
-    on_the_line(*judged(named, corpus))
+    on_the_line(*verify_named(named, corpus))
 
 
 def test_a_wrong_offset_of_the_v_cutter_would_be_seen() -> None:
-    # The judge itself is tried: with d stated 0.05 mm too long it must find the tip off the line.
+    # Tests the second verifier itself: with d 0.05 mm too long it must report an offset.
     drawing, dieline, board = SAMPLES[2].classified(None)
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     wrong = tools(board.caliper, 0.9, board.groove_depth)
@@ -90,7 +90,7 @@ def test_a_wrong_offset_of_the_v_cutter_would_be_seen() -> None:
         "v-cutter", board.caliper, datum=(-60.0, 0.0, 0.0, 0.0), output=2,
         back=6.05, half_width=1.5, tilt=45.0, overrun=board.groove_depth,
     )  # fmt: skip
-    report = judge(
+    report = verify_by_interpreter(
         made.program.text, dieline.ends, dieline.bulge, dieline.line_type, made.placement, wrong
     )
     assert report.worst_deviation > 0.04

@@ -17,14 +17,14 @@ with watched("knifetip.dxf", "ezdxf"):
 
 def one(data: bytes) -> None:
     """Read by both, and compare."""
-    mine, judged = read_by_both(data)
-    if isinstance(mine, KnifetipError) and mine.__cause__ is not None:
+    ours, reference = read_by_both(data)
+    if isinstance(ours, KnifetipError) and ours.__cause__ is not None:
         # Only what ezdxf does with hostile bytes may surprise.
-        ours = [frame.name for frame in traceback.extract_tb(mine.__cause__.__traceback__)]
-        assert "read_fast" not in ours, repr(mine.__cause__)
-    if isinstance(mine, KnifetipError) or isinstance(judged, KnifetipError):
+        frames = [frame.name for frame in traceback.extract_tb(ours.__cause__.__traceback__)]
+        assert "read_fast" not in frames, repr(ours.__cause__)
+    if isinstance(ours, KnifetipError) or isinstance(reference, KnifetipError):
         return
-    if said := difference(mine, judged):
+    if said := difference(ours, reference):
         raise AssertionError(said)
 
 

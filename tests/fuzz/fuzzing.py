@@ -92,7 +92,7 @@ def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | 
     assert (np.abs(drawing.ends) <= 1.001 * REACH).all()
     assert (np.abs(drawing.bulge) <= 1.0).all()
     total = drawing.lengths.sum()
-    assert abs(total - drawing.ledger.length.sum()) <= 1e-9 * total + 1e-9
+    assert abs(total - drawing.import_report.length.sum()) <= 1e-9 * total + 1e-9
     return drawing
 
 

@@ -72,7 +72,7 @@ def test_a_carton_in_another_format_runs_to_its_end(
 ) -> None:
     drawing = uploaded(shop, data)
     assert (drawing["unit"], drawing["questions"]) == (unit, [])
-    rows = drawing["ledger"]["rows"]
+    rows = drawing["import_report"]["rows"]
     edges = shop.get(f"/api/drawings/{drawing['id']}/edges").json()["edges"]
     drawn = sum(edge["length"] for edge in edges)
     assert sum(row["length"] for row in rows) == pytest.approx(drawn, abs=1e-3)

@@ -82,7 +82,7 @@ def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: s
     with unharmed(server):
         drawing = uploaded(server.client, made(), unit="mm")
         assert drawing["segments"] == edges
-        assert any(word in row["reason"]["text"] for row in drawing["ledger"]["rows"])
+        assert any(word in row["reason"]["text"] for row in drawing["import_report"]["rows"])
         assert max(map(abs, drawing["bounds"])) <= 1e7
 
 

@@ -22,13 +22,13 @@ from tests.support.modules import original
 from tests.support.programs.laser import BOARD, LASER, LINE, program, toolpath
 
 
-def judged(text: bytes, dialect: str = "grblhal", machine: Machine = LASER) -> Verdict:
+def verdict_of(text: bytes, dialect: str = "grblhal", machine: Machine = LASER) -> Verdict:
     return verify(text, LINE, (0.0, 0.0), replace(machine, dialect=dialect), BOARD)
 
 
 def findings(text: str) -> str:
     """Return the texts of the findings about a program, which must be refused."""
-    verdict = judged(text.encode())
+    verdict = verdict_of(text.encode())
     assert not verdict.accepted
     return "\n".join(finding.text for finding in verdict.findings)
 
@@ -51,7 +51,7 @@ def text() -> str:
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
 def test_what_the_laser_makes_is_accepted(dialect: str, corner: str) -> None:
-    verdict = judged(program(dialect, corner).text, dialect)
+    verdict = verdict_of(program(dialect, corner).text, dialect)
     assert verdict.accepted, verdict.findings[:3]
     assert verdict.uncut.max() == 0.0
 
@@ -92,7 +92,7 @@ def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
     np.testing.assert_allclose(path.pose[1:][work, 2], BOARD.caliper)
     deeper = with_laser(focus=-0.2)
     text = program("grblhal", machine=deeper).text
-    assert not judged(text, machine=deeper).accepted  # planned for another focus
+    assert not verdict_of(text, machine=deeper).accepted  # planned for another focus
 
 
 @pytest.mark.parametrize("factor", [0.85, 1.15])
@@ -105,7 +105,7 @@ def test_half_a_kerf_wrong_by_15_micrometres_is_refused(
         return right(paths, distance * factor, side, **more)
 
     monkeypatch.setattr(radius, "offset_paths", wrong)
-    assert not judged(program("grblhal").text).accepted
+    assert not verdict_of(program("grblhal").text).accepted
 
 
 def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -115,7 +115,7 @@ def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) ->
         return right(paths, distance, -side, **more)
 
     monkeypatch.setattr(radius, "offset_paths", wrong)
-    assert not judged(program("grblhal").text).accepted
+    assert not verdict_of(program("grblhal").text).accepted
 
 
 FAULTS: dict[str, tuple[Callable[[str], str], str]] = {

@@ -1,6 +1,6 @@
 """Lines of programs dropped, doubled, swapped and rewritten: what moves the product is refused.
 
-What the judge lets pass must leave the product as it is, within 0.01 mm, and must be safe on a
+What the verifier lets pass must leave the product as it is, within 0.01 mm, and must be safe on a
 machine that a cancelled job has left with a station lowered; ``HARMLESS`` names what else may be
 let pass, and why.
 """
@@ -16,7 +16,7 @@ from tests.support.programs.digit_mutation import FELT
 from tests.support.programs.engines import ENGINES
 from tests.support.programs.line_mutation import hazard, moved, mutants
 
-#: Of each engine so many mutants are judged, chosen by the seed.
+#: Of each engine so many mutants are verified, chosen by the seed.
 COUNT, SEED = 110, 3
 #: (engine, kind): in the waste only, where the knife may also stop at the contour's end.
 HARMLESS = {("led knife", "line dropped"), ("led knife", "lines swapped")}
@@ -25,7 +25,7 @@ HARMLESS = {("led knife", "line dropped"), ("led knife", "lines swapped")}
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> None:
     engine = ENGINES[name]
-    right = engine.judged(engine.text)
+    right = engine.verdict_of(engine.text)
     assert right.accepted, right.findings[:3]
     every = list(mutants(engine.text))
     refused = 0
@@ -33,7 +33,7 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
     missed: list[tuple[str, int, float | str, str]] = []
     for k in np.random.default_rng(SEED).choice(len(every), COUNT, replace=False):
         kind, row, mutant = every[k]
-        if not engine.judged(mutant).accepted:
+        if not engine.verdict_of(mutant).accepted:
             refused += 1
             continue
         let_pass[kind] += 1
@@ -48,7 +48,7 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
     assert refused > 0.5 * COUNT
 
 
-#: Mutants by which judges have been fooled: whole turns of C, and releases and lifts left out.
+#: Mutants by which verifiers have been deceived: whole turns of C, and releases and lifts left out.
 FOOLED = ("C turned by 360", "C turned by -360", "line dropped", "lifted after the next is lowered")
 
 
@@ -68,5 +68,5 @@ def test_every_full_turn_in_the_board_and_every_missing_release_or_lift_is_refus
             dangerous.append((kind, row, mutant))
     assert len(dangerous) > 5
     chosen = np.random.default_rng(SEED).choice(len(dangerous), min(20, len(dangerous)), False)
-    missed = [dangerous[k][:2] for k in chosen if engine.judged(dangerous[k][2]).accepted]
+    missed = [dangerous[k][:2] for k in chosen if engine.verdict_of(dangerous[k][2]).accepted]
     assert not missed

@@ -1,4 +1,4 @@
-"""What lies inside a contour is made before the contour: planned, judged, and swapped by hand."""
+"""What lies inside a contour is made before the contour: planned, verified, and swapped by hand."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def made(
     return sequence([compensate(operation) for operation in operations], machine)
 
 
-def judged(
+def verdict_of(
     line: Dieline, toolpath: Toolpath, machine: Machine = KNIFE, board: Board = BOARD
 ) -> Verdict:
     return verify(
@@ -64,7 +64,7 @@ def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap: float) -> Non
         sheet = nested_contours.sheet(seed, room=6.0, least=15.0, gap=gap)
         toolpath = made(sheet.line)
         assert out_of_order(sheet, toolpath) == []
-        verdict = judged(sheet.line, toolpath)
+        verdict = verdict_of(sheet.line, toolpath)
         assert verdict.accepted, verdict.findings[:2]
         count += len(sheet.pairs)
     assert count >= 500
@@ -76,7 +76,7 @@ def test_a_router_mills_every_contour_after_what_lies_inside_it() -> None:
         sheet = nested_contours.sheet(seed, room=14.0, least=30.0)
         toolpath = made(sheet.line, ROUTER, THICK)
         assert out_of_order(sheet, toolpath) == []
-        verdict = judged(sheet.line, toolpath, ROUTER, THICK)
+        verdict = verdict_of(sheet.line, toolpath, ROUTER, THICK)
         assert verdict.accepted, verdict.findings[:2]
         count += len(sheet.pairs)
     assert count >= 250
@@ -91,9 +91,9 @@ SWAPS = [(1, 0, 2, 3), (0, 2, 1, 3), (0, 1, 3, 2), (3, 2, 1, 0)]
 
 @pytest.mark.parametrize(("machine", "board"), [(KNIFE, BOARD), (ROUTER, THICK)], ids=str)
 def test_an_inner_contour_behind_its_outer_one_is_refused(machine: Machine, board: Board) -> None:
-    assert judged(NEST, made(NEST, machine, board), machine, board).accepted
+    assert verdict_of(NEST, made(NEST, machine, board), machine, board).accepted
     for order in SWAPS:
-        verdict = judged(NEST, made(NEST, machine, board, order), machine, board)
+        verdict = verdict_of(NEST, made(NEST, machine, board, order), machine, board)
         kinds = {finding.kind for finding in verdict.findings}
         assert kinds == {"order"}, order
         first = verdict.findings[0]
@@ -112,22 +112,24 @@ def test_a_blank_with_gaps_that_is_cut_before_what_lies_inside_it_is_refused(gap
     line = dieline(
         (CUT, blank), (CUT, box(130, 150, 20, 20)), (CREASE, edges(((200, 100), (200, 300))))
     )
-    assert judged(line, made(line)).accepted
-    assert judged(line, made(line, order=(1, 0, 2))).accepted, "a crease before the blank is legal"
-    hole = judged(line, made(line, order=(0, 2, 1)))
+    assert verdict_of(line, made(line)).accepted
+    assert verdict_of(line, made(line, order=(1, 0, 2))).accepted, (
+        "a crease before the blank is legal"
+    )
+    hole = verdict_of(line, made(line, order=(0, 2, 1)))
     assert {finding.edge for finding in hole.findings} == {5, 6, 7, 8}
-    crease = judged(line, made(line, order=(1, 2, 0)))
+    crease = verdict_of(line, made(line, order=(1, 2, 0)))
     assert {finding.edge for finding in crease.findings} == {9}
 
 
 @pytest.mark.parametrize("kind", [CREASE, LineType.HALF_CUT, LineType.PERFORATION])
 def test_other_work_on_a_part_that_is_loose_is_refused(kind: LineType) -> None:
     line = dieline((CUT, box(100, 100, 200, 100)), (kind, edges(((150, 120), (150, 180)))))
-    assert judged(line, made(line)).accepted
-    late = judged(line, made(line, order=(1, 0)))
+    assert verdict_of(line, made(line)).accepted
+    late = verdict_of(line, made(line, order=(1, 0)))
     assert {(finding.kind, finding.edge) for finding in late.findings} == {("order", 4)}
     waste = dieline((CUT, box(100, 100, 200, 100)), (kind, edges(((350, 120), (350, 180)))))
-    assert judged(waste, made(waste, order=(1, 0))).accepted
+    assert verdict_of(waste, made(waste, order=(1, 0))).accepted
 
 
 def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside() -> None:
@@ -136,9 +138,9 @@ def test_parts_that_share_an_edge_and_a_ladder_are_cut_from_inside() -> None:
         (CUT, box(100, 100, 200, 160)), (CUT, rungs), (CUT, box(150, 150, 20, 20)),
         (CUT, edges(((300, 120), (340, 120)), ((340, 120), (340, 200)), ((340, 200), (300, 200)))),
     )  # fmt: skip
-    verdict = judged(line, made(line))
+    verdict = verdict_of(line, made(line))
     assert verdict.accepted, verdict.findings[:2]
-    assert not judged(line, made(line, order=(1, 0, *range(2, len(plan(line, KNIFE, BOARD)))))
+    assert not verdict_of(line, made(line, order=(1, 0, *range(2, len(plan(line, KNIFE, BOARD)))))
                       ).accepted  # fmt: skip
 
 
@@ -146,7 +148,7 @@ def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds()
     across = [((90, y), (230, y)) for y in (100, 140, 180, 220)]
     up = [((x, 90), (x, 230)) for x in (100, 140, 180, 220)]
     line = dieline((CUT, edges(*across, *up)))
-    assert judged(line, made(line)).accepted
+    assert verdict_of(line, made(line)).accepted
     inner, outer = plan(line, KNIFE, BOARD)
     assert sorted(set(inner.source.tolist())) == [1, 2, 5, 6]
     assert sorted(set(outer.source.tolist())) == [0, 3, 4, 7]
@@ -155,7 +157,7 @@ def test_a_grid_of_lines_drawn_across_each_other_is_cut_in_an_order_that_holds()
 def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first() -> None:
     hole = closed((100, 100), (160, 120), (120, 160))
     line = dieline((CUT, box(100, 100, 200, 100)), (CUT, hole), (CUT, box(125, 125, 5, 5)))
-    verdict = judged(line, made(line))
+    verdict = verdict_of(line, made(line))
     assert verdict.accepted, verdict.findings[:2]
     assert [sorted(set(one.source.tolist())) for one in plan(line, KNIFE, BOARD)] == [
         [7, 8, 9, 10], [4, 5, 6], [0, 1, 2, 3],
@@ -165,7 +167,7 @@ def test_a_hole_that_touches_its_contour_in_a_vertex_comes_first() -> None:
 def test_bridges_hold_parts_at_every_depth() -> None:
     held = replace(BOARD, bridge_width=0.8, bridge_spacing=150.0)
     toolpath = made(NEST, board=held)
-    verdict = judged(NEST, toolpath, board=held)
+    verdict = verdict_of(NEST, toolpath, board=held)
     assert verdict.accepted, verdict.findings[:2]
     tracks = {
         edge // 4: len(np.unique(toolpath.track[toolpath.source // 4 == edge // 4]))
@@ -179,7 +181,7 @@ def test_bridges_hold_parts_at_every_depth() -> None:
 def test_the_last_pass_of_a_hole_ends_where_its_waste_comes_loose() -> None:
     line = dieline((CUT, box(100, 100, 200, 100)), (CUT, box(130, 130, 60, 40)))
     toolpath = made(line, ROUTER, THICK)
-    assert judged(line, toolpath, ROUTER, THICK).accepted
+    assert verdict_of(line, toolpath, ROUTER, THICK).accepted
     deepest = toolpath.pose[1:, 2] == toolpath.pose[:, 2].min()
     out = (toolpath.motion == Motion.LEAD_OUT) & (toolpath.source >= 4)
     assert out.any(), "the passes before come out of the waste"

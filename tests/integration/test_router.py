@@ -1,4 +1,4 @@
-"""The judge against the router: what it makes is accepted, and a wrong offset is refused."""
+"""The verifier against the router: what it makes is accepted, and a wrong offset is refused."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is
     assert not verdict(soft).accepted
 
 
-def judged(
+def verdict_of(
     line: Dieline, board: Board = BOARD, dialect: str = "linuxcnc", machine: Machine = ROUTER
 ) -> Verdict:
     work = [compensate(operation) for operation in plan(line, machine, board)]
@@ -119,7 +119,7 @@ def test_a_blank_held_by_bridges_is_accepted(
     ]
     machine = replace(ROUTER, stations=tuple(stations))
     slit = edges(((200, 150), (200, 250)))
-    result = judged(dieline(outline, (CUT, slit), bulge=bulge), HELD, dialect, machine)
+    result = verdict_of(dieline(outline, (CUT, slit), bulge=bulge), HELD, dialect, machine)
     assert result.accepted, result.findings[:3]
 
 
@@ -133,7 +133,7 @@ def test_bridges_that_are_too_narrow_or_too_wide_are_refused(
         return right(paths, path, middle, gap + wrong)
 
     monkeypatch.setattr(radius, "interrupted", gapped)
-    result = judged(dieline(OUTLINE), HELD)
+    result = verdict_of(dieline(OUTLINE), HELD)
     kind = "uncut" if wrong > 0 else "overcut"
     found = next(finding for finding in result.findings if finding.kind == kind)
     assert found.measure == pytest.approx(0.05, abs=1e-3)
@@ -144,8 +144,8 @@ def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(
 ) -> None:
     line = dieline(OUTLINE)
     monkeypatch.setattr(radius, "_with_bridges", lambda _operation, _cutter, way: (way, _none(way)))
-    assert "0 bridges hold the part" in judged(line, HELD).findings[0].text
-    assert judged(line).accepted
+    assert "0 bridges hold the part" in verdict_of(line, HELD).findings[0].text
+    assert verdict_of(line).accepted
 
 
 def _none(way: Centres) -> Bool:
@@ -157,5 +157,5 @@ def test_blanks_and_holes_that_touch_in_a_point_are_accepted() -> None:
         closed((150, 150), (200, 150), (200, 200), (150, 200)),
         closed((200, 200), (240, 200), (240, 240), (200, 240)),
     )
-    assert judged(dieline((CUT, one), (CUT, other))).accepted
-    assert judged(dieline(OUTLINE, (CUT, one), (CUT, other))).accepted
+    assert verdict_of(dieline((CUT, one), (CUT, other))).accepted
+    assert verdict_of(dieline(OUTLINE, (CUT, one), (CUT, other))).accepted

@@ -1,7 +1,7 @@
 """Programs made on purpose with one thing wrong, each refused; and what may differ, and is not.
 
 The wrong thing is in what the program is made from (a board, a tool, a datum, a rule), and the
-judge has the right one.
+verifier has the right one.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def datum(engine: Engine, number: int, **by: float) -> Engine:
 def drawn(
     engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], tuple[float, float]]
 ) -> Engine:
-    """Return the engine with more lines than the judge knows of."""
+    """Return the engine with more lines than the verifier knows of."""
     more = dieline((kind, edges(*lines)))
     line = engine.line
     both = Dieline(
@@ -105,7 +105,7 @@ def mirrored(engine: Engine) -> Engine:
 ROUND_HOLE = (((50.0, 120.0), (58.0, 120.0)), ((58.0, 120.0), (58.0, 128.0)),
               ((58.0, 128.0), (50.0, 128.0)), ((50.0, 128.0), (50.0, 120.0)))  # fmt: skip
 
-#: (what is wrong, the engine of the judge, the one of the program)
+#: (what is wrong, the engine of the verifier, the one of the program)
 WRONG: list[tuple[str, Engine, Engine]] = [
     ("groove 0.05 too deep", V, board(V, groove_depth=1.35)),
     ("groove 0.05 too shallow", PASSES, board(PASSES, groove_depth=1.25)),
@@ -175,8 +175,8 @@ WRONG: list[tuple[str, Engine, Engine]] = [
     ("right", "wrong"), [row[1:] for row in WRONG], ids=[f"{row[1]}: {row[0]}" for row in WRONG]
 )
 def test_what_is_made_from_one_wrong_thing_is_refused(right: Engine, wrong: Engine) -> None:
-    assert wrong.judged(wrong.text).accepted, wrong.judged(wrong.text).findings[:2]
-    assert not right.judged(wrong.text).accepted
+    assert wrong.verdict_of(wrong.text).accepted, wrong.verdict_of(wrong.text).findings[:2]
+    assert not right.verdict_of(wrong.text).accepted
 
 
 # -- the rules of planning
@@ -234,13 +234,13 @@ def test_what_is_planned_by_a_wrong_rule_is_refused(
 ) -> None:
     text = engine.made(change)
     assert text != engine.text
-    assert not engine.judged(text).accepted
+    assert not engine.verdict_of(text).accepted
 
 
 def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.sideways_move
     monkeypatch.setattr(vgroove, "sideways_move", lambda *args: 0.0 * right(*args))
-    assert not V.judged(V.made()).accepted
+    assert not V.verdict_of(V.made()).accepted
 
 
 # -- all of one word
@@ -260,11 +260,11 @@ def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> byt
 
 def test_only_a_wheel_works_the_same_from_both_sides() -> None:
     for engine in (V, PASSES, KNIFE, DRAG):
-        assert not engine.judged(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
+        assert not engine.verdict_of(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
     # In the crease's program the knife of the outline is turned too.
     lone = replace(CREASE, line=dieline((LineType.CREASE, edges(((120, 100), (120, 180))))))
-    assert lone.judged(rewritten(lone.text, "C", lambda c: c + 180.0)).accepted
-    assert not lone.judged(rewritten(lone.text, "C", lambda c: c + 90.0)).accepted
+    assert lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 180.0)).accepted
+    assert not lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 90.0)).accepted
 
 
 @pytest.mark.parametrize("engine", [V, CREASE, KNIFE, DRAG, NICKS, B, AUTO], ids=str)
@@ -278,23 +278,25 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: En
     ):
         mutant = rewritten(engine.text, letter, change)
         if mutant != engine.text and not (letter == "C" and engine in ROUTERS):
-            assert not engine.judged(mutant).accepted, letter
-    assert not engine.judged(engine.text.replace(b"G21", b"G20")).accepted
-    assert not engine.judged(engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 ")).accepted
+            assert not engine.verdict_of(mutant).accepted, letter
+    assert not engine.verdict_of(engine.text.replace(b"G21", b"G20")).accepted
+    assert not engine.verdict_of(
+        engine.text.replace(b"G2 ", b"G5 ").replace(b"G1 ", b"G5 ")
+    ).accepted
 
 
 def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes() -> None:
-    assert AUTO.judged(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
+    assert AUTO.verdict_of(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
 
 
 def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless() -> None:
     # 5 mm of waste between its slot and the part; farther off than 10.5 mm it is a stray.
     hole = drawn(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
-    assert C.judged(hole.text).accepted
+    assert C.verdict_of(hole.text).accepted
 
 
 def test_the_placement_that_a_program_states_must_be_the_job_s() -> None:
     head = b"(placement X0.0000 Y0.0000)\n"
     first, rest = KNIFE.text.split(b"\n", 1)
-    assert KNIFE.judged(first + b"\n" + head + rest).accepted
-    assert not KNIFE.judged(first + b"\n" + head.replace(b"X0.0", b"X0.5") + rest).accepted
+    assert KNIFE.verdict_of(first + b"\n" + head + rest).accepted
+    assert not KNIFE.verdict_of(first + b"\n" + head.replace(b"X0.0", b"X0.5") + rest).accepted

@@ -13,9 +13,9 @@ from knifetip.cleaning.clean import clean
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, U8
 from knifetip.geometry.tolerance import GAP, SAME
-from knifetip.model.cleaned import Cleaned, Why
+from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 from tests.support.shapes import BY_HAND, rotation
 
 WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.HALF_CUT]
@@ -93,9 +93,9 @@ def assert_adds_up(line: Dieline, made: Cleaned) -> None:
     np.testing.assert_allclose(made.kept + made.merged + made.dropped, length, atol=1e-6)
     after = worked(made.dieline)
     total = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge).sum()
-    at_work = made.why != Why.NO_WORK
+    at_work = made.reason != CleaningReason.NO_WORK
     assert abs(made.kept[at_work].sum() + made.added.sum() - total) < 1e-6
-    assert ((made.of < 0) == (made.fate == Fate.DROPPED)).all()
+    assert ((made.of < 0) == (made.outcome == ImportOutcome.DROPPED)).all()
     assert (made.moved <= GAP + 1e-9).all()
     assert (made.off <= GAP + SAME).all()
 
@@ -169,7 +169,7 @@ def test_gaps_and_specks_are_mended(line: Dieline, data: st.DataObject) -> None:
     )
     made = clean(broken)
     assert_same_edges(made.dieline, expected, GAP)
-    assert made.why[0] == Why.SPECK
+    assert made.reason[0] == CleaningReason.SPECK
     assert_adds_up(broken, made)
 
 

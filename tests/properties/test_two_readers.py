@@ -1,4 +1,4 @@
-"""Our own reader of DXF against ezdxf, which is the judge: the same to the bit and to the word."""
+"""Our own reader of DXF against ezdxf, the reference: the same to the bit and to the word."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from knifetip.classification.shape.features import extract_shape_features
 from knifetip.classification.shape.roles import Role
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.drawing import Annotation, Drawing
 from tests.support.drawings import Header, Style, drawing
 
 Line = tuple[float, float, float, float]
@@ -28,15 +28,15 @@ def box(x0: float, y0: float, x1: float, y1: float) -> list[Line]:
 BLANK = [*box(0, 0, 300, 200), (100, 0, 100, 200), (200, 0, 200, 200)]
 
 
-def text(x: float, y: float, words: str = "A") -> Inscription:
+def text(x: float, y: float, words: str = "A") -> Annotation:
     """Return a text of 4 mm at a position."""
-    return Inscription(words, x, y, 4.0, math.nan, "TEXT", "0")
+    return Annotation(words, x, y, 4.0, math.nan, "TEXT", "0")
 
 
 def roles(
     lines: Sequence[Line],
     bulge: ArrayLike | None = None,
-    texts: tuple[Inscription, ...] = (),
+    texts: tuple[Annotation, ...] = (),
 ) -> list[Role]:
     """Return the role that shape alone gives to each line."""
     ends = np.array(lines, float).reshape(-1, 2, 2)

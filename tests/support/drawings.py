@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from knifetip.messages import render
 from knifetip.messages.message import Message
-from knifetip.model.drawing import KEPT, Drawing, Inscription, Ledger
+from knifetip.model.drawing import KEPT, Annotation, Drawing, ImportReport
 
 #: Layer, AutoCAD colour index and linetype of an edge.
 Style: TypeAlias = tuple[str, int, str]
@@ -23,7 +23,7 @@ class Header:
 
     unit: str = "mm"  #: of the coordinates; empty where it is still to be found
     stated: str = ""  #: the unit that the file's header names
-    texts: tuple[Inscription, ...] = ()
+    texts: tuple[Annotation, ...] = ()
     layers: tuple[str, ...] = ()  #: of the table, with those that no edge uses
     linetypes: tuple[str, ...] = ()  #: likewise
 
@@ -61,7 +61,7 @@ def drawing(
     linetypes = {
         name: number for number, name in enumerate(dict.fromkeys([*header.linetypes, *types]))
     }
-    ledger = Ledger(
+    import_report = ImportReport(
         tuple(f"{row:X}" for row in range(count)),
         tuple(kinds or ("ARC" if each else "LINE" for each in bend.tolist())),
         tuple(names),
@@ -79,7 +79,7 @@ def drawing(
         np.array([linetypes[name] for name in types], np.int32),
         tuple(layers),
         tuple(linetypes),
-        ledger,
+        import_report,
         header.unit,
         Message("unit.given" if header.unit else "unit.header-missing"),
         header.stated,
@@ -89,4 +89,4 @@ def drawing(
 
 def report_reasons(drawing: Drawing) -> tuple[str, ...]:
     """The reason of each row of the import report, in English."""
-    return tuple(map(render, drawing.ledger.reason))
+    return tuple(map(render, drawing.import_report.reason))

@@ -23,8 +23,8 @@ from knifetip.api.schemas.drawings import (
     DrawingSummary,
     EdgesOut,
     EdgesPatch,
-    FateWord,
-    LedgerOut,
+    ImportReportOut,
+    OutcomeWord,
     Override,
     Unit,
 )
@@ -114,7 +114,7 @@ def add_drawing(
             interpretation=replace(interpretation, overrides=reading.overrides),
             summary=reading.summary,
             edges=reading.edges,
-            ledger=reading.ledger,
+            import_report=reading.import_report,
             key=key,
             fingerprint=request,
         )
@@ -141,7 +141,7 @@ def get_drawing(
     here: Here, response: Response, id: str, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
     """Get a drawing."""
-    row = here.store.drawings.get_with(id, "ledger")
+    row = here.store.drawings.get_with(id, "import_report")
     headers = {"ETag": etag(row.version, _profile_state(here, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
         return Response(status_code=304, headers=headers)
@@ -213,12 +213,12 @@ def override_edges(
     return _apply_change(here, response, id, match, decide)
 
 
-@router.get("/{id}/ledger")
-def get_ledger(here: Here, id: str, fate: FateWord | None = None) -> LedgerOut:
+@router.get("/{id}/import-report")
+def get_import_report(here: Here, id: str, outcome: OutcomeWord | None = None) -> ImportReportOut:
     """Get the import report: all entities of the file, or only those with one outcome."""
-    row = here.store.drawings.get_with(id, "ledger")
-    rows = [one for one in _report_rows(row) if fate in (None, one["fate"])]
-    return LedgerOut.model_validate({**row.summary["ledger"], "rows": rows})
+    row = here.store.drawings.get_with(id, "import_report")
+    rows = [one for one in _report_rows(row) if outcome in (None, one["outcome"])]
+    return ImportReportOut.model_validate({**row.summary["import_report"], "rows": rows})
 
 
 @router.get("/{id}/cleaning")
@@ -300,7 +300,7 @@ def _apply_change(
                 **drawing_columns(final),
                 summary=reading.summary,
                 edges=reading.edges,
-                ledger=reading.ledger,
+                import_report=reading.import_report,
             )
         except StaleRevision:
             # A request without a revision applies to the newest one: try again.
@@ -395,8 +395,8 @@ def edges_json(block: bytes) -> Iterator[bytes]:
     count = len(columns["ends"])
     # Drawings stored by older versions have no outcomes.
     missing = np.zeros(count, np.int32)
-    columns = {"fate": missing, "reason": missing, **columns}
-    meta = {"fates": ["kept"], "reasons": [""], "alternatives": [], **meta}
+    columns = {"outcome": missing, "reason": missing, **columns}
+    meta = {"outcomes": ["kept"], "reasons": [""], "alternatives": [], **meta}
     yield b'{"edges":['
     for first in range(0, count, _PIECE):
         rows = _edge_rows(columns, meta, first, min(first + _PIECE, count))
@@ -422,7 +422,7 @@ def _edge_rows(
             "rule": meta["rules"][listed["rule"][at]],
             "confidence": listed["confidence"][at],
             "alternatives": alternatives[listed["rule"][at]] if alternatives else [],
-            "fate": meta["fates"][listed["fate"][at]],
+            "outcome": meta["outcomes"][listed["outcome"][at]],
             "reason": meta["reasons"][listed["reason"][at]],
             "length": listed["length"][at],
             "start": start,
@@ -435,7 +435,7 @@ def _edge_rows(
 
 def _report_rows(row: Drawing, most: int | None = None) -> list[dict[str, Any]]:
     """Return the rows of a drawing's import report, or the first ``most`` rows."""
-    text = zlib.decompress(row.ledger).decode()
+    text = zlib.decompress(row.import_report).decode()
     rows: list[dict[str, Any]] = json.loads(text) if most is None else _first_elements(text, most)
     return rows
 
@@ -456,8 +456,8 @@ def _first_elements(text: str, most: int) -> list[dict[str, Any]]:
 
 
 def drawing_out(here: Service, row: Drawing) -> DrawingOut:
-    """Return the API model of a drawing whose ``ledger`` column is loaded."""
-    ledger = row.summary["ledger"]
+    """Return the API model of a drawing whose ``import_report`` column is loaded."""
+    import_report = row.summary["import_report"]
     return DrawingOut.model_validate(
         {
             **row.summary,
@@ -471,7 +471,7 @@ def drawing_out(here: Service, row: Drawing) -> DrawingOut:
             "profile_state": _profile_state(here, row),
             "rules": row.rules,
             "unit_given": row.unit_given or None,
-            "ledger": {**ledger, "rows": _report_rows(row, _LISTED)},
+            "import_report": {**import_report, "rows": _report_rows(row, _LISTED)},
         }
     )
 

@@ -281,7 +281,7 @@ def _job_out(row: Job, waits: Waiting) -> JobOut:
         {
             **fields,
             "waiting_for": waits.waiting_for,
-            "verdict": row.judged,
+            "verdict": row.verdict_summary,
             "progress": progress(row),
         }
     )

@@ -25,7 +25,7 @@ from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import each
 from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 
 #: Relative difference of the radii at both ends of an arc above which a note is written.
 _RADIUS_TOLERANCE: Final = 1e-3
@@ -38,7 +38,7 @@ class ExpandedFile:
 
     report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
-    inscriptions: list[Inscription] = field(default_factory=list)
+    annotations: list[Annotation] = field(default_factory=list)
     ends: list[F64] = field(default_factory=list)
     bulge: list[F64] = field(default_factory=list)
     row: list[I64] = field(default_factory=list)
@@ -221,8 +221,8 @@ class _Expander:
             x, y = linear @ np.array(text.place[:2]) + shift
             report.set_location(int(row_of[text.row]), (x, y, x, y))
             if math.isfinite(x) and math.isfinite(y) and math.isfinite(text.place[2]):
-                self.found.inscriptions.append(
-                    Inscription(
+                self.found.annotations.append(
+                    Annotation(
                         text.text,
                         float(x),
                         float(y),

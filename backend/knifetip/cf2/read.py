@@ -104,7 +104,7 @@ def _build_drawing(found: Cf2File, unit: str, given: float, limits: Limits) -> D
     if unit:
         source = Message("unit.given")
     known = KnownUnit(scale, chosen, source, stated)
-    return assemble(drawn.report, columns, drawn.styles, drawn.inscriptions, known)
+    return assemble(drawn.report, columns, drawn.styles, drawn.annotations, known)
 
 
 def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, str]:

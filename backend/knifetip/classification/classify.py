@@ -232,7 +232,7 @@ def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeature
     """Return the shape features of the edges in a mask; the role of all others is UNKNOWN."""
     rows = np.flatnonzero(mask)
     ends, bulge = drawing.ends, drawing.bulge
-    texts, unit_known = drawing.inscriptions, bool(drawing.unit)
+    texts, unit_known = drawing.annotations, bool(drawing.unit)
     if len(rows) == len(drawing):
         return extract_shape_features(ends, bulge, texts, unit_known, with_folds)
     features = extract_shape_features(ends[rows], bulge[rows], texts, unit_known, with_folds)

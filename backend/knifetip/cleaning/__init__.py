@@ -1,1 +1,1 @@
-"""Cleaning: what is drawn twice, broken up, left open or lost, put in order; and a ledger of it."""
+"""Cleaning: what is drawn twice, broken up, left open or lost, put in order; and a report of it."""

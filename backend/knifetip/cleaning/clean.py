@@ -26,9 +26,9 @@ from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import GAP, POINT
-from knifetip.model.cleaned import Cleaned, Stretches, Why
+from knifetip.model.cleaned import Cleaned, CleaningReason, Stretches
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 
 #: Largest number of rounds.
 _ROUNDS: Final = 4
@@ -289,14 +289,14 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
     off = _off(dieline, ends, bulge, row, low, high, target)
     of = _main_row(row, size, target, given, count)
     of[~at_work] = np.flatnonzero(~at_work)
-    fate, why = _outcomes(
+    outcome, reason = _outcomes(
         work, _Placed(row, edge, given, slot, source, of), _Lengths(kept, merged, moved), at_work
     )
     return Cleaned(
         cleaned,
         of,
-        fate,
-        why,
+        outcome,
+        reason,
         kept,
         merged,
         dropped,
@@ -331,21 +331,25 @@ def _outcomes(work: _Work, placed: _Placed, lengths: _Lengths, at_work: Bool) ->
     several[first[first != row[own]]] = True
     curve = np.zeros(count, np.bool_)
     curve[row[own]] = work.fitted[edge[own]]
-    why = np.full(count, Why.AS_DRAWN, np.uint8)
-    why[moved > 0.0] = Why.MOVED
-    why[several] = Why.LONGER
-    why[home & (merged > 0.0)] = Why.SHORTENED
+    reason = np.full(count, CleaningReason.AS_DRAWN, np.uint8)
+    reason[moved > 0.0] = CleaningReason.MOVED
+    reason[several] = CleaningReason.LONGER
+    reason[home & (merged > 0.0)] = CleaningReason.SHORTENED
     parted = np.bincount(row[own], minlength=count) > 1
-    why[home & parted] = Why.SHORTENED
+    reason[home & parted] = CleaningReason.SHORTENED
     away = at_work & ~home & (of >= 0)
-    why[away] = np.where(kept[away] > 0.0, np.where(curve[away], Why.FITTED, Why.JOINED), Why.TWICE)
+    reason[away] = np.where(
+        kept[away] > 0.0,
+        np.where(curve[away], CleaningReason.FITTED, CleaningReason.JOINED),
+        CleaningReason.TWICE,
+    )
     lost = at_work & (of < 0)
-    why[lost] = Why.SPECK
-    why[~at_work] = Why.NO_WORK
-    fate = np.full(count, Fate.KEPT, np.uint8)
-    fate[away] = Fate.MERGED
-    fate[lost] = Fate.DROPPED
-    return fate, why
+    reason[lost] = CleaningReason.SPECK
+    reason[~at_work] = CleaningReason.NO_WORK
+    outcome = np.full(count, ImportOutcome.KEPT, np.uint8)
+    outcome[away] = ImportOutcome.MERGED
+    outcome[lost] = ImportOutcome.DROPPED
+    return outcome, reason
 
 
 def _off(

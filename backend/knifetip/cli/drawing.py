@@ -17,7 +17,7 @@ from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64
 from knifetip.messages import render, with_text
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
@@ -114,13 +114,13 @@ def drawing_json(name: str, drawing: Drawing) -> dict[str, Any]:
 
 def report_rows(drawing: Drawing) -> list[dict[str, Any]]:
     """Return the import report as JSON data: one row per entity of the file."""
-    rows = drawing.ledger
+    rows = drawing.import_report
     return [
         {
             "handle": rows.handle[i],
             "kind": rows.kind[i],
             "layer": rows.layer[i],
-            "fate": Fate(rows.fate[i]).name.lower(),
+            "outcome": ImportOutcome(rows.outcome[i]).name.lower(),
             **rows.reason[i].as_json(),
             "reason": render(rows.reason[i]),
             "length": float(rows.length[i]),
@@ -161,7 +161,7 @@ def register(app: typer.Typer) -> None:
         about = drawing_json(file.name, drawing)
         rows = report_rows(drawing)
         if json:
-            print_json({"drawing": about, "ledger": rows})
+            print_json({"drawing": about, "import_report": rows})
             return
         typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
         for text in about["warnings"]:
@@ -193,7 +193,7 @@ def register(app: typer.Typer) -> None:
                     "drawing": about,
                     "edges": listed,
                     "questions": [with_text(question.as_json()) for question in open_questions],
-                    "ledger": report_rows(result.drawing),
+                    "import_report": report_rows(result.drawing),
                 }
             )
         else:
@@ -238,7 +238,7 @@ def register(app: typer.Typer) -> None:
         )
         handles = result.drawing.handles
         changed = np.flatnonzero(cleaned.changed).tolist()
-        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.outcome(row)}" for row in changed])
+        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.describe(row)}" for row in changed])
 
     @app.command("samples")
     def write_samples(
@@ -268,13 +268,13 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
     """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
-        key = row["fate"], row["kind"], row["layer"], row["reason"]
+        key = row["outcome"], row["kind"], row["layer"], row["reason"]
         groups.setdefault(key, []).append(row["handle"])
     lines = []
-    for (fate, kind, layer, reason), handles in groups.items():
+    for (outcome, kind, layer, reason), handles in groups.items():
         shown = ", ".join(handles[:_MAX_HANDLES]) + (" …" if len(handles) > _MAX_HANDLES else "")
-        text = f"{fate:8} {len(handles):6} × {kind} on {layer!r}: {reason} ({shown})"
-        lines.append((fate == Fate.KEPT.name.lower(), text))
+        text = f"{outcome:8} {len(handles):6} × {kind} on {layer!r}: {reason} ({shown})"
+        lines.append((outcome == ImportOutcome.KEPT.name.lower(), text))
     return [text for _, text in sorted(lines, key=lambda line: line[0])]
 
 

@@ -230,7 +230,7 @@ def register(app: typer.Typer) -> None:
                     name: np.round(getattr(result.verdict.samples, name), 6).tolist()
                     for name in ("edge", "place", "deviation")
                 },
-                "ledger": report_rows(loaded.drawing),
+                "import_report": report_rows(loaded.drawing),
             }
             write_bytes(report, json_bytes(data))
         print_verdict(result.verdict)

@@ -23,7 +23,14 @@ from knifetip.geometry.tolerance import POINT
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import F64_1, F64_3, I64_1, Bool_1, OutI64_1, OutU64_1, kernel
 from knifetip.messages import Message
-from knifetip.model.drawing import KEPT, Drawing, Fate, Inscription, Ledger, LocationBoxes
+from knifetip.model.drawing import (
+    KEPT,
+    Annotation,
+    Drawing,
+    ImportOutcome,
+    ImportReport,
+    LocationBoxes,
+)
 from knifetip.model.unit import UnitHint
 from knifetip.model.words import Repeated
 
@@ -54,7 +61,7 @@ def assemble(
     sheet: ReportRows,
     found: Columns,
     styles: list[Style],
-    inscriptions: Iterable[Inscription],
+    annotations: Iterable[Annotation],
     known: KnownUnit,
 ) -> Drawing:
     """Return the drawing without duplicate segments and segments of zero length.
@@ -65,7 +72,7 @@ def assemble(
         n segments in file units.
     styles
         Indexed by ``found.style``.
-    inscriptions
+    annotations
         In file units.
     """
     scale = known.scale
@@ -77,14 +84,14 @@ def assemble(
     _, alike = unique_rows(attributes[:, 1:])
     first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
     twice = first != np.arange(len(first))
-    fate, reason = _fates(sheet, found, length, speck, twice, first)
+    outcome, reason = _outcomes(sheet, found, length, speck, twice, first)
     specks = found.ends[speck], found.row[speck]
     if speck.any() or twice.any():
         keep = ~(speck | twice)
         length = length[keep]
         found = Columns(found.ends[keep], found.bulge[keep], found.row[keep], found.style[keep])
     # ``bincount`` adds in file order, so sums are reproducible.
-    kept_length: F64 = np.bincount(found.row, length, minlength=len(fate)).astype(np.float64)
+    kept_length: F64 = np.bincount(found.row, length, minlength=len(outcome)).astype(np.float64)
     size = scale or 1.0
     # Adding 0 turns -0 into 0.
     ends = found.ends * size
@@ -99,20 +106,20 @@ def assemble(
         linetype=_owned(attributes[:, 4].take(found.style)),
         layers=layers,
         linetypes=linetypes,
-        ledger=Ledger(
+        import_report=ImportReport(
             _sealed(sheet.handle),
             _sealed(sheet.kind),
             _sealed(sheet.layer),
-            fate,
+            outcome,
             reason,
             kept_length * size,
-            location_boxes=_location_boxes(sheet, fate, specks, size),
+            location_boxes=_location_boxes(sheet, outcome, specks, size),
         ),
         unit=known.unit,
         evidence=known.evidence,
         stated=known.stated,
         hints=known.hints,
-        inscriptions=tuple(words.scaled(1.0, size) for words in inscriptions),
+        annotations=tuple(words.scaled(1.0, size) for words in annotations),
     )
 
 
@@ -199,12 +206,12 @@ def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
     return np.int64(ax), np.int64(ay), np.int64(bx), np.int64(by), np.int64(turn)
 
 
-def _fates(
+def _outcomes(
     sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
 ) -> tuple[U8, Repeated[Message]]:
-    """Return fate and reason of each row of the report."""
+    """Return outcome and reason of each row of the report."""
     rows = len(sheet.handle)
-    fate = np.full(rows, Fate.KEPT, np.uint8)
+    outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
     reasons = {KEPT: 0}
     alike = np.full(rows, -1, np.int32)
@@ -212,7 +219,7 @@ def _fates(
         alike[same.rows] = number
         reason[same.rows] = reasons.setdefault(same.dropped or _kept(same.notes), len(reasons))
         if same.dropped:
-            fate[same.rows] = Fate.DROPPED
+            outcome[same.rows] = ImportOutcome.DROPPED
     total = np.bincount(found.row, minlength=rows)
     specks = np.bincount(found.row[speck], minlength=rows)
     doubles = np.bincount(found.row[twice], minlength=rows)
@@ -229,23 +236,26 @@ def _fates(
         notes.extend(sheet.notes.get(row, ()))
         cause: Message | None = None
         if row in sheet.dropped:
-            fate[row], cause = Fate.DROPPED, sheet.dropped[row]
+            outcome[row], cause = ImportOutcome.DROPPED, sheet.dropped[row]
         elif total[row] and specks[row] == total[row]:
-            fate[row], cause = Fate.DROPPED, Message("import.no-length", length=longest[row])
+            outcome[row], cause = (
+                ImportOutcome.DROPPED,
+                Message("import.no-length", length=longest[row]),
+            )
         elif specks[row]:
             notes.append(Message("import.pieces-no-length", pieces=specks[row], all=total[row]))
         if doubles[row] and cause is None:
             handles, more = _named(row, survivors[row], sheet.handle)
             if doubles[row] + specks[row] == total[row]:
-                fate[row], cause = Fate.MERGED, _drawn_twice(handles, more)
+                outcome[row], cause = ImportOutcome.MERGED, _drawn_twice(handles, more)
             else:
                 notes.append(_pieces_drawn_twice(doubles[row], total[row], handles, more))
         reason[row] = reasons.setdefault(cause or _kept(notes), len(reasons))
-    return fate, Repeated(tuple(reasons), reason)
+    return outcome, Repeated(tuple(reasons), reason)
 
 
 def _location_boxes(
-    sheet: ReportRows, fate: U8, specks: tuple[F64, I32], size: float
+    sheet: ReportRows, outcome: U8, specks: tuple[F64, I32], size: float
 ) -> LocationBoxes:
     """Return the bounding boxes of dropped rows, as far as they are known.
 
@@ -259,7 +269,7 @@ def _location_boxes(
     rows = np.concatenate([row, *(one.rows for one in sheet.location_boxes)])
     box = np.concatenate([around, *(one.box for one in sheet.location_boxes)])
     box = box * size
-    seen = (fate[rows] == Fate.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
+    seen = (outcome[rows] == ImportOutcome.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
     # One box per row is enough.
     rows, last = np.unique(rows[seen][::-1], return_index=True)
     return LocationBoxes(rows, box[seen][::-1][last])

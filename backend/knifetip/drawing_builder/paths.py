@@ -53,7 +53,7 @@ class Table:
 class Paths:
     """p paths, as a reader passes them on."""
 
-    row: I32  #: (p,) of the ledger
+    row: I32  #: (p,) of the import report
     style: I32  #: (p,) which of the styles
     matrix: F64  #: (p, 6) from its coordinates to file units: a, b, c, d, e, f
 

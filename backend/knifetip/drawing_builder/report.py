@@ -1,6 +1,6 @@
 """report: the import report while a reader writes it.
 
-One row per entity of the file; ``assemble`` makes the Ledger of a Drawing from it.
+One row per entity of the file; ``assemble`` makes the ImportReport of a Drawing from it.
 """
 
 from __future__ import annotations

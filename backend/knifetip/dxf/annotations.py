@@ -1,6 +1,6 @@
 """annotations: the texts of a drawing, as the file has them.
 
-    group codes and values of a TEXT, MTEXT, ATTRIB or DIMENSION -> Inscription in file units
+    group codes and values of a TEXT, MTEXT, ATTRIB or DIMENSION -> Annotation in file units
 
 Both readers take them from the bytes and not from ezdxf, because texts are evidence for the unit
 and must not be repaired.  Texts in blocks are left out, even if an INSERT places the block.
@@ -18,7 +18,7 @@ import numpy as np
 
 from knifetip.dxf.encoding import spelled
 from knifetip.geometry.columns import F64
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 
 #: Kinds of entities whose texts may contain formatting codes.
 _CODED: Final = frozenset({"MTEXT", "DIMENSION"})
@@ -42,9 +42,9 @@ _CODE: Final = re.compile(
 )
 
 
-def inscription(
+def annotation(
     kind: str, layer: str, text: str, lengths: Iterable[float], type_: int
-) -> Inscription:
+) -> Annotation:
     """Return the text of an entity.
 
     Parameters
@@ -74,7 +74,7 @@ def inscription(
     if "\\" in written:
         written = spelled(written)
     # Missing values are NaN, which is not equal to itself.
-    return Inscription(
+    return Annotation(
         written.strip(),
         x if x == x else 0.0,
         y if y == y else 0.0,
@@ -92,8 +92,8 @@ def is_coded(kind: str, text: str) -> bool:
 
 def uncoded(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
-) -> list[Inscription]:
-    """Return n texts without formatting codes, as ``inscription`` does for each.
+) -> list[Annotation]:
+    """Return n texts without formatting codes, as ``annotation`` does for each.
 
     Parameters
     ----------
@@ -103,10 +103,10 @@ def uncoded(
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
     rows = zip(texts, x, y, height, repeat(math.nan), kinds, layers)
-    return list(map(Inscription._make, rows))
+    return list(map(Annotation._make, rows))
 
 
-def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Inscription:
+def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Annotation:
     """Return the text of an entity from its group codes and values."""
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
@@ -129,10 +129,10 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
             number = _number(value)
             type_ = int(number) if math.isfinite(number) else 0
         seen.add(code)
-    return inscription(kind, layer, "".join(text), numbers.values(), type_)
+    return annotation(kind, layer, "".join(text), numbers.values(), type_)
 
 
-def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Inscription:
+def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
     """Return the text of an entity from its lines in the file."""
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])

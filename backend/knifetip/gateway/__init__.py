@@ -1,1 +1,1 @@
-"""Floor 3: beside the table, streams programs to controllers."""
+"""Gateways: computers beside a machine, which stream its programs to its controller."""

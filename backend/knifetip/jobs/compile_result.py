@@ -17,7 +17,7 @@ class CompileResult:
     lines: int
     toolpath: bytes  #: see ``columns``
     verdict: bytes  #: see ``columns``
-    judged: dict[str, Any]  #: figures of the verdict
+    verdict_summary: dict[str, Any]  #: figures of the verdict
     source: list[str] = field(default_factory=list)
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)

@@ -33,7 +33,7 @@ class DrawingStore:
         interpretation: Interpretation,
         summary: dict[str, Any],
         edges: bytes,
-        ledger: bytes,
+        import_report: bytes,
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
@@ -56,7 +56,7 @@ class DrawingStore:
             fingerprint=fingerprint,
             content=content,
             edges=edges,
-            ledger=ledger,
+            import_report=import_report,
         )
         try:
             with self._db.writing() as session:
@@ -69,10 +69,10 @@ class DrawingStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Drawing | None:
-        """Return the drawing created under this Idempotency-Key, with its ledger, or None."""
+        """Return the drawing with this Idempotency-Key, import report included, or None."""
         with self._db.reading() as session:
             row = session.scalar(
-                sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.ledger))
+                sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.import_report))
             )
         return None if row is None else same_request(row, key, fingerprint)
 
@@ -90,7 +90,7 @@ class DrawingStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return a large column of a drawing: content, overrides, edges or ledger."""
+        """Return a large column of a drawing: content, overrides, edges or import_report."""
         return self._db.large_column(Drawing, id, column, "drawing")
 
     def recent(self, before: int | None, limit: int) -> list[Drawing]:
@@ -102,7 +102,7 @@ class DrawingStore:
             return list(session.scalars(query))
 
     def change(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
-        """Change a drawing if its version is still ``version``; return it with its ledger.
+        """Change a drawing if its version is still ``version``; return it with its import report.
 
         Raises
         ------
@@ -126,7 +126,7 @@ class DrawingStore:
             self._transitions.note(session, "drawing", id, "changed", str(Who.OPERATOR), why)
             # As this change left it: another may follow before anything else is read.
             return session.scalars(
-                sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.ledger))
+                sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.import_report))
             ).one()
 
     def delete(self, id: str) -> None:

@@ -81,7 +81,7 @@ class JobStore:
             seconds=0.0,
             seconds_left=None,
             program_sha256="",
-            judged=None,
+            verdict_summary=None,
             key=key,
             fingerprint=fingerprint,
             program=None,

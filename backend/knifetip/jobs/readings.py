@@ -18,7 +18,7 @@ from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.report import Report, said
 from knifetip.messages import Message, from_json, render
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import KEPT, Drawing, Fate, Ledger
+from knifetip.model.drawing import KEPT, Drawing, ImportOutcome, ImportReport
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.words import Repeated
 
@@ -46,7 +46,7 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
             "rule": dieline.rule,
             "confidence": dieline.confidence,
             "length": drawing.lengths,
-            "fate": report.fate,
+            "outcome": report.outcome,
             "reason": report.reason,
         },
         {
@@ -56,7 +56,7 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
             "rules": [said(str(rule)) for rule in dieline.rules],
             "rule_messages": [rule.as_json() for rule in dieline.rules],
             "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
-            "fates": [fate.name.lower() for fate in Fate],
+            "outcomes": [outcome.name.lower() for outcome in ImportOutcome],
             "reasons": [render(reason) for reason in report.reasons],
             "reason_messages": [reason.as_json() for reason in report.reasons],
             "types": [kind.word for kind in LineType],
@@ -68,8 +68,8 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
 def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
     """Return the drawing and the dieline of a reading.
 
-    The drawing's ledger has one row per edge; entities without edges and texts are not in the
-    reading.
+    The import report of the drawing has one row per edge; entities without edges and texts are not
+    stored with the edges.
 
     Raises
     ------
@@ -80,11 +80,11 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
     count = len(columns["bulge"])
     row = np.arange(count, dtype=np.int32)
     layers = tuple(meta["layers"])
-    ledger = Ledger(
+    import_report = ImportReport(
         handle=meta["handles"],
         kind=Repeated(("",), np.zeros(count, np.int32)),
         layer=Repeated(layers, columns["layer"]),
-        fate=np.full(count, Fate.KEPT, np.uint8),
+        outcome=np.full(count, ImportOutcome.KEPT, np.uint8),
         reason=Repeated((KEPT,), np.zeros(count, np.int32)),
         length=columns["length"],
     )
@@ -98,7 +98,7 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
         linetype=columns["linetype"],
         layers=layers,
         linetypes=tuple(meta["linetypes"]),
-        ledger=ledger,
+        import_report=import_report,
         unit=meta["unit"],
         evidence=Message("unit.not-given"),
     )

@@ -1,6 +1,6 @@
 """report: what became of all that was drawn, for what reason, and what speaks for the unit.
 
-    Drawing, Dieline -> Report: fate and reason of every edge; groups whose lengths add up
+    Drawing, Dieline -> Report: outcome and reason of every edge; groups whose lengths add up
 
 Entities that are no lines, such as texts and dimensions, are the reader's to drop; edges that lie
 on others, specks and the like are the cleaning's.  Both stand in one list, by reason.
@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64, I32, U8
 from knifetip.messages import Message
-from knifetip.model.cleaned import Why
+from knifetip.model.cleaned import CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 
 _KINDS = 6  # of entity that a group names
 _NOTHING = 1e-9  # mm
@@ -35,7 +35,7 @@ _UNWORKED = {
 class Report:
     """What became of n edges, and of what never was an edge."""
 
-    fate: U8  #: (n,) Fate
+    outcome: U8  #: (n,) ImportOutcome
     reason: I32  #: (n,) index into ``reasons``
     reasons: tuple[Message, ...]
     summary: dict[str, Any]  #: ``ReportOut``
@@ -46,71 +46,71 @@ def reported(drawing: Drawing, dieline: Dieline) -> Report:
     from knifetip.cleaning.clean import clean
 
     lengths = drawing.lengths
-    fate = np.full(len(drawing), Fate.KEPT, np.uint8)
-    reason = np.full(len(drawing), Why.AS_DRAWN, np.int32)
-    part: list[tuple[Fate, Why, F64]] = []
+    outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
+    reason = np.full(len(drawing), CleaningReason.AS_DRAWN, np.int32)
+    part: list[tuple[ImportOutcome, CleaningReason, F64]] = []
     # Specks and gaps are measured in millimetres: without a unit there are none yet.
     if drawing.unit:
         cleaned = clean(dieline)
-        fate, reason = cleaned.fate, cleaned.why.astype(np.int32)
+        outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
         # Of an edge that is kept, a part may lie on others: that part is told by itself.
-        held = fate == Fate.KEPT
+        held = outcome == ImportOutcome.KEPT
         part = [
-            (Fate.MERGED, Why.SHORTENED, np.where(held, cleaned.merged, 0.0)),
-            (Fate.DROPPED, Why.SPECK, np.where(held, cleaned.dropped, 0.0)),
+            (ImportOutcome.MERGED, CleaningReason.SHORTENED, np.where(held, cleaned.merged, 0.0)),
+            (ImportOutcome.DROPPED, CleaningReason.SPECK, np.where(held, cleaned.dropped, 0.0)),
         ]
     whole = lengths - sum(length for _, _, length in part)
-    reasons = [why.message for why in Why]
+    reasons = [code.message for code in CleaningReason]
     for line_type, words in _UNWORKED.items():
-        reason[(dieline.line_type == line_type) & (fate == Fate.KEPT)] = len(reasons)
+        reason[(dieline.line_type == line_type) & (outcome == ImportOutcome.KEPT)] = len(reasons)
         reasons.append(words)
-    kinds = np.array(drawing.ledger.kind, dtype=object)
-    groups = _groups("edges", fate, reason, reasons, whole, kinds[drawing.entity])
-    for kind, why, length in part:
+    kinds = np.array(drawing.import_report.kind, dtype=object)
+    groups = _groups("edges", outcome, reason, reasons, whole, kinds[drawing.entity])
+    for kind, code, length in part:
         if (some := length > _NOTHING).any():
             groups += _groups(
                 "edges",
                 np.full(int(some.sum()), kind, np.uint8),
-                np.full(int(some.sum()), why, np.int32),
+                np.full(int(some.sum()), code, np.int32),
                 reasons,
                 length[some],
                 kinds[drawing.entity[some]],
             )
-    ledger = drawing.ledger
+    import_report = drawing.import_report
     # The edges of an entity that was kept are told one by one.
-    beside = np.flatnonzero(ledger.fate != Fate.KEPT)
+    beside = np.flatnonzero(import_report.outcome != ImportOutcome.KEPT)
     first: dict[str, Message] = {}
     numbers: dict[str, int] = {}
     codes = np.zeros(len(beside), np.int32)
     for at, row in enumerate(beside.tolist()):
-        reason_of_row = ledger.reason[row]
+        reason_of_row = import_report.reason[row]
         first.setdefault(reason_of_row.code, reason_of_row)
         codes[at] = numbers.setdefault(reason_of_row.code, len(numbers))
     others = _groups(
         "entities",
-        ledger.fate[beside],
+        import_report.outcome[beside],
         codes,
         list(first.values()),
-        ledger.length[beside],
+        import_report.length[beside],
         kinds[beside],
     )
     groups = _summed(groups) + others
-    order = [Fate.DROPPED, Fate.MERGED, Fate.KEPT]
-    groups.sort(key=lambda one: (order.index(one["fate"]), -one["length"], -one["count"]))
+    order = [ImportOutcome.DROPPED, ImportOutcome.MERGED, ImportOutcome.KEPT]
+    groups.sort(key=lambda one: (order.index(one["outcome"]), -one["length"], -one["count"]))
     summary = {
         "drawn": float(lengths.sum()) + sum(one["length"] for one in others),
         **{
-            kind.name.lower(): sum(one["length"] for one in groups if one["fate"] == kind)
-            for kind in Fate
+            kind.name.lower(): sum(one["length"] for one in groups if one["outcome"] == kind)
+            for kind in ImportOutcome
         },
-        "groups": [{**one, "fate": one["fate"].name.lower()} for one in groups],
+        "groups": [{**one, "outcome": one["outcome"].name.lower()} for one in groups],
     }
-    return Report(fate, reason, tuple(reasons), summary)
+    return Report(outcome, reason, tuple(reasons), summary)
 
 
 def _groups(
     what: str,
-    fate: U8,
+    outcome: U8,
     reason: I32,
     reasons: Sequence[Message],
     length: F64,
@@ -121,18 +121,18 @@ def _groups(
     same = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)
     examples = {numbers[one.code]: one for one in reversed(reasons)}
     pairs, group = np.unique(
-        np.stack([fate.astype(np.int32), same[reason]], axis=1),
+        np.stack([outcome.astype(np.int32), same[reason]], axis=1),
         axis=0,
         return_inverse=True,
     )
     group = group.reshape(-1)
     made = []
-    for number, (outcome, example) in enumerate(pairs.tolist()):
+    for number, (code, example) in enumerate(pairs.tolist()):
         rows = group == number
         common = Counter(kinds[rows].tolist()).most_common(_KINDS)
         made.append(
             {
-                "fate": Fate(outcome),
+                "outcome": ImportOutcome(code),
                 "reason": examples[example].as_json(),
                 "what": what,
                 "kinds": [said(kind) for kind, _ in common],
@@ -144,10 +144,10 @@ def _groups(
 
 
 def _summed(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return the groups with those of one fate and reason as one."""
-    found: dict[tuple[Fate, str], dict[str, Any]] = {}
+    """Return the groups with those of one outcome and reason as one."""
+    found: dict[tuple[ImportOutcome, str], dict[str, Any]] = {}
     for one in groups:
-        known = found.setdefault((one["fate"], one["reason"]["code"]), one)
+        known = found.setdefault((one["outcome"], one["reason"]["code"]), one)
         if known is not one:
             known["count"] += one["count"]
             known["length"] += one["length"]

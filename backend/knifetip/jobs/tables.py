@@ -59,7 +59,7 @@ class Drawing(Base):
     content: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: (n,) 255 for none
     edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: see ``columns``
-    ledger: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: JSON, deflated
+    import_report: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: JSON, deflated
 
 
 class Job(Base):
@@ -121,7 +121,7 @@ class Job(Base):
     seconds: Mapped[float] = mapped_column(sa.Double)
     seconds_left: Mapped[float | None] = mapped_column(sa.Double)
     program_sha256: Mapped[str] = mapped_column(sa.String(64))
-    judged: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    verdict_summary: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))
     #: path of a cutter round outer corners; None: chosen by duration

@@ -22,7 +22,7 @@ from knifetip.errors import UnitUnknown
 from knifetip.geometry.columns import F64, U8
 from knifetip.jobs.columns import packed
 from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.ledger import listed
+from knifetip.jobs.import_report import listed
 from knifetip.jobs.readings import (
     StoredDrawing,
     edge_block,
@@ -34,7 +34,7 @@ from knifetip.jobs.report import reported, said, unit_of
 from knifetip.library import load
 from knifetip.messages import Message, render
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress, Stage
@@ -61,7 +61,7 @@ class Reading:
 
     summary: dict[str, Any]
     edges: bytes  #: see ``columns``
-    ledger: bytes  #: JSON, deflated
+    import_report: bytes  #: JSON, deflated
     overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
 
 
@@ -105,7 +105,7 @@ def _summary(
     """Return the data of a drawing that the page shows apart from its edges."""
     from knifetip import pipeline
 
-    ledger = drawing.ledger
+    import_report = drawing.import_report
     low_x, low_y, high_x, high_y = (float(side) for side in drawing.bounds)
     return {
         "unit": drawing.unit,
@@ -120,7 +120,10 @@ def _summary(
         "layers": _layers(drawing, dieline, [said(layer) for layer in drawing.layers]),
         "questions": [question.as_json() for question in pipeline.questions(drawing, dieline)],
         "overrides": int((overrides != NO_OVERRIDE).sum()),
-        "ledger": {fate.name.lower(): int((ledger.fate == fate).sum()) for fate in Fate},
+        "import_report": {
+            outcome.name.lower(): int((import_report.outcome == outcome).sum())
+            for outcome in ImportOutcome
+        },
         "report": report,
     }
 
@@ -285,7 +288,7 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
             },
             {"findings": findings, **summary},
         ),
-        judged=summary,
+        verdict_summary=summary,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
         tools=_tools(made, table),
     )

@@ -1,7 +1,7 @@
 """Controller languages: one record each, found by the name in a machine's TOML file.
 
-    "grblhal" -> Language, which names its emitter, the judge's reader, timing and gateway driver
+    "grblhal" -> Language, which names its emitter, the verifier's reader, timing and gateway driver
 
-This room imports no part of a language.  The parts lie in other rooms, and the reader of the judge
-shares no code with the emitter (ADR 27).
+This package imports no part of a language.  The parts are in other packages, and the reader of the
+verifier shares no code with the emitter (ADR 27).
 """

@@ -1,7 +1,7 @@
 """language: the record that describes one controller language.
 
 A record names its parts as "module:attribute"; a part is imported when it is first used.  Protocols
-define the interfaces of the parts.  They use types of ``model``, except the moves of the judge,
+define the interfaces of the parts.  They use types of ``model``, except the moves of the verifier,
 which belong to ``verification``.
 """
 

@@ -11,11 +11,11 @@ import numpy as np
 from knifetip.geometry.columns import F64, I32, U8, Bool, frozen
 from knifetip.messages import Message, with_text
 from knifetip.model.dieline import Dieline
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 
 
-class Why(IntEnum):
-    """Why an edge became what it became."""
+class CleaningReason(IntEnum):
+    """Reason for the outcome of cleaning an edge."""
 
     AS_DRAWN = 0  #: kept, bit for bit
     MOVED = 1  #: kept, an end brought to another one
@@ -34,15 +34,15 @@ class Why(IntEnum):
 
 
 _MESSAGES = {
-    Why.AS_DRAWN: Message("cleaning.as-drawn"),
-    Why.MOVED: Message("cleaning.moved"),
-    Why.SHORTENED: Message("cleaning.shortened"),
-    Why.LONGER: Message("cleaning.longer"),
-    Why.JOINED: Message("cleaning.joined"),
-    Why.FITTED: Message("cleaning.fitted"),
-    Why.TWICE: Message("cleaning.twice"),
-    Why.SPECK: Message("cleaning.speck"),
-    Why.NO_WORK: Message("cleaning.as-drawn"),
+    CleaningReason.AS_DRAWN: Message("cleaning.as-drawn"),
+    CleaningReason.MOVED: Message("cleaning.moved"),
+    CleaningReason.SHORTENED: Message("cleaning.shortened"),
+    CleaningReason.LONGER: Message("cleaning.longer"),
+    CleaningReason.JOINED: Message("cleaning.joined"),
+    CleaningReason.FITTED: Message("cleaning.fitted"),
+    CleaningReason.TWICE: Message("cleaning.twice"),
+    CleaningReason.SPECK: Message("cleaning.speck"),
+    CleaningReason.NO_WORK: Message("cleaning.as-drawn"),
 }
 
 
@@ -84,8 +84,8 @@ class Cleaned:
 
     dieline: Dieline
     of: I32  #: (n,) cleaned row that does most of the edge's work, -1 where it was dropped
-    fate: U8  #: (n,) Fate
-    why: U8  #: (n,) Why
+    outcome: U8  #: (n,) ImportOutcome
+    reason: U8  #: (n,) CleaningReason
     kept: F64  #: (n,) length that is worked for this edge (mm)
     merged: F64  #: (n,) length that lies on other edges, which are worked (mm)
     dropped: F64  #: (n,) length of specks (mm)
@@ -98,7 +98,7 @@ class Cleaned:
         put = object.__setattr__
         put(self, "of", frozen(self.of, np.int32, -1))
         rows = len(self.of)
-        for name in ("fate", "why"):
+        for name in ("outcome", "reason"):
             put(self, name, frozen(getattr(self, name), np.uint8, rows))
         for name in ("kept", "merged", "dropped", "added", "moved", "off"):
             put(self, name, frozen(getattr(self, name), np.float64, rows))
@@ -106,30 +106,30 @@ class Cleaned:
     @property
     def changed(self) -> Bool:
         """(n,) Whether the edge is worked otherwise than as it was drawn."""
-        return np.asarray(~np.isin(self.why, (Why.AS_DRAWN, Why.NO_WORK)))
+        return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
 
     def into(self, row: int) -> int:
         """Return the row of the drawing that stands for the edge's work, -1 where there is none."""
         cleaned = self.of[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
 
-    def outcome(self, row: int) -> Message:
+    def describe(self, row: int) -> Message:
         """Return what became of a drawn edge."""
-        match Why(self.why[row]):
-            case Why.SPECK:
+        match CleaningReason(self.reason[row]):
+            case CleaningReason.SPECK:
                 return Message("cleaning.dropped-speck", length=self.dropped[row])
-            case Why.NO_WORK:
+            case CleaningReason.NO_WORK:
                 return Message("cleaning.no-work")
-            case Why.TWICE:
+            case CleaningReason.TWICE:
                 return Message("cleaning.on-edge", edge=self.into(row))
-            case Why.JOINED:
+            case CleaningReason.JOINED:
                 return Message("cleaning.joined-edge", edge=self.into(row))
-            case Why.FITTED:
+            case CleaningReason.FITTED:
                 return Message("cleaning.fitted-edge", edge=self.into(row), distance=self.off[row])
         changes = []
         if self.merged[row] > 0.0:
             changes.append(Message("cleaning.length-on-others", length=self.merged[row]))
-        if self.why[row] == Why.LONGER:
+        if self.reason[row] == CleaningReason.LONGER:
             changes.append(Message("cleaning.longer"))
         if self.moved[row] > 0.0:
             changes.append(Message("cleaning.end-moved", distance=self.moved[row]))
@@ -143,7 +143,7 @@ class Cleaned:
     def lengths(self) -> dict[str, float]:
         """Lengths over all (mm): ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``;
         ``worked`` that of ``kept`` and ``added``; ``no_work`` is ignored or not classified."""
-        at_work = self.why != Why.NO_WORK
+        at_work = self.reason != CleaningReason.NO_WORK
         kept, merged, dropped, added = (
             float(column[at_work].sum())
             for column in (self.kept, self.merged, self.dropped, self.added)
@@ -159,18 +159,18 @@ class Cleaned:
         }
 
     def as_json(self, handles: Sequence[str]) -> dict[str, object]:
-        """Return the ledger as plain data: lengths, counts, and each edge that was changed."""
+        """Return the cleaning report as JSON data: lengths, counts, one row per changed edge."""
         return {
             "lengths": self.lengths,
-            "edges": {fate.name.lower(): self.count(fate) for fate in Fate},
+            "edges": {outcome.name.lower(): self.count(outcome) for outcome in ImportOutcome},
             "moved": float(self.moved.max(initial=0.0)),
             "off": float(self.off.max(initial=0.0)),
             "rows": [
                 {
                     "row": row,
                     "handle": handles[row],
-                    "fate": Fate(self.fate[row]).name.lower(),
-                    "why": Why(self.why[row]).name.lower(),
+                    "outcome": ImportOutcome(self.outcome[row]).name.lower(),
+                    "reason": CleaningReason(self.reason[row]).name.lower(),
                     "into": self.into(row),
                     "kept": float(self.kept[row]),
                     "merged": float(self.merged[row]),
@@ -178,12 +178,12 @@ class Cleaned:
                     "added": float(self.added[row]),
                     "moved": float(self.moved[row]),
                     "off": float(self.off[row]),
-                    **with_text(self.outcome(row)),
+                    **with_text(self.describe(row)),
                 }
                 for row in np.flatnonzero(self.changed).tolist()
             ],
         }
 
-    def count(self, fate: Fate) -> int:
-        """Return how many edges have this fate."""
-        return int((self.fate == fate).sum())
+    def count(self, outcome: ImportOutcome) -> int:
+        """Return how many edges have this outcome."""
+        return int((self.outcome == outcome).sum())

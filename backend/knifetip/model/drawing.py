@@ -15,7 +15,7 @@ from knifetip.messages import Message
 from knifetip.model.unit import UnitHint
 
 
-class Fate(IntEnum):
+class ImportOutcome(IntEnum):
     """What became of an entity of the file."""
 
     KEPT = 0
@@ -26,7 +26,7 @@ class Fate(IntEnum):
 class LocationBoxes(NamedTuple):
     """Bounding boxes of k entities that gave no segments and whose location is known."""
 
-    rows: I32  #: (k,) of the ledger, rising
+    rows: I32  #: (k,) of the import report, rising
     box: F64  #: (k, 4) x min, y min, x max, y max (mm; file units while the unit is unknown)
 
 
@@ -40,7 +40,7 @@ KEPT: Final = Message("import.kept")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Ledger:
+class ImportReport:
     """The import report: one row for every entity of the file, with its outcome and the reason.
 
     An entity inside a block has one row for each INSERT of the block: its handle is
@@ -50,7 +50,7 @@ class Ledger:
     handle: Sequence[str]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
     kind: Sequence[str]  #: (m,) LINE, ARC, INSERT …
     layer: Sequence[str]  #: (m,) layer name as the file writes it
-    fate: U8  #: (m,) Fate
+    outcome: U8  #: (m,) ImportOutcome
     reason: Sequence[Message]  #: (m,) why it was kept, merged or dropped
     length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
     block: Sequence[str] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
@@ -58,11 +58,11 @@ class Ledger:
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
-        object.__setattr__(self, "fate", frozen(self.fate, np.uint8, rows))
+        object.__setattr__(self, "outcome", frozen(self.outcome, np.uint8, rows))
         object.__setattr__(self, "length", frozen(self.length, np.float64, rows))
         same = len(self.kind) == len(self.layer) == len(self.reason) == rows
         if not same or len(self.block) not in (0, rows):
-            raise ValueError("ledger columns differ in length")
+            raise ValueError("import report columns differ in length")
         where, box = self.location_boxes
         box = frozen(box, np.float64, len(where), 4)
         object.__setattr__(
@@ -73,7 +73,7 @@ class Ledger:
         return len(self.handle)
 
 
-class Inscription(NamedTuple):
+class Annotation(NamedTuple):
     """A text or a dimension of the drawing.  Annotations are never worked."""
 
     text: str  #: without codes for fonts and colours; of a dimension, its text override
@@ -84,11 +84,11 @@ class Inscription(NamedTuple):
     kind: str  #: TEXT, MTEXT, ATTRIB, DIMENSION …
     layer: str
 
-    def scaled(self, divisor: float, factor: float) -> Inscription:
+    def scaled(self, divisor: float, factor: float) -> Annotation:
         """Return the annotation in another unit: all lengths are divided, then multiplied."""
         if divisor == factor == 1.0:
             return self
-        return Inscription(
+        return Annotation(
             self.text,
             self.x / divisor * factor,
             self.y / divisor * factor,
@@ -105,18 +105,18 @@ class Drawing:
 
     ends: F64  #: (n, 2, 2) mm; in file units while ``unit`` is empty
     bulge: F64  #: (n,) tan(sweep / 4), |bulge| ≤ 1
-    entity: I32  #: (n,) row in ``ledger``
+    entity: I32  #: (n,) row in ``import_report``
     layer: I32  #: (n,) index into ``layers``
     colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved; 7 by default
     true_colour: I32  #: (n,) 0xRRGGBB, -1 where there is none
     linetype: I32  #: (n,) index into ``linetypes``, BYLAYER resolved
     layers: tuple[str, ...]
     linetypes: tuple[str, ...]
-    ledger: Ledger
+    import_report: ImportReport
     unit: str  #: "mm", "cm", "m", "in", "ft"; empty while it is unknown
     evidence: Message  #: source of the unit: "$INSUNITS = 4", "given", or why it is unknown
     stated: str = ""  #: the unit in the file's header, even if another one is used
-    inscriptions: tuple[Inscription, ...] = ()  #: those of model space, in file order
+    annotations: tuple[Annotation, ...] = ()  #: those of model space, in file order
     hints: tuple[UnitHint, ...] = ()  #: other entries of the header that concern the unit
 
     def __post_init__(self) -> None:
@@ -133,7 +133,7 @@ class Drawing:
     @property
     def handles(self) -> list[str]:
         """(n,) The handle of each edge's entity."""
-        every = list(self.ledger.handle)
+        every = list(self.import_report.handle)
         return [every[row] for row in self.entity.tolist()]
 
     @property

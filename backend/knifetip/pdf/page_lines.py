@@ -20,7 +20,7 @@ from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.messages import Message
-from knifetip.model.drawing import Inscription, LocationBoxes
+from knifetip.model.drawing import Annotation, LocationBoxes
 from knifetip.pdf.colours import Paint
 from knifetip.pdf.document import Box
 from knifetip.pdf.layers import layer_names
@@ -63,7 +63,7 @@ class PageLines:
     def __init__(self, limits: Limits) -> None:
         self.report = ReportWriter()
         self.path = PathBuilder(limits)
-        self.inscriptions: list[Inscription] = []  #: in points
+        self.annotations: list[Annotation] = []  #: in points
         self._limits = limits
         self._lines: list[PageLine] = []
 

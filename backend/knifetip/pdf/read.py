@@ -92,7 +92,7 @@ def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Draw
         evidence = f"UserUnit = {page.unit:g} points of 1/72 in"
     source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
     known = KnownUnit(given, unit or "pt", source, "pt")
-    return assemble(drawn.report, segments, styles, drawn.inscriptions, known)
+    return assemble(drawn.report, segments, styles, drawn.annotations, known)
 
 
 def _refuse_empty(file: PdfFile, page: Page, drawn: PageLines) -> None:

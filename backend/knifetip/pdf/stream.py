@@ -19,7 +19,7 @@ from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix, chained
 from knifetip.messages import Message
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, ColourSpace, Paint
 from knifetip.pdf.content import Name, parse_operations
 from knifetip.pdf.document import Box, PdfFile, number
@@ -328,7 +328,7 @@ class Stream:
         mark = self._marks[-1]
         if not mark.hidden:
             layer = self._page.drawn.report.layer[row]
-            self._page.drawn.inscriptions.append(Inscription(*placed, math.nan, "text", layer))
+            self._page.drawn.annotations.append(Annotation(*placed, math.nan, "text", layer))
 
     def _operate_text(self, operator: str, given: list[Any]) -> None:
         self._text_object.operate(operator, given)

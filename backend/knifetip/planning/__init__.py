@@ -1,1 +1,1 @@
-"""Floor 3: choose tool, depth and feed for every edge, and the order of the work."""
+"""Planning: chooses tool, depth and feed for every edge, and the order of machining."""

@@ -1,1 +1,1 @@
-"""Floor 3: write programs in the languages of controllers."""
+"""Post-processors: write tool paths as programs in the languages of controllers."""

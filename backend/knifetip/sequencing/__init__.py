@@ -1,1 +1,1 @@
-"""Floor 3: order the tracks, and plan the air moves between them."""
+"""Sequencing: orders the tracks of a job and plans the air moves between them."""

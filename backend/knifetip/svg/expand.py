@@ -21,7 +21,7 @@ from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, chained
 from knifetip.messages import Message
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import to_pixels
@@ -95,7 +95,7 @@ class DrawnPaths:
     style: list[int] = field(default_factory=list)  #: index in ``styles``
     styles: list[Style] = field(default_factory=list)
     omitted: list[OmittedShape] = field(default_factory=list)
-    inscriptions: list[Inscription] = field(default_factory=list)  #: in file units
+    annotations: list[Annotation] = field(default_factory=list)  #: in file units
 
 
 class _Context(NamedTuple):
@@ -415,8 +415,8 @@ class _Expansion:
         place = a * x + c * y + e, b * x + d * y + f
         height = appearance.font_size * math.sqrt(abs(a * d - b * c))
         if text and all(math.isfinite(value) for value in (*place, height)):
-            self.drawn.inscriptions.append(
-                Inscription(text, *place, height, math.nan, node.tag, layer)
+            self.drawn.annotations.append(
+                Annotation(text, *place, height, math.nan, node.tag, layer)
             )
 
 

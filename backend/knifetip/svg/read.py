@@ -62,7 +62,7 @@ def read(
         report, drawn = expand(root, page, limits)
         columns = segment_columns(report, drawn, page.scale, limits)
         known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
-        return assemble(report, columns, drawn.styles, drawn.inscriptions, known)
+        return assemble(report, columns, drawn.styles, drawn.annotations, known)
     except KnifetipError:
         raise
     except (ValueError, ArithmeticError, LookupError) as error:

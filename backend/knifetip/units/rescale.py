@@ -30,18 +30,18 @@ def rescale(drawing: Drawing, unit: str) -> Drawing:
         No unit has this name.
     """
     old, new = factor(drawing.unit), factor(unit)
-    rows, box = drawing.ledger.location_boxes
-    ledger = replace(
-        drawing.ledger,
-        length=drawing.ledger.length / old * new,
+    rows, box = drawing.import_report.location_boxes
+    import_report = replace(
+        drawing.import_report,
+        length=drawing.import_report.length / old * new,
         location_boxes=LocationBoxes(rows, box / old * new),
     )
     return replace(
         drawing,
         # Dividing first keeps coordinates in mm exact on the way to file units and back.
         ends=drawing.ends / old * new,
-        ledger=ledger,
-        inscriptions=tuple(text.scaled(old, new) for text in drawing.inscriptions),
+        import_report=import_report,
+        annotations=tuple(text.scaled(old, new) for text in drawing.annotations),
         unit=unit,
         evidence=Message("unit.given" if unit else "unit.not-given"),
     )

@@ -19,7 +19,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, Bool
-from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.drawing import Annotation, Drawing
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES, NAMES, UnitEvidence, factor
 from knifetip.units import weights
 from knifetip.units.lengths import Lengths, evidence_of_units
@@ -77,7 +77,7 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
     numbers: dict[tuple[float, str, float], _Number] = {}
     statements: dict[str, str] = {}
     mentioned: dict[tuple[int, int], None] = {}
-    for text in drawing.inscriptions[:_TEXTS]:
+    for text in drawing.annotations[:_TEXTS]:
         if unit := stated_unit(text.text):
             statements.setdefault(unit, text.text)
         mentioned.update(dict.fromkeys(written_scales(text.text)))
@@ -100,7 +100,7 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
     return TextEvidence(tuple(evidence), tuple(warnings))
 
 
-def _numbers(text: Inscription, scale: float) -> Iterable[_Number]:
+def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
     """Yield the numbers in a text; ``scale`` is mm per file unit."""
     measure = text.measure / scale
     if measured := _MEASURED.search(text.text):

@@ -29,7 +29,7 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   corners: Corners | null;
 };
 export type JobState = Job["state"];
-export type LedgerRow = Schemas["LedgerRow"];
+export type ImportReportRow = Schemas["ImportReportRow"];
 export type Machine = Schemas["MachineOut"];
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
@@ -152,14 +152,14 @@ export const service = {
   drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
     dataOf(api.GET("/api/drawings/{id}", { params: byId(id), ...uncached(signal) })),
   edges: fetchEdges,
-  ledger: (
+  importReport: (
     id: string,
-    fate: LedgerRow["fate"],
+    outcome: ImportReportRow["outcome"],
     signal?: AbortSignal,
-  ): Promise<Schemas["LedgerOut"]> =>
+  ): Promise<Schemas["ImportReportOut"]> =>
     dataOf(
-      api.GET("/api/drawings/{id}/ledger", {
-        params: { ...byId(id), query: { fate } },
+      api.GET("/api/drawings/{id}/import-report", {
+        params: { ...byId(id), query: { outcome } },
         ...uncached(signal),
       }),
     ),

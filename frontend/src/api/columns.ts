@@ -112,8 +112,8 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     linetypes: strings(from.meta.linetypes),
     alternatives: lineTypeLists(from.meta.alternatives),
     // Drawings of older versions have no outcome columns: all edges were kept.
-    fate: from.columns.has("fate")
-      ? column(from, "fate", Uint8Array)
+    outcome: from.columns.has("outcome")
+      ? column(from, "outcome", Uint8Array)
       : new Uint8Array(bulge.length),
     reason: from.columns.has("reason")
       ? column(from, "reason", Int32Array)

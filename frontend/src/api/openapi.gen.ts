@@ -80,7 +80,7 @@ export interface paths {
         patch: operations["override_edges"];
         trace?: never;
     };
-    "/api/drawings/{id}/ledger": {
+    "/api/drawings/{id}/import-report": {
         parameters: {
             query?: never;
             header?: never;
@@ -88,10 +88,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Ledger
+         * Get Import Report
          * @description Get the import report: all entities of the file, or only those with one outcome.
          */
-        get: operations["get_ledger"];
+        get: operations["get_import_report"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1075,15 +1075,15 @@ export interface components {
             /** Handle */
             handle: string;
             /**
-             * Fate
+             * Outcome
              * @enum {string}
              */
-            fate: "kept" | "merged" | "dropped";
+            outcome: "kept" | "merged" | "dropped";
             /**
-             * Why
+             * Reason
              * @enum {string}
              */
-            why: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
+            reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
             /**
              * Into
              * @description Row of the edge that is worked instead; -1 for none
@@ -1258,7 +1258,7 @@ export interface components {
              * @description Number of edges with a line type set by the user
              */
             overrides: number;
-            ledger: components["schemas"]["LedgerOut"];
+            import_report: components["schemas"]["ImportReportOut"];
             /** @description Null if the drawing was read by an older version */
             report?: components["schemas"]["ReportOut"] | null;
         };
@@ -1344,10 +1344,10 @@ export interface components {
              */
             alternatives: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
             /**
-             * Fate
+             * Outcome
              * @enum {string}
              */
-            fate: "kept" | "merged" | "dropped";
+            outcome: "kept" | "merged" | "dropped";
             /**
              * Reason
              * @description Why the edge was merged or dropped
@@ -1594,6 +1594,59 @@ export interface components {
             lease: number;
         };
         /**
+         * ImportReportOut
+         * @description Import report: number of entities by outcome, and a row for each entity.
+         */
+        ImportReportOut: {
+            /** Kept */
+            kept: number;
+            /** Merged */
+            merged: number;
+            /** Dropped */
+            dropped: number;
+            /**
+             * Rows
+             * @description At most 2,000 in a drawing; all with GET …/import-report
+             */
+            rows: components["schemas"]["ImportReportRow"][];
+        };
+        /**
+         * ImportReportRow
+         * @description Import outcome of one entity of the file.
+         */
+        ImportReportRow: {
+            /** Handle */
+            handle: string;
+            /** Kind */
+            kind: string;
+            /** Layer */
+            layer: string;
+            /**
+             * Outcome
+             * @enum {string}
+             */
+            outcome: "kept" | "merged" | "dropped";
+            reason: components["schemas"]["MessageOut"];
+            /** Length */
+            length: number;
+            /**
+             * Text
+             * @description Content of a text entity
+             * @default
+             */
+            text: string;
+            /**
+             * Place
+             * @description x, y and height of a text (mm; file units while the unit is unknown)
+             */
+            place?: number[] | null;
+            /**
+             * Box
+             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units while the unit is unknown)
+             */
+            box?: number[] | null;
+        };
+        /**
          * JobEvent
          * @description One transition of a job: its time, cause and reason.
          */
@@ -1798,59 +1851,6 @@ export interface components {
             length: number;
             /** Types */
             types: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
-        };
-        /**
-         * LedgerOut
-         * @description Import report: number of entities by outcome, and a row for each entity.
-         */
-        LedgerOut: {
-            /** Kept */
-            kept: number;
-            /** Merged */
-            merged: number;
-            /** Dropped */
-            dropped: number;
-            /**
-             * Rows
-             * @description At most 2,000 in a drawing; all with GET …/ledger
-             */
-            rows: components["schemas"]["LedgerRow"][];
-        };
-        /**
-         * LedgerRow
-         * @description Import outcome of one entity of the file.
-         */
-        LedgerRow: {
-            /** Handle */
-            handle: string;
-            /** Kind */
-            kind: string;
-            /** Layer */
-            layer: string;
-            /**
-             * Fate
-             * @enum {string}
-             */
-            fate: "kept" | "merged" | "dropped";
-            reason: components["schemas"]["MessageOut"];
-            /** Length */
-            length: number;
-            /**
-             * Text
-             * @description Content of a text entity
-             * @default
-             */
-            text: string;
-            /**
-             * Place
-             * @description x, y and height of a text (mm; file units while the unit is unknown)
-             */
-            place?: number[] | null;
-            /**
-             * Box
-             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units while the unit is unknown)
-             */
-            box?: number[] | null;
         };
         /**
          * LineTypeCount
@@ -2177,10 +2177,10 @@ export interface components {
          */
         ReportGroup: {
             /**
-             * Fate
+             * Outcome
              * @enum {string}
              */
-            fate: "kept" | "merged" | "dropped";
+            outcome: "kept" | "merged" | "dropped";
             /** @description Of the first of them: others have their own measures */
             reason: components["schemas"]["MessageOut"];
             /**
@@ -6980,10 +6980,10 @@ export interface operations {
             };
         };
     };
-    get_ledger: {
+    get_import_report: {
         parameters: {
             query?: {
-                fate?: ("kept" | "merged" | "dropped") | null;
+                outcome?: ("kept" | "merged" | "dropped") | null;
             };
             header?: never;
             path: {
@@ -6999,7 +6999,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["LedgerOut"];
+                    "application/json": components["schemas"]["ImportReportOut"];
                 };
             };
             /** @description Error with a hint */

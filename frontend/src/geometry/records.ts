@@ -51,8 +51,8 @@ export interface Edges extends Segments {
   readonly linetypes: readonly string[];
   /** Other possible line types by rule, most likely first. */
   readonly alternatives: readonly (readonly LineType[])[];
-  /** (n,) index into FATES */
-  readonly fate: Uint8Array;
+  /** (n,) index into OUTCOMES */
+  readonly outcome: Uint8Array;
   /** (n,) index into `reasons` */
   readonly reason: Int32Array;
   readonly reasons: readonly string[];
@@ -61,10 +61,10 @@ export interface Edges extends Segments {
 }
 
 /** Import outcomes; the index is the code in the column. */
-export const FATES = ["kept", "merged", "dropped"] as const;
-export type Fate = (typeof FATES)[number];
+export const OUTCOMES = ["kept", "merged", "dropped"] as const;
+export type ImportOutcome = (typeof OUTCOMES)[number];
 
-export const fateOf = (code: number | undefined): Fate => FATES[code ?? 0] ?? "kept";
+export const outcomeOf = (code: number | undefined): ImportOutcome => OUTCOMES[code ?? 0] ?? "kept";
 
 /** Areas that no tool reaches: q loops of lines and arcs. */
 export interface Areas extends Segments {

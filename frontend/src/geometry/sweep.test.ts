@@ -52,7 +52,7 @@ const EDGES = {
   rules: [""],
   linetypes: ["Continuous"],
   alternatives: [],
-  fate: new Uint8Array(3),
+  outcome: new Uint8Array(3),
   reason: new Int32Array(3),
   reasons: [""],
 };

@@ -1,11 +1,11 @@
 /** The entities of a group of the import report; a click zooms to one. */
 
 import { useMemo, useState } from "react";
-import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
+import type { Drawing, ImportReportRow, ReportGroup } from "../api/client";
 import type { Box, Edges } from "../geometry/records";
 import { errorText, renderText } from "../messages/render";
 import { entitiesOf, locateEntity } from "../state/importReport";
-import { useEdges, useLedger } from "../state/queries";
+import { useEdges, useImportReport } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
 import css from "./import.module.css";
@@ -18,9 +18,9 @@ const STEP = 100;
 export function Entities({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
   const [most, setMost] = useState(STEP);
-  const { rows: first, kept, merged, dropped } = drawing.ledger;
+  const { rows: first, kept, merged, dropped } = drawing.import_report;
   // A drawing lists only its first entities; the rest is fetched here.
-  const whole = useLedger(group.fate, first.length < kept + merged + dropped);
+  const whole = useImportReport(group.outcome, first.length < kept + merged + dropped);
   const listed = whole.data?.rows ?? first;
   const rows = useMemo(() => entitiesOf(listed, group), [listed, group]);
   return (
@@ -49,7 +49,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
 }
 
 interface Props {
-  row: LedgerRow;
+  row: ImportReportRow;
   group: ReportGroup;
   edges: Edges;
   drawing: Drawing;

@@ -4,7 +4,7 @@ import { SegmentedControl } from "@mantine/core";
 import { IconChevronRight, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, ReportGroup } from "../api/client";
-import type { Fate } from "../geometry/records";
+import type { ImportOutcome } from "../geometry/records";
 import { renderText } from "../messages/render";
 import { pluralize } from "../state/format";
 import {
@@ -27,7 +27,7 @@ type Report = NonNullable<Drawing["report"]>;
 /** Element id of the report. */
 export const REPORT = "import-report";
 
-const TITLES: Readonly<Record<Fate, string>> = {
+const TITLES: Readonly<Record<ImportOutcome, string>> = {
   kept: "Kept",
   merged: "Merged",
   dropped: "Dropped",
@@ -35,10 +35,10 @@ const TITLES: Readonly<Record<Fate, string>> = {
 
 export function ImportPanel() {
   const { data: drawing } = useDrawing();
-  const [fate, setFate] = useState<Fate | null>(null);
+  const [outcome, setOutcome] = useState<ImportOutcome | null>(null);
   const report = drawing?.report;
   if (drawing === undefined || report === undefined || report === null) return null;
-  const groups = groupsOf(report, fate);
+  const groups = groupsOf(report, outcome);
   return (
     <Section
       id={REPORT}
@@ -50,8 +50,8 @@ export function ImportPanel() {
         fullWidth
         size="xs"
         mb={6}
-        value={fate ?? "all"}
-        onChange={(word) => setFate(OUTCOME_FILTERS.find((one) => one === word) ?? null)}
+        value={outcome ?? "all"}
+        onChange={(word) => setOutcome(OUTCOME_FILTERS.find((one) => one === word) ?? null)}
         data={[
           { value: "all", label: "All" },
           ...OUTCOME_FILTERS.map((word) => ({ value: word, label: TITLES[word] })),
@@ -61,14 +61,14 @@ export function ImportPanel() {
       <div className={css.groups} data-testid="report-groups">
         {groups.map((group) => (
           <Group
-            key={`${group.fate} ${group.what} ${renderText(group.reason)}`}
+            key={`${group.outcome} ${group.what} ${renderText(group.reason)}`}
             group={group}
             drawing={drawing}
           />
         ))}
         {groups.length === 0 && (
           <p className={panels.note} style={{ padding: "0 8px" }}>
-            Nothing was {fate}.
+            Nothing was {outcome}.
           </p>
         )}
       </div>
@@ -81,18 +81,22 @@ function Bar({ report }: { report: Report }) {
   return (
     <div className={css.sum} data-testid="report-bar">
       <div className={css.bar} role="img" aria-label="Drawn length: kept, merged and dropped">
-        {lengthShares(report).map(({ fate, share }) =>
+        {lengthShares(report).map(({ outcome, share }) =>
           share > 0 ? (
-            <span key={fate} data-fate={fate} style={{ flexGrow: Math.max(share, 0.01) }} />
+            <span
+              key={outcome}
+              data-outcome={outcome}
+              style={{ flexGrow: Math.max(share, 0.01) }}
+            />
           ) : null,
         )}
       </div>
       <dl className={css.sums}>
-        {lengthShares(report).map(({ fate, length: run }) => (
-          <div key={fate}>
+        {lengthShares(report).map(({ outcome, length: run }) => (
+          <div key={outcome}>
             <dt>
-              <span className={css.fate} data-fate={fate} />
-              {TITLES[fate]}
+              <span className={css.outcome} data-outcome={outcome} />
+              {TITLES[outcome]}
             </dt>
             <dd>{formatRun(run)}</dd>
           </div>
@@ -121,13 +125,13 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
         className={css.group}
         aria-expanded={lines ? undefined : open}
         title={lines ? "Show these edges" : "List entities"}
-        data-testid={`report-${group.fate}`}
+        data-testid={`report-${group.outcome}`}
         onClick={() => {
           if (!lines) setOpen(!open);
           else if (edges !== undefined) zoomToEdges(rowsOfGroup(edges, group));
         }}
       >
-        <span className={css.fate} data-fate={group.fate} title={TITLES[group.fate]} />
+        <span className={css.outcome} data-outcome={group.outcome} title={TITLES[group.outcome]} />
         <span className={css.groupText}>
           {words}
           <small>

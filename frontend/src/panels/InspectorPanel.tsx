@@ -146,10 +146,10 @@ function Facts({ found, handle }: FactsProps) {
       </dd>
       <dt>Linetype</dt>
       <dd>{found.linetypes.join(", ")}</dd>
-      {found.fate !== "" && (
+      {found.outcome !== "" && (
         <>
           <dt>Cleaning</dt>
-          <dd>{found.fate}</dd>
+          <dd>{found.outcome}</dd>
         </>
       )}
     </dl>

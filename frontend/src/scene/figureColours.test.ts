@@ -37,7 +37,7 @@ const EDGES: Edges = {
   rules: [""],
   linetypes: ["Continuous"],
   alternatives: [],
-  fate: new Uint8Array(4),
+  outcome: new Uint8Array(4),
   reason: new Int32Array(4),
   reasons: [""],
 };

@@ -35,7 +35,7 @@ const EDGES: Edges = {
   rules: [""],
   linetypes: ["Continuous"],
   alternatives: [],
-  fate: new Uint8Array(2),
+  outcome: new Uint8Array(2),
   reason: new Int32Array(2),
   reasons: [""],
 };

@@ -76,7 +76,7 @@ async function applyDrawing(drawing: Drawing): Promise<void> {
   useUiStore.getState().set({ compileQuestions: [], retypePreviews: [] });
   const stale = [
     queries.edges(drawing.id).queryKey,
-    queries.ledgers(drawing.id),
+    queries.importReports(drawing.id),
     queries.learned(drawing.id).queryKey,
     queries.drawings().queryKey,
   ];
@@ -141,7 +141,7 @@ async function applyRemoteChange(id: string, refused = false): Promise<boolean> 
     source: [],
     notice: !refused,
   });
-  const stale = [queries.ledgers(id), queries.learned(id).queryKey];
+  const stale = [queries.importReports(id), queries.learned(id).queryKey];
   await Promise.all(stale.map((queryKey) => queryClient.invalidateQueries({ queryKey })));
   return true;
 }

@@ -30,7 +30,7 @@ const EDGES: Edges = {
   rules: ['profile default: layer "OVERRIDE"', "override"],
   linetypes: ["Continuous"],
   alternatives: [],
-  fate: new Uint8Array(3),
+  outcome: new Uint8Array(3),
   reason: new Int32Array(3),
   reasons: [""],
 };

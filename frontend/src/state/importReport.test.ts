@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
+import type { Drawing, ImportReportRow, ReportGroup } from "../api/client";
 import type { Edges } from "../geometry/records";
 import type { Code } from "../messages/catalogue";
 import {
@@ -23,7 +23,7 @@ const message = (code: Code, args: Record<string, unknown> = {}) => ({
 });
 
 const group = (part: Partial<ReportGroup>): ReportGroup => ({
-  fate: "kept",
+  outcome: "kept",
   reason: message("cleaning.as-drawn"),
   what: "edges",
   kinds: [],
@@ -33,10 +33,10 @@ const group = (part: Partial<ReportGroup>): ReportGroup => ({
 });
 
 const SPECKS = group({
-  fate: "dropped",
+  outcome: "dropped",
   reason: { ...message("cleaning.speck"), text: "a speck" },
 });
-const TEXTS = group({ fate: "dropped", reason: message("import.text"), what: "entities" });
+const TEXTS = group({ outcome: "dropped", reason: message("import.text"), what: "entities" });
 const REPORT: Report = {
   drawn: 200,
   kept: 150,
@@ -61,7 +61,7 @@ const EDGES: Edges = {
   rules: ['layer "CUT"', "shape: it divides two panels"],
   linetypes: ["Continuous"],
   alternatives: [["half-cut"], ["cut", "crease", "perforation"]],
-  fate: Uint8Array.of(0, 2, 0),
+  outcome: Uint8Array.of(0, 2, 0),
   reason: Int32Array.of(0, 1, 0),
   reasons: ["", "a speck"],
 };
@@ -82,9 +82,9 @@ describe("the import report", () => {
     expect(rowsOfGroup(EDGES, SPECKS)).toEqual([1]);
     expect(rowsOfGroup(EDGES, group({}))).toEqual([0, 2]);
     expect(rowsOfGroup(EDGES, TEXTS)).toEqual([]);
-    const row = { fate: "dropped", reason: message("import.text") };
-    expect(entitiesOf([row as LedgerRow], TEXTS)).toHaveLength(1);
-    expect(entitiesOf([row as LedgerRow], SPECKS)).toHaveLength(0);
+    const row = { outcome: "dropped", reason: message("import.text") };
+    expect(entitiesOf([row as ImportReportRow], TEXTS)).toHaveLength(1);
+    expect(entitiesOf([row as ImportReportRow], SPECKS)).toHaveLength(0);
     expect([0, 1, 2].map((edge) => isDropped(EDGES, edge))).toEqual([false, true, false]);
   });
 });
@@ -96,7 +96,7 @@ describe("edges that are looked at", () => {
       { type: "crease", rule: "shape: it divides two panels", confidence: 0.6, rows: [2] },
     ]);
     expect(found.alternatives).toEqual(["cut", "perforation"]);
-    expect(found.fate).toBe("");
+    expect(found.outcome).toBe("");
   });
 
   test("several have the lowest confidence and the common alternatives", () => {
@@ -107,16 +107,16 @@ describe("edges that are looked at", () => {
     ]);
     expect(found.alternatives).toEqual([]);
     expect(found.length).toBeCloseTo(150.01);
-    expect(summarizeEdges(EDGES, [1]).fate).toBe("dropped: a speck");
+    expect(summarizeEdges(EDGES, [1]).outcome).toBe("dropped: a speck");
   });
 });
 
 const DRAWING = { width: 100, height: 40 } as Drawing;
-const entity = (part: Partial<LedgerRow>): LedgerRow => ({
+const entity = (part: Partial<ImportReportRow>): ImportReportRow => ({
   handle: "1",
   kind: "TEXT",
   layer: "NOTES",
-  fate: "dropped",
+  outcome: "dropped",
   reason: message("import.text"),
   length: 0,
   text: "",

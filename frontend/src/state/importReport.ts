@@ -1,15 +1,15 @@
 /** The import report: what was kept, merged and dropped, and which edges or entities each means. */
 
-import type { Drawing, LedgerRow, ReportGroup } from "../api/client";
-import { type Box, type Edges, FATES, type Fate, fateOf } from "../geometry/records";
+import type { Drawing, ImportReportRow, ReportGroup } from "../api/client";
+import { type Box, type Edges, type ImportOutcome, OUTCOMES, outcomeOf } from "../geometry/records";
 import { typed } from "../messages/render";
 import { rowsOfHandles } from "./rows";
 
 /** Filters of the import report, in display order. */
-export const OUTCOME_FILTERS: readonly Fate[] = ["dropped", "merged", "kept"];
+export const OUTCOME_FILTERS: readonly ImportOutcome[] = ["dropped", "merged", "kept"];
 
 export interface Share {
-  readonly fate: Fate;
+  readonly outcome: ImportOutcome;
   /** mm */
   readonly length: number;
   /** of the drawn length: 0 … 1 */
@@ -20,15 +20,15 @@ type Report = NonNullable<Drawing["report"]>;
 
 /** Length of each outcome; the sum is the drawn length. */
 export function lengthShares(report: Report): Share[] {
-  return FATES.map((fate) => {
-    const length = report[fate];
-    return { fate, length, share: report.drawn > 0 ? length / report.drawn : 0 };
+  return OUTCOMES.map((outcome) => {
+    const length = report[outcome];
+    return { outcome, length, share: report.drawn > 0 ? length / report.drawn : 0 };
   });
 }
 
 /** Groups with some outcome, or all. */
-export const groupsOf = (report: Report, fate: Fate | null): ReportGroup[] =>
-  report.groups.filter((group) => fate === null || group.fate === fate);
+export const groupsOf = (report: Report, outcome: ImportOutcome | null): ReportGroup[] =>
+  report.groups.filter((group) => outcome === null || group.outcome === outcome);
 
 /**
  * Rows of the edges of a group; none for entities that are not lines.
@@ -45,11 +45,14 @@ export function rowsOfGroup(edges: Edges, group: ReportGroup): number[] {
   return rows;
 }
 
-/** Entities of a group, from the import ledger. */
-export const entitiesOf = (ledger: readonly LedgerRow[], group: ReportGroup): LedgerRow[] =>
+/** Entities of a group, from the import report. */
+export const entitiesOf = (
+  rows: readonly ImportReportRow[],
+  group: ReportGroup,
+): ImportReportRow[] =>
   group.what === "edges"
     ? []
-    : ledger.filter((row) => row.fate === group.fate && row.reason.code === group.reason.code);
+    : rows.filter((row) => row.outcome === group.outcome && row.reason.code === group.reason.code);
 
 /** Location of an entity: its edges, those that it coincides with, or its bounding box. */
 export type EntityLocation =
@@ -64,7 +67,7 @@ const BOX_MARGIN = 0.75;
 /** … and at least (relative to the drawing). */
 const MIN_MARGIN = 0.25;
 
-export function locateEntity(edges: Edges, drawing: Drawing, row: LedgerRow): EntityLocation {
+export function locateEntity(edges: Edges, drawing: Drawing, row: ImportReportRow): EntityLocation {
   const reason = typed(row.reason);
   const twin = reason.code === "import.drawn-twice" ? reason.arguments.same[0] : undefined;
   const own = rowsOfHandles(edges, [row.handle]);
@@ -87,15 +90,15 @@ export function locateEntity(edges: Edges, drawing: Drawing, row: LedgerRow): En
 
 /** Short summary of a report: numbers of dropped and merged entities and edges. */
 export function summarizeReport(report: Report): string {
-  const sum = (fate: Fate) =>
-    report.groups.reduce((all, one) => (one.fate === fate ? all + one.count : all), 0);
+  const sum = (outcome: ImportOutcome) =>
+    report.groups.reduce((all, one) => (one.outcome === outcome ? all + one.count : all), 0);
   const parts = (["dropped", "merged"] as const)
-    .map((fate) => ({ fate, many: sum(fate) }))
+    .map((outcome) => ({ outcome, many: sum(outcome) }))
     .filter(({ many }) => many > 0)
-    .map(({ fate, many }) => `${many.toLocaleString("en")} ${fate}`);
+    .map(({ outcome, many }) => `${many.toLocaleString("en")} ${outcome}`);
   return parts.length > 0 ? parts.join(" · ") : "all kept";
 }
 
 /** Whether an edge was dropped by the cleaning. */
 export const isDropped = (edges: Edges, row: number): boolean =>
-  fateOf(edges.fate[row]) === "dropped";
+  outcomeOf(edges.outcome[row]) === "dropped";

@@ -1,6 +1,6 @@
 /** Summary of some edges: types, reasons, layers, colours. */
 
-import { type Edges, fateOf, type LineType, lineTypeOf } from "../geometry/records";
+import { type Edges, type LineType, lineTypeOf, outcomeOf } from "../geometry/records";
 import { OVERRIDE_RULE } from "./history";
 import { layerOf } from "./rows";
 
@@ -26,7 +26,7 @@ export interface EdgeSummary {
   readonly colours: readonly number[];
   readonly linetypes: readonly string[];
   /** Outcome of cleaning if it is the same for all; empty if kept as drawn. */
-  readonly fate: string;
+  readonly outcome: string;
 }
 
 const LISTED = 4;
@@ -40,7 +40,7 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
     string,
     { type: LineType; rule: string; confidence: number; rows: number[] }
   >();
-  const fates = new Set<string>();
+  const outcomes = new Set<string>();
   const layers = new Set<string>();
   const colours = new Set<number>();
   const linetypes = new Set<string>();
@@ -57,13 +57,13 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
       known.confidence = Math.min(known.confidence, confidence);
     }
     length += edges.length[row] ?? 0;
-    fates.add(outcomeText(edges, row));
+    outcomes.add(outcomeText(edges, row));
     layers.add(layerOf(edges, row));
     colours.add(edges.colour[row] ?? 0);
     linetypes.add(edges.linetypes[edges.linetype[row] ?? -1] ?? "");
   }
   const listed = [...reasons.values()].sort((a, b) => b.rows.length - a.rows.length);
-  const [fate = ""] = fates;
+  const [outcome = ""] = outcomes;
   return {
     length,
     reasons: listed.slice(0, LISTED),
@@ -72,14 +72,18 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
     layers: [...layers].slice(0, LISTED),
     colours: [...colours].slice(0, LISTED),
     linetypes: [...linetypes].slice(0, LISTED),
-    fate: fates.size === 1 ? fate : "",
+    outcome: outcomes.size === 1 ? outcome : "",
   };
 }
 
 function outcomeText(edges: Edges, row: number): string {
-  const fate = fateOf(edges.fate[row]);
+  const outcome = outcomeOf(edges.outcome[row]);
   const reason = edges.reasons[edges.reason[row] ?? 0] ?? "";
-  return reason === "" && fate === "kept" ? "" : reason === "" ? fate : `${fate}: ${reason}`;
+  return reason === "" && outcome === "kept"
+    ? ""
+    : reason === ""
+      ? outcome
+      : `${outcome}: ${reason}`;
 }
 
 /** Alternatives that all edges share, in the order of the first edge. */

@@ -7,7 +7,13 @@ import {
   useInfiniteQuery,
   useQuery,
 } from "@tanstack/react-query";
-import { type DrawingSummary, type Job, type LedgerRow, type Page, service } from "../api/client";
+import {
+  type DrawingSummary,
+  type ImportReportRow,
+  type Job,
+  type Page,
+  service,
+} from "../api/client";
 import { openEventStream } from "../api/events";
 import { buildTimeline } from "../geometry/timeline";
 import { hasProgram } from "./jobs";
@@ -39,11 +45,11 @@ export const queries = {
       queryFn: ({ signal }) => service.edges(id, signal),
       structuralSharing: false,
     }),
-  ledgers: (id: string) => ["ledger", id] as const,
-  ledger: (id: string, fate: LedgerRow["fate"]) =>
+  importReports: (id: string) => ["importReport", id] as const,
+  importReport: (id: string, outcome: ImportReportRow["outcome"]) =>
     queryOptions({
-      queryKey: ["ledger", id, fate],
-      queryFn: ({ signal }) => service.ledger(id, fate, signal),
+      queryKey: ["importReport", id, outcome],
+      queryFn: ({ signal }) => service.importReport(id, outcome, signal),
     }),
   learned: (id: string) =>
     queryOptions({
@@ -125,9 +131,9 @@ export function useEdges() {
 }
 
 /** Entities of the open drawing with one import outcome; fetched if `wanted`. */
-export function useLedger(fate: LedgerRow["fate"], wanted: boolean) {
+export function useImportReport(outcome: ImportReportRow["outcome"], wanted: boolean) {
   const id = useUiStore((ui) => ui.drawing);
-  return useQuery({ ...queries.ledger(id ?? "", fate), enabled: id !== null && wanted });
+  return useQuery({ ...queries.importReport(id ?? "", outcome), enabled: id !== null && wanted });
 }
 
 /** Rules that explain the corrections made in the open drawing. */
@@ -208,7 +214,7 @@ function dropInactive(id: string): void {
   for (const queryKey of [
     queries.drawing(id).queryKey,
     queries.edges(id).queryKey,
-    queries.ledgers(id),
+    queries.importReports(id),
   ])
     queryClient.removeQueries({ queryKey, type: "inactive" });
 }

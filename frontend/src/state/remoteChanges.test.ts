@@ -25,7 +25,7 @@ const edgesOf = (types: readonly number[], revision: number): Edges => ({
   rules: ["layer CUT"],
   linetypes: ["Continuous"],
   alternatives: [],
-  fate: new Uint8Array(types.length),
+  outcome: new Uint8Array(types.length),
   reason: new Int32Array(types.length),
   reasons: [""],
   revision,

@@ -1,4 +1,4 @@
-"""Cartons of known size as drawings in any unit: what a judge of units is judged by."""
+"""Cartons of known size as drawings in any unit: the data for tests of the unit evidence."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.geometry.columns import F64
-from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.drawing import Annotation, Drawing
 from knifetip.model.unit import MILLIMETRES
 from tests.support.drawings import Header, drawing
 
@@ -147,7 +147,7 @@ def carton(chance: random.Random) -> Carton:
     return Carton(style, *sides, caliper, STYLES[style](*sides, caliper, small), imperial)
 
 
-def drawing_of(ends: F64, stated: str = "", texts: tuple[Inscription, ...] = ()) -> Drawing:
+def drawing_of(ends: F64, stated: str = "", texts: tuple[Annotation, ...] = ()) -> Drawing:
     """Return a drawing of straight edges in file units, of which the unit is still unknown."""
     return drawing(ends, [("0", 7, "CONTINUOUS")] * len(ends), header=Header("", stated, texts))
 
@@ -186,7 +186,7 @@ def drawn(
     return drawing_of(ends, stated, _written(one, unit, words, chance or random.Random(0)))
 
 
-def _written(one: Carton, unit: str, words: str, chance: random.Random) -> tuple[Inscription, ...]:
+def _written(one: Carton, unit: str, words: str, chance: random.Random) -> tuple[Annotation, ...]:
     if not words:
         return ()
     kind, _, suffix = words.partition(" ")
@@ -203,10 +203,10 @@ def _written(one: Carton, unit: str, words: str, chance: random.Random) -> tuple
     sizes = (one.length, one.width, one.height)
     if kind == "title":
         inside = "x".join(said(size) for size in sizes)
-        return (Inscription(f"BOX {inside} {suffix}".strip(), 0, 0, 3, math.nan, "TEXT", "0"),)
+        return (Annotation(f"BOX {inside} {suffix}".strip(), 0, 0, 3, math.nan, "TEXT", "0"),)
     measured = kind == "dimensions"
     return tuple(
-        Inscription(
+        Annotation(
             f"{said(size)} {suffix}".strip(),
             0.0,
             0.0,

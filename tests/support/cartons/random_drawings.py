@@ -14,7 +14,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, U8
 from knifetip.model.dieline import LineType
-from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.drawing import Annotation, Drawing
 from tests.support.cartons.kinds import (
     rigid_box,
     rolled_tray,
@@ -174,13 +174,13 @@ def random_drawing(seed: int) -> tuple[Drawing, U8, str]:
         for kind, name, colour in zip(_KINDS, names, colours, strict=True)
     }
     styles = [style_of[kind] for kind in truth.tolist()]
-    header = Header("mm", "mm", _inscriptions(plan), tuple(names), ("CONTINUOUS", "DASHED"))
+    header = Header("mm", "mm", _annotations(plan), tuple(names), ("CONTINUOUS", "DASHED"))
     return drawing(ends, styles, bulge=bulge, header=header), truth, f"{kind} / {scheme}"
 
 
-def _inscriptions(plan: Plan) -> tuple[Inscription, ...]:
+def _annotations(plan: Plan) -> tuple[Annotation, ...]:
     return tuple(
-        Inscription(
+        Annotation(
             text, x, y, height, math.nan, "DIMENSION" if part == "dimension" else "TEXT", "TEXT"
         )
         for text, x, y, height, part in plan.texts

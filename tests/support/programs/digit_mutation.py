@@ -3,9 +3,9 @@
     text -> (place, mutant)          text, mutant -> what the change is
 
 What a change does is decided by a small interpreter of its own, which knows of G-code what the
-programs need and shares nothing with the judge: the tip's way in the board before and after is
+programs need and shares nothing with the verifier: the tip's way in the board before and after is
 compared as a set of points (x, y, z), so that a point that slides along its own line moves
-nothing.  ``shares`` counts for each kind of change how many a judge has refused.
+nothing.  ``shares`` counts for each kind of change how many a verifier has refused.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def shares(
     count: int,
     seed: int,
 ) -> tuple[Counter[str], Counter[str], list[tuple[str, int, bytes]]]:
-    """Mutate, judge and count.
+    """Mutate, verify and count.
 
     Returns
     -------

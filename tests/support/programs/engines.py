@@ -1,4 +1,4 @@
-"""Engines: one small right program for every kind of work, and how it is made and judged."""
+"""Engines: one small right program for every kind of work, and how it is made and verified."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class Engine:
         """The right program."""
         return self.made()
 
-    def judged(self, text: bytes) -> Verdict:
+    def verdict_of(self, text: bytes) -> Verdict:
         """Return the verdict on a program for what is drawn."""
         return verify(text, self.line, (0.0, 0.0), self.machine, self.board)
 

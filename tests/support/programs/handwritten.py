@@ -1,7 +1,7 @@
 """A table, a board, a dieline and its programs, written and worked out by hand.
 
-Everything that the judge must know stands here as a number, so that no test of it leans on the
-stages that it judges.  Drawing coordinates plus (20, 20) are the sheet's.
+Everything that the verifier must know stands here as a number, so that no test of it leans on the
+stages that it verifies.  Drawing coordinates plus (20, 20) are the sheet's.
 
     board 2.0 mm, into the mat 0.3 mm, knife slanted by 10°:
         lead of the top face   2.3 tan 10° = 0.4056      overrun    2.0 tan 10° = 0.3527

@@ -18,9 +18,9 @@ _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 def ours(data: bytes) -> bool:
     """Whether our own reader accepts a file."""
     wrapped = patch.object(reading, "read_with_ezdxf", wraps=reading.read_with_ezdxf)
-    with wrapped as judge, suppress(KnifetipError):
+    with wrapped as reference_reader, suppress(KnifetipError):
         reading.read(data)
-    return not judge.called
+    return not reference_reader.called
 
 
 def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | KnifetipError]:
@@ -48,18 +48,19 @@ def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
         if getattr(a, name) != getattr(b, name):
             return f"{name}: {getattr(a, name)} / {getattr(b, name)}"
     # A dimension without a measure has NaN, which is not itself.
-    if repr(a.inscriptions) != repr(b.inscriptions):
-        return f"inscriptions: {a.inscriptions} / {b.inscriptions}"
+    if repr(a.annotations) != repr(b.annotations):
+        return f"annotations: {a.annotations} / {b.annotations}"
     for name in ("handle", "kind", "layer", "reason"):
-        left, right = getattr(a.ledger, name), getattr(b.ledger, name)
+        left, right = getattr(a.import_report, name), getattr(b.import_report, name)
         if left != right:
-            return f"ledger.{name}: {left} / {right}"
+            return f"import_report.{name}: {left} / {right}"
     for name in LocationBoxes._fields:
-        one = getattr(a.ledger.location_boxes, name)
-        other = getattr(b.ledger.location_boxes, name)
+        one = getattr(a.import_report.location_boxes, name)
+        other = getattr(b.import_report.location_boxes, name)
         if one.tobytes() != other.tobytes():
-            return f"ledger.{name}: {one.tolist()} / {other.tolist()}"
-    for name in ("fate", "length"):
-        if getattr(a.ledger, name).tobytes() != getattr(b.ledger, name).tobytes():
-            return f"ledger.{name}: {getattr(a.ledger, name)} / {getattr(b.ledger, name)}"
+            return f"import_report.{name}: {one.tolist()} / {other.tolist()}"
+    for name in ("outcome", "length"):
+        left, right = getattr(a.import_report, name), getattr(b.import_report, name)
+        if left.tobytes() != right.tobytes():
+            return f"import_report.{name}: {left} / {right}"
     return ""

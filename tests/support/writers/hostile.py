@@ -150,7 +150,7 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "cf2: decimal commas": (422, "commas", lambda: cf2.cf2(*["L,2,1,0,5,1,6,1,5,7,1,7,0,0"] * 9)),
 }
 
-#: What the ledger says, how many edges are left, and the file.
+#: What the import report says, how many edges are left, and the file.
 READ: Mapping[str, tuple[str, int, Maker]] = {
     "dxf: cyclic blocks": ("contains itself", 1, cyclic_blocks),
     "dxf: not numbers": ("not a number", 1, not_numbers),

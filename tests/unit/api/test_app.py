@@ -62,8 +62,8 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(
 ) -> None:
     answer = upload(client, content)
     if answer.status_code == 201:
-        # Half a file may be mended: then the ledger says what is left of it.
-        assert answer.json()["ledger"]["rows"]
+        # Half a file may be mended: then the import report says what is left of it.
+        assert answer.json()["import_report"]["rows"]
         assert all(abs(side) < 1e6 for side in answer.json()["bounds"])
         return
     said = problem(answer, 422)

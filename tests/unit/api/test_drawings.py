@@ -27,7 +27,7 @@ def override(client: httpx.Client, id: str, *overrides: dict[str, Any]) -> httpx
     return client.patch(f"/api/drawings/{id}/edges", json={"overrides": list(overrides)})
 
 
-def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client) -> None:
+def test_an_upload_answers_with_unit_counts_and_import_report(client: httpx.Client) -> None:
     answer = client.post("/api/drawings", files={"file": ("square.dxf", square())})
     assert answer.status_code == 201
     said = answer.json()
@@ -37,20 +37,20 @@ def test_an_upload_answers_with_unit_counts_and_ledger(client: httpx.Client) -> 
     assert said["counts"] == [{"type": "cut", "edges": 4, "length": 400.0}]
     assert said["questions"] == []
     assert said["sha256"] == hashlib.sha256(square()).hexdigest()
-    assert (said["ledger"]["kept"], len(said["ledger"]["rows"])) == (4, 4)
+    assert (said["import_report"]["kept"], len(said["import_report"]["rows"])) == (4, 4)
     assert client.get(f"/api/drawings/{said['id']}").json() == said
-    assert client.get(f"/api/drawings/{said['id']}/ledger").json() == said["ledger"]
+    assert client.get(f"/api/drawings/{said['id']}/import-report").json() == said["import_report"]
 
 
-def test_the_ledger_can_be_asked_for_one_fate_and_says_where_words_stand(
+def test_the_import_report_can_be_asked_for_one_outcome_and_says_where_words_stand(
     client: httpx.Client,
 ) -> None:
     note = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Rev. B"))
     id = uploaded(client, square(extra=(note,)))["id"]
-    (row,) = client.get(f"/api/drawings/{id}/ledger?fate=dropped").json()["rows"]
+    (row,) = client.get(f"/api/drawings/{id}/import-report?outcome=dropped").json()["rows"]
     assert (row["kind"], row["text"], row["place"]) == ("TEXT", "Rev. B", [12.0, 34.0, 5.0])
-    assert len(client.get(f"/api/drawings/{id}/ledger?fate=kept").json()["rows"]) == 4
-    assert client.get(f"/api/drawings/{id}/ledger?fate=lost").status_code == 422
+    assert len(client.get(f"/api/drawings/{id}/import-report?outcome=kept").json()["rows"]) == 4
+    assert client.get(f"/api/drawings/{id}/import-report?outcome=lost").status_code == 422
 
 
 def test_the_file_comes_back_byte_for_byte(client: httpx.Client) -> None:

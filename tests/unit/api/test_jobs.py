@@ -35,7 +35,7 @@ def test_a_square_of_cuts_becomes_ready_with_a_verdict(
     assert [event["state"] for event in events] == ["received", "compiling", "ready"]
 
 
-def test_the_program_is_served_byte_for_byte_as_it_was_judged(
+def test_the_program_is_served_byte_for_byte_as_it_was_verified(
     client: httpx.Client, ready: dict[str, Any]
 ) -> None:
     answer = client.get(f"/api/jobs/{ready['id']}/program")

@@ -350,7 +350,7 @@ def test_a_correction_against_the_profile_says_what_else_it_would_change(
     assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [5]}]
 
 
-def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client) -> None:
+def test_the_report_adds_up_and_every_edge_has_an_outcome(client: httpx.Client) -> None:
     twice = text.line(20.0, 0.0, 80.0, 0.0, (8, "CUT"))
     note = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nhello\n"
     said = uploaded(client, square(extra=(twice, note)))
@@ -358,10 +358,10 @@ def test_the_report_adds_up_and_every_edge_has_a_fate(client: httpx.Client) -> N
     assert report["drawn"] == pytest.approx(460.0)
     assert report["kept"] + report["merged"] + report["dropped"] == pytest.approx(report["drawn"])
     assert report["merged"] == pytest.approx(60.0)
-    words = {(group["fate"], group["what"]): group for group in report["groups"]}
+    words = {(group["outcome"], group["what"]): group for group in report["groups"]}
     assert words["dropped", "entities"]["kinds"] == ["TEXT"]
     edges = client.get(f"/api/drawings/{said['id']}/edges").json()["edges"]
-    (gone,) = [edge for edge in edges if edge["fate"] == "merged"]
+    (gone,) = [edge for edge in edges if edge["outcome"] == "merged"]
     assert (gone["length"], gone["reason"] != "") == (60.0, True)
 
 

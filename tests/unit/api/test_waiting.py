@@ -51,14 +51,14 @@ def queued(store: Store, **more: object) -> Job:
         interpretation=Interpretation("mm"),
         summary={},
         edges=b"",
-        ledger=b"",
+        import_report=b"",
     )
     fields: dict[str, Any] = {"machine": "demo-table", "board": "e-flute", **more}
     row = store.jobs.add(drawing, interpretation=Interpretation("mm"), release=True, **fields)
     job = store.compiles.begin("worker")
     assert job is not None
-    judged = {"seconds": 1.0, "accepted": True}
-    made = CompileResult(True, "", b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
+    verdict = {"seconds": 1.0, "accepted": True}
+    made = CompileResult(True, "", b"M30\n", "ab", 90, b"", b"", verdict, tools=TOOLS)
     store.compiles.save_result(row.id, job.epoch, made)
     return store.jobs.get(row.id)
 

@@ -18,13 +18,13 @@ from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
 from tests.support.writers.cf2_text import arc, carton, cf2, line, sub
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
+    return dict(zip(drawing.import_report.handle, report_reasons(drawing), strict=True))
 
 
 # ── Records ───────────────────────────────────────────────────────────────────────────────────
@@ -103,10 +103,10 @@ def test_inches_are_converted() -> None:
 
 def test_texts_are_kept_as_annotations_and_never_cut() -> None:
     drawing = read(cf2("T,2,46,0,10,90,0,5,4", "L,2,1 is no line", line(0, 0, 1, 0)))
-    (words,) = drawing.inscriptions
+    (words,) = drawing.annotations
     assert (words.text, words.x, words.y, words.height) == ("L,2,1 is no line", 10, 90, 5)
     assert len(drawing) == 1
-    assert drawing.ledger.fate.tolist() == [Fate.DROPPED, Fate.KEPT]
+    assert drawing.import_report.outcome.tolist() == [ImportOutcome.DROPPED, ImportOutcome.KEPT]
 
 
 # ── Calls ─────────────────────────────────────────────────────────────────────────────────────
@@ -116,7 +116,7 @@ def test_a_subroutine_is_scaled_then_rotated_then_moved() -> None:
     one = sub("A", line(0, 0, 10, 0))
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
-    assert drawing.ledger.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
+    assert drawing.import_report.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
     assert reasons(drawing)["#2"] == "kept: inserts the subroutine a"
     assert set(drawing.layers) == {"A"}
 
@@ -211,9 +211,9 @@ def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
     one = 200 + 60 + 10 * math.pi + 180 + 80 + 16 * math.pi + 3 * 80
     assert_allclose(drawing.lengths.sum(), 2 * one)
-    assert_allclose(drawing.ledger.length.sum(), 2 * one)
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
-    assert_allclose(by_row, drawing.ledger.length)
+    assert_allclose(drawing.import_report.length.sum(), 2 * one)
+    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
+    assert_allclose(by_row, drawing.import_report.length)
     assert_allclose(drawing.bounds, [0, 0, 200, 180], atol=1e-9)
 
 

@@ -127,7 +127,10 @@ def test_a_rule_for_a_block_or_a_true_colour_decides() -> None:
     }
     rules = load.parse_profile("own", fields)
     assert words(classify(sheet, rules))[4:] == ["crease"] * 2
-    blocks = replace(sheet, ledger=replace(sheet.ledger, block=("Carton 7",) * len(sheet.ledger)))
+    blocks = replace(
+        sheet,
+        import_report=replace(sheet.import_report, block=("Carton 7",) * len(sheet.import_report)),
+    )
     dieline = classify(blocks, rules)
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert why(dieline, 0) == 'profile own: block "CARTON*"'

@@ -75,9 +75,9 @@ def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path) -> None:
     on_a_cut = [rule.code == "classification.on-cut" for rule in dieline.rules]
     rows = np.flatnonzero(np.array(on_a_cut)[dieline.rule])
     assert drawing.lengths[rows].sum() == pytest.approx(988.0)
-    ledger = clean(dieline)
-    assert ledger.merged[rows] == pytest.approx(drawing.lengths[rows])
-    assert ledger.merged.sum() == pytest.approx(988.0)
+    cleaned = clean(dieline)
+    assert cleaned.merged[rows] == pytest.approx(drawing.lengths[rows])
+    assert cleaned.merged.sum() == pytest.approx(988.0)
 
 
 def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path) -> None:

@@ -35,8 +35,8 @@ def test_a_house_is_right_or_asked_about_and_its_unit_too(house: House) -> None:
         unsaid = said == LineType.UNCLASSIFIED
         edges, asked = edges + len(said), asked + int(unsaid.sum())
         wrong += int((~unsaid & (said != kinds)).sum())
-        ledger = clean(dieline)
-        sums = ledger.kept + ledger.merged + ledger.dropped
+        cleaned = clean(dieline)
+        sums = cleaned.kept + cleaned.merged + cleaned.dropped
         np.testing.assert_allclose(sums, drawing.lengths, atol=1e-6, err_msg=kind)
     assert wrong <= (0.01 * edges if house.name in _UNKNOWABLE else 0)
     assert edges > asked

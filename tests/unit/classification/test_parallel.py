@@ -17,7 +17,7 @@ from tests.support.cartons import random_drawings
 
 def _features(drawing: Drawing) -> ShapeFeatures:
     return extract_shape_features(
-        drawing.ends, drawing.bulge, drawing.inscriptions, bool(drawing.unit)
+        drawing.ends, drawing.bulge, drawing.annotations, bool(drawing.unit)
     )
 
 

@@ -9,9 +9,9 @@ from knifetip.cleaning.clean import clean
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.messages import render
-from knifetip.model.cleaned import Cleaned, Why
+from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 from tests.support.shapes import dieline, edges
 
 CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
@@ -35,7 +35,7 @@ def worked(made: Cleaned) -> list[tuple[str, list[list[float]]]]:
 
 
 def whys(made: Cleaned) -> list[str]:
-    return [Why(code).name for code in made.why]
+    return [CleaningReason(code).name for code in made.reason]
 
 
 def test_a_clean_drawing_stays_bit_for_bit() -> None:
@@ -59,7 +59,7 @@ def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     assert made.kept.tolist() == [100, 0, 0]
     assert made.merged.tolist() == [0, 100, 100]
     assert [made.into(row) for row in range(3)] == [0, 0, 0]
-    assert render(made.outcome(1)) == "merged: it lies on edge 0"
+    assert render(made.describe(1)) == "merged: it lies on edge 0"
 
 
 def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty() -> None:
@@ -263,7 +263,7 @@ def test_specks_are_dropped_with_their_measure() -> None:
     assert whys(made) == ["AS_DRAWN", "SPECK", "SPECK"]
     np.testing.assert_allclose(made.dropped, [0, 0.03, 0.04])
     assert made.of.tolist() == [0, -1, -1]
-    assert render(made.outcome(1)) == "dropped: 0.03 mm long and connects nothing"
+    assert render(made.describe(1)) == "dropped: 0.03 mm long and connects nothing"
 
 
 def test_an_edge_without_length_is_a_speck() -> None:
@@ -281,7 +281,7 @@ def test_a_dot_of_tiny_lines_is_dropped_as_a_whole() -> None:
     ring = [(5, 5), (5.02, 5), (5.02, 5.02), (5, 5.02)]
     dot = edges(*zip(ring, ring[1:] + ring[:1], strict=True))
     made = clean(dieline((CUT, edges(((0, 0), (100, 0)))), (CUT, dot)))
-    assert made.count(Fate.DROPPED) == 4
+    assert made.count(ImportOutcome.DROPPED) == 4
     assert made.dropped.sum() == pytest.approx(0.08)
 
 
@@ -316,7 +316,7 @@ def test_three_quarters_of_a_circle_in_fifteen_hundred_segments_are_two_arcs() -
     np.testing.assert_allclose(radius, 10, atol=0.001)
     assert made.off.max() < 0.005
     assert whys(made)[2] == "FITTED"
-    assert made.count(Fate.KEPT) == 2
+    assert made.count(ImportOutcome.KEPT) == 2
     assert made.kept.sum() == pytest.approx(15 * np.pi, abs=0.001)
 
 

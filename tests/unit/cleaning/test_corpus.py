@@ -14,9 +14,9 @@ from knifetip.cleaning.clean import clean
 from knifetip.dxf.read import read
 from knifetip.errors import KnifetipError
 from knifetip.geometry import arc
-from knifetip.model.cleaned import Cleaned, Why
+from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.verification.checks.cleaning_check import check_cleaning
 from tests.support.shapes import BY_HAND
 
@@ -40,7 +40,11 @@ def all_work(drawing: Drawing) -> Dieline:
 
 
 def figures(made: Cleaned) -> tuple[int, int, int]:
-    return made.count(Fate.KEPT), made.count(Fate.MERGED), made.count(Fate.DROPPED)
+    return (
+        made.count(ImportOutcome.KEPT),
+        made.count(ImportOutcome.MERGED),
+        made.count(ImportOutcome.DROPPED),
+    )
 
 
 @pytest.mark.parametrize(
@@ -67,7 +71,7 @@ def test_what_becomes_of_a_drawing(
     assert made.dropped.sum() == pytest.approx(dropped, abs=0.001)
 
 
-def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path) -> None:
+def test_the_lengths_add_up_and_the_verifier_agrees_on_every_drawing(corpus: Path) -> None:
     files = [path for path in sorted(corpus.rglob("*")) if path.suffix.lower() == ".dxf"]
     count = 0
     for path in files:
@@ -85,7 +89,7 @@ def test_the_lengths_add_up_and_the_judge_agrees_on_every_drawing(corpus: Path) 
         worked = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge)[at_work].sum()
         assert made.lengths["worked"] == pytest.approx(worked, rel=1e-9), path
         assert check_cleaning(line, made) == [], path
-        assert not (made.why == Why.NO_WORK).any()
+        assert not (made.reason == CleaningReason.NO_WORK).any()
         again = clean(after)
         np.testing.assert_array_equal(again.dieline.ends, after.ends, err_msg=str(path))
         np.testing.assert_array_equal(again.dieline.line_type, after.line_type, err_msg=str(path))

@@ -51,7 +51,7 @@ def test_json_output_lists_the_changed_edges(run_clean: RunClean) -> None:
     assert code == 0
     data = json.loads(out)["cleaning"]
     assert data["lengths"]["merged"] == 30
-    assert [row["why"] for row in data["rows"]] == ["twice"]
+    assert [row["reason"] for row in data["rows"]] == ["twice"]
 
 
 def test_a_drawing_without_a_unit_exits_with_2(run_clean: RunClean) -> None:

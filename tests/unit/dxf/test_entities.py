@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from knifetip.dxf.read import read
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line, tags
 
@@ -28,10 +28,10 @@ def rows(drawing: Drawing) -> F64:
     return np.column_stack([drawing.ends.reshape(-1, 4), drawing.bulge])
 
 
-def only(drawing: Drawing, fate: Fate = Fate.KEPT) -> str:
-    """The reason of a drawing's single ledger row, which has this fate."""
-    assert len(drawing.ledger) == 1
-    assert drawing.ledger.fate[0] == fate
+def only(drawing: Drawing, outcome: ImportOutcome = ImportOutcome.KEPT) -> str:
+    """The reason of a drawing's single import report row, which has this outcome."""
+    assert len(drawing.import_report) == 1
+    assert drawing.import_report.outcome[0] == outcome
     return report_reasons(drawing)[0]
 
 
@@ -90,7 +90,7 @@ def test_line_is_one_row_from_start_to_end() -> None:
     drawing = read(dxf(line(1, 2, 4, 6)))
     assert_array_equal(rows(drawing), [[1, 2, 4, 6, 0]])
     assert only(drawing) == "kept"
-    assert drawing.ledger.length[0] == 5.0
+    assert drawing.import_report.length[0] == 5.0
 
 
 def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
@@ -102,12 +102,12 @@ def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
 def test_line_that_rises_is_dropped_with_its_heights() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 0), (11, 5), (21, 0), (31, 7))))
     assert len(drawing) == 0
-    assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 7"
+    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: z goes from 0 to 7"
 
 
 def test_line_without_its_second_end_is_dropped() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0))))
-    assert only(drawing, Fate.DROPPED) == "it is incomplete: it has no second end"
+    assert only(drawing, ImportOutcome.DROPPED) == "it is incomplete: it has no second end"
 
 
 def test_line_ignores_its_extrusion() -> None:
@@ -143,13 +143,13 @@ def test_mirrored_arc_lies_left_of_the_axis_and_turns_right() -> None:
 def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt() -> None:
     tilted = ((210, 1.0), (220, 0.0), (230, 1.0))
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *tilted)))
-    assert only(drawing, Fate.DROPPED) == "it is not flat: its plane is tilted by 45°"
+    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: its plane is tilted by 45°"
 
 
 @pytest.mark.parametrize("radius", [0, -3])
 def test_arc_without_radius_is_dropped_with_the_measure(radius: int) -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 0), (20, 0), (40, radius))))
-    assert only(drawing, Fate.DROPPED) == f"its radius is {radius}"
+    assert only(drawing, ImportOutcome.DROPPED) == f"its radius is {radius}"
 
 
 def test_circle_is_two_half_turns() -> None:
@@ -203,7 +203,9 @@ def test_vertices_in_one_place_give_no_row_and_are_counted() -> None:
 
 
 def test_polyline_of_one_vertex_is_dropped() -> None:
-    assert only(read(dxf(polyline([(1, 1)]))), Fate.DROPPED).startswith("it has 1 vertices")
+    assert only(read(dxf(polyline([(1, 1)]))), ImportOutcome.DROPPED).startswith(
+        "it has 1 vertices"
+    )
 
 
 def test_old_polyline_keeps_bulges_and_closes() -> None:
@@ -280,13 +282,13 @@ def test_spline_through_fit_points_passes_them() -> None:
 def test_spline_in_space_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 9), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
-    assert only(drawing, Fate.DROPPED) == "it is not flat: z goes from 0 to 9"
+    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: z goes from 0 to 9"
 
 
 def test_spline_with_too_few_knots_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 1], control), version="AC1015"))
-    assert only(drawing, Fate.DROPPED).startswith("it is damaged")
+    assert only(drawing, ImportOutcome.DROPPED).startswith("it is damaged")
 
 
 @pytest.mark.parametrize("bad", ["nan", "inf", "1e308", "-1e308"])
@@ -309,12 +311,12 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
     make: Callable[..., Any], bad: str
 ) -> None:
     drawing = read(dxf(make(bad), line(0, 0, 10, 0)))
-    assert drawing.ledger.fate[-1] == Fate.KEPT
+    assert drawing.import_report.outcome[-1] == ImportOutcome.KEPT
     assert np.isfinite(drawing.ends).all()
     assert np.abs(drawing.ends).max() <= 1e7
     if not (bad in ("1e308", "-1e308") and "50\n" in make(bad)):
         # An angle of 1e308° is a number, and so some angle.
-        assert drawing.ledger.fate[0] == Fate.DROPPED
+        assert drawing.import_report.outcome[0] == ImportOutcome.DROPPED
         assert len(drawing) == 1
 
 
@@ -338,7 +340,7 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> Non
 def test_what_is_no_line_is_dropped_with_the_reason(kind: str, reason: str) -> None:
     text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
     drawing = read(dxf(text, line(0, 0, 1, 0)))
-    assert drawing.ledger.kind == (kind, "LINE")
+    assert drawing.import_report.kind == (kind, "LINE")
     assert report_reasons(drawing) == (reason, "kept")
 
 
@@ -376,7 +378,7 @@ def test_every_kind_agrees_with_ezdxf_on_where_it_lies() -> None:
     stream = io.StringIO()
     document.write(stream)
     drawing = read(stream.getvalue().encode())
-    assert set(drawing.ledger.fate) == {Fate.KEPT}
+    assert set(drawing.import_report.outcome) == {ImportOutcome.KEPT}
     length, low, high = 0.0, np.full(2, np.inf), np.full(2, -np.inf)
     for piece in disassemble.recursive_decompose(space):
         points = np.array([(p.x, p.y) for p in path.make_path(piece).flattening(2e-4, 64)])
@@ -391,11 +393,11 @@ def test_turned_block_in_an_unevenly_scaled_one_is_sheared() -> None:
     inner = block("INNER", line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 5)))
     outer = block("OUTER", insert("INNER", 0, 0, (50, 30)))
     drawing = read(dxf(insert("OUTER", 100, 200, (42, 3)), blocks=(inner, outer)))
-    assert drawing.ledger.kind == ("INSERT", "INSERT", "LINE", "CIRCLE")
+    assert drawing.import_report.kind == ("INSERT", "INSERT", "LINE", "CIRCLE")
     tip = [100.0 + 10.0 * math.cos(math.radians(30)), 200.0 + 30.0 * math.sin(math.radians(30))]
     assert_allclose(drawing.ends[0], np.array([(100, 200), tip], float), atol=1e-12)
     # The circle is now an ellipse of radii 5 and 15, whatever it was turned by.
-    round_ = drawing.ledger.kind.index("CIRCLE")
+    round_ = drawing.import_report.kind.index("CIRCLE")
     ring = drawing.ends[drawing.entity == round_]
     assert_allclose(ring.min(axis=(0, 1)), [95, 185], atol=0.011)
     assert_allclose(ring.max(axis=(0, 1)), [105, 215], atol=0.011)

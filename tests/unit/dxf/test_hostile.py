@@ -64,7 +64,7 @@ def test_absurd_coordinates_drop_their_entity_alone(value: str) -> None:
     bad = [line(value, 0, 5, 5), insert("A", value, 0), insert("A", 0, 0, (41, value))]
     bad.append(entity("CIRCLE", (10, 1), (20, 0), (40, value)))
     drawing = read(dxf(*bad, line(0, 0, 3, 4), blocks=(block("A", _LINE),)))
-    assert drawing.ledger.length.sum() == pytest.approx(5.0)
+    assert drawing.import_report.length.sum() == pytest.approx(5.0)
 
 
 @pytest.mark.parametrize(
@@ -150,9 +150,9 @@ def test_polyline_and_spline_without_markers_are_read() -> None:
     assert ours(data)
     drawings = read_by_both(data)
     assert difference(*drawings) == ""
-    assert read(data).ledger.length.tolist() == pytest.approx([50.0, 10.0])
+    assert read(data).import_report.length.tolist() == pytest.approx([50.0, 10.0])
     headless = data[data.index(b"0\nSECTION\n2\nENTITIES") :]
-    assert read(headless).ledger.length.tolist() == pytest.approx([50.0, 10.0])
+    assert read(headless).import_report.length.tolist() == pytest.approx([50.0, 10.0])
 
 
 _WHOLE = dxf(
@@ -277,8 +277,8 @@ def _damaged(draw: st.DrawFn) -> bytes:
 @settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck))
 @given(_damaged())
 def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: bytes) -> None:
-    mine, judged = read_by_both(data)
-    if isinstance(mine, KnifetipError) or isinstance(judged, KnifetipError):
-        assert str(mine) == str(judged)
+    ours, reference = read_by_both(data)
+    if isinstance(ours, KnifetipError) or isinstance(reference, KnifetipError):
+        assert str(ours) == str(reference)
     else:
-        assert difference(mine, judged) == ""
+        assert difference(ours, reference) == ""

@@ -37,10 +37,12 @@ def marked(*entities: str) -> bytes:
 
 def stands(drawing: Drawing) -> dict[str, list[float]]:
     """The boxes by the kinds of the entities, those in blocks with a stroke before."""
-    rows, boxes = drawing.ledger.location_boxes
+    rows, boxes = drawing.import_report.location_boxes
     names = [
         ("/" if "/" in handle else "") + kind
-        for handle, kind in zip(drawing.ledger.handle, drawing.ledger.kind, strict=True)
+        for handle, kind in zip(
+            drawing.import_report.handle, drawing.import_report.kind, strict=True
+        )
     ]
     return {names[row]: box for row, box in zip(rows.tolist(), boxes.tolist(), strict=True)}
 
@@ -101,7 +103,7 @@ def test_what_a_block_holds_stands_wherever_it_is_placed(cells: tuple[Tag, ...])
 def test_each_placement_has_a_row_and_a_place_of_its_own() -> None:
     held = block("B", entity("SOLID", *SOLID), line(0, 0, 1, 0), entity("POINT", (10, 9), (20, 9)))
     data = dxf(*(insert("B", x, 0.0) for x in (0.0, 100.0, 200.0)), blocks=(held,))
-    rows, boxes = read(data).ledger.location_boxes
+    rows, boxes = read(data).import_report.location_boxes
     # An INSERT, then what it places: the second of each three is a line.
     assert rows.tolist() == [1, 3, 5, 7, 9, 11]
     assert boxes[:, 0].tolist() == [1, 9, 101, 109, 201, 209]

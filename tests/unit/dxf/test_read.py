@@ -1,4 +1,4 @@
-"""Whole files: the drawings by other hands, the ledger, attributes, and hostile bytes."""
+"""Whole files: the drawings by other hands, the import report, attributes, and hostile bytes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 
@@ -24,7 +24,7 @@ REFUSED = {"danst0__Box-Generator/template.dxf": NotADrawing}
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
+    return dict(zip(drawing.import_report.handle, report_reasons(drawing), strict=True))
 
 
 def counted(data: bytes) -> Counter[str]:
@@ -60,21 +60,21 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
             refused[name] = type(error)
             mends.append(error.hint)
             continue
-        ledger = drawing.ledger
-        assert all(ledger.reason), name
+        import_report = drawing.import_report
+        assert all(import_report.reason), name
         assert np.isfinite(drawing.ends).all(), name
         assert (np.abs(drawing.bulge) <= 1.0).all(), name
         assert ((drawing.colour >= 1) & (drawing.colour <= 255)).all(), name
-        kept = np.flatnonzero(ledger.fate == Fate.KEPT)
-        drawn = {row for row in kept.tolist() if ledger.kind[row] != "INSERT"}
+        kept = np.flatnonzero(import_report.outcome == ImportOutcome.KEPT)
+        drawn = {row for row in kept.tolist() if import_report.kind[row] != "INSERT"}
         assert set(drawing.entity.tolist()) == drawn, name
-        assert_allclose(ledger.length.sum(), drawing.lengths.sum(), rtol=1e-9, err_msg=name)
+        assert_allclose(import_report.length.sum(), drawing.lengths.sum(), rtol=1e-9, err_msg=name)
         if not data.startswith(b"AutoCAD Binary DXF"):
             # Every entity of the sheet has its row, and more rows may come from the blocks of
             # the layouts; a "/" marks what an INSERT brought along.
             rows = Counter(
                 kind
-                for kind, handle in zip(ledger.kind, ledger.handle, strict=True)
+                for kind, handle in zip(import_report.kind, import_report.handle, strict=True)
                 if "/" not in handle and kind != "BLOCK"
             )
             if wanted := counted(data):
@@ -88,10 +88,10 @@ def test_obrary_cube_has_74_lines_on_cuts_and_folds(corpus: Path) -> None:
     folder = corpus / "Obrary__Parametric-Papercraft" / "Interchange-Files"
     drawing = read((folder / "cube.dxf").read_bytes())
     assert len(drawing) == 74
-    assert Counter(drawing.ledger.kind) == {"LINE": 74}
+    assert Counter(drawing.import_report.kind) == {"LINE": 74}
     assert set(drawing.layers) == {"CUTS", "FOLDS"}
     assert drawing.unit == ""
-    assert drawing.ledger.handle[0] == "#1"
+    assert drawing.import_report.handle[0] == "#1"
     # CUTS has colour 0 in the layer table, which says nothing: 7.  FOLDS has 3.
     by_layer = {drawing.layers[i]: c for i, c in zip(drawing.layer, drawing.colour, strict=True)}
     assert by_layer == {"CUTS": 7, "FOLDS": 3}
@@ -105,8 +105,8 @@ def test_slotted_cartons_have_two_colours_on_layer_design(corpus: Path, name: st
     drawing = read((corpus / "generated__bikinon__RSC-FEFCO-02xx" / f"{name}.dxf").read_bytes())
     assert drawing.layers == ("Design",)
     assert set(drawing.colour.tolist()) == {1, 2}
-    assert len(drawing.ledger) == 58
-    assert drawing.ledger.handle[0] == "1000"
+    assert len(drawing.import_report) == 58
+    assert drawing.import_report.handle[0] == "1000"
 
 
 @pytest.mark.corpus
@@ -114,18 +114,18 @@ def test_inkpacking_box_has_the_layers_that_pstoedit_names_after_colours(corpus:
     path = corpus / "generated__eridur-de__mightyscape-inkpacking" / "box_rwlf.dxf"
     drawing = read(path.read_bytes())
     assert set(drawing.layers) == {"C00-00-00-BLACK", "CFF-00-00"}
-    assert Counter(drawing.ledger.kind) == {"POLYLINE": 29}
+    assert Counter(drawing.import_report.kind) == {"POLYLINE": 29}
 
 
 @pytest.mark.corpus
 def test_binary_drawing_reads_like_an_ascii_one(corpus: Path) -> None:
     data = corpus / "mozman__ezdxf" / "integration_tests" / "data"
     drawing = read((data / "bin_dxf_r13.dxf").read_bytes())
-    assert drawing.ledger.kind == ("LINE",) * 3
+    assert drawing.import_report.kind == ("LINE",) * 3
     assert_allclose(drawing.bounds, [335.718, 304.27, 595.878, 439.771], atol=5e-4)
 
 
-# ── Ledger ────────────────────────────────────────────────────────────────────────────────────
+# ── Import report ────────────────────────────────────────────────────────────
 
 
 def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
@@ -138,9 +138,14 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
         )
     )
     assert drawing.handles == ["2F3", "2F6"]
-    assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.MERGED, Fate.MERGED, Fate.KEPT]
+    assert list(drawing.import_report.outcome) == [
+        ImportOutcome.KEPT,
+        ImportOutcome.MERGED,
+        ImportOutcome.MERGED,
+        ImportOutcome.KEPT,
+    ]
     assert report_reasons(drawing)[1] == "it is drawn twice: the same as 2F3"
-    assert_array_equal(drawing.ledger.length, [10, 0, 0, 11])
+    assert_array_equal(drawing.import_report.length, [10, 0, 0, 11])
 
 
 @pytest.mark.parametrize(
@@ -150,7 +155,7 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
 )
 def test_same_line_with_another_attribute_stays(other: tuple[tuple[int, int | str]]) -> None:
     drawing = read(dxf(line(0, 0, 10, 0), line(0, 0, 10, 0, *other)))
-    assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.KEPT]
+    assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
     assert len(drawing) == 2
 
 
@@ -171,7 +176,7 @@ def test_same_arc_drawn_back_to_front_is_merged() -> None:
         + tags((0, "SEQEND"))
     )
     drawing = read(dxf(arc, back))
-    assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.MERGED]
+    assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.MERGED]
 
 
 def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
@@ -182,21 +187,21 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
     )
     drawing = read(dxf(line(0, 0, 10, 0, (5, "B2")), square))
     assert reasons(drawing)["A1"] == "kept: 1 of 2 pieces are drawn twice, with B2"
-    assert list(drawing.ledger.fate) == [Fate.KEPT, Fate.KEPT]
+    assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
     assert drawing.handles == ["B2", "A1"]
 
 
 def test_line_without_length_is_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(5, 5, 5, 5.0000000001), line(0, 0, 1, 0)))
-    assert drawing.ledger.fate[0] == Fate.DROPPED
+    assert drawing.import_report.outcome[0] == ImportOutcome.DROPPED
     assert report_reasons(drawing)[0].startswith("it has no length: 1e-10")
     assert len(drawing) == 1
 
 
 def test_entities_without_handles_are_numbered_in_the_order_of_the_file() -> None:
     drawing = read(dxf(entity("TEXT", (10, 0), (20, 0), (1, "A")), line(0, 0, 1, 0)))
-    assert drawing.ledger.handle == ("#1", "#2")
-    assert drawing.ledger.kind == ("TEXT", "LINE")
+    assert drawing.import_report.handle == ("#1", "#2")
+    assert drawing.import_report.kind == ("TEXT", "LINE")
     assert drawing.handles == ["#2"]
 
 
@@ -212,7 +217,7 @@ def test_invisible_line_is_dropped() -> None:
 
 def test_block_that_nothing_places_is_named() -> None:
     drawing = read(dxf(line(0, 0, 1, 0), blocks=(block("SPARE", line(0, 0, 5, 0)),)))
-    assert drawing.ledger.kind == ("LINE", "BLOCK")
+    assert drawing.import_report.kind == ("LINE", "BLOCK")
     assert report_reasons(drawing)[1] == (
         "the block SPARE of 1 entity: no INSERT places it on the sheet"
     )
@@ -275,8 +280,8 @@ def test_block_contents_take_layer_colour_and_linetype_of_their_insert() -> None
         "DASHED",
         "CONTINUOUS",
     ]
-    assert drawing.ledger.handle == ("AB", "AB/#1", "AB/#2", "AB/#3")
-    assert drawing.ledger.kind == ("INSERT", "LINE", "LINE", "LINE")
+    assert drawing.import_report.handle == ("AB", "AB/#1", "AB/#2", "AB/#3")
+    assert drawing.import_report.kind == ("INSERT", "LINE", "LINE", "LINE")
 
 
 def test_by_block_outside_of_a_block_is_colour_7() -> None:
@@ -324,7 +329,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
         "kept: places the block PART; 3 columns × 2 rows",
         "kept: drawn 6 times",
     )
-    assert_allclose(drawing.ledger.length, [0, 6])
+    assert_allclose(drawing.import_report.length, [0, 6])
 
 
 def test_mirrored_insert_turns_arcs_around() -> None:
@@ -487,7 +492,7 @@ def test_spline_of_astronomic_size_is_dropped() -> None:
         body += [(10, x), (20, y), (30, 0)]
     text = tags((0, "SPLINE"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbSpline"), *body)
     drawing = read(dxf(text, line(0, 0, 1, 0), version="AC1015"))
-    assert list(drawing.ledger.fate) == [Fate.DROPPED, Fate.KEPT]
+    assert list(drawing.import_report.outcome) == [ImportOutcome.DROPPED, ImportOutcome.KEPT]
 
 
 def test_random_damage_ends_in_a_drawing_or_a_refusal() -> None:
@@ -524,7 +529,7 @@ def test_random_damage_ends_in_a_drawing_or_a_refusal() -> None:
         else:
             outcomes["read"] += 1
             assert np.isfinite(drawing.ends).all()
-            assert set(drawing.entity.tolist()) <= set(range(len(drawing.ledger)))
+            assert set(drawing.entity.tolist()) <= set(range(len(drawing.import_report)))
     assert outcomes["read"] > 40
     assert outcomes["NotADrawing"] > 40
 
@@ -563,4 +568,4 @@ def test_same_bytes_give_the_same_drawing() -> None:
     first, second = read(data), read(data)
     assert first.ends.tobytes() == second.ends.tobytes()
     assert report_reasons(first) == report_reasons(second)
-    assert first.ledger.handle == second.ledger.handle
+    assert first.import_report.handle == second.import_report.handle

@@ -33,8 +33,8 @@ def drawing(version: str, entity: str) -> bytes:
 
 
 def read_alike(data: bytes) -> Drawing:
-    ours, judged = read_by_both(data)
-    assert difference(ours, judged) == ""
+    ours, reference = read_by_both(data)
+    assert difference(ours, reference) == ""
     assert isinstance(ours, Drawing)
     return ours
 
@@ -109,7 +109,7 @@ def test_one_entity_that_is_no_line_costs_no_line_of_the_drawing(kind: str, vers
         ezdxf.read(io.StringIO(data.decode()))  # or this test tells of nothing
     found = read_alike(data)
     assert found.ends.tolist() == [[[0, 0], [5, 0]]]
-    assert found.ledger.kind == ("LINE", kind)
+    assert found.import_report.kind == ("LINE", kind)
     assert report_reasons(found)[1] == render(REASONS[kind])
 
 
@@ -120,7 +120,7 @@ def test_nor_does_it_inside_a_block(kind: str) -> None:
     blocks = f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDSEC\n"
     found = read_alike(blocks.encode() + drawing("AC1009", insert))
     assert found.ends.tolist() == [[[7, 0], [12, 0]]]
-    assert found.ledger.kind == ("INSERT", "LINE", kind)
+    assert found.import_report.kind == ("INSERT", "LINE", kind)
 
 
 def test_a_binary_drawing_loses_no_line_either() -> None:
@@ -132,7 +132,7 @@ def test_a_binary_drawing_loses_no_line_either() -> None:
     # The point becomes a kind that ezdxf takes for a picture without size.
     found = reading.read(stream.getvalue().replace(b"POINT\0", b"IMAGE\0"), "mm")
     assert found.ends.tolist() == [[[0, 0], [5, 0]]]
-    assert found.ledger.kind == ("LINE", "IMAGE")
+    assert found.import_report.kind == ("LINE", "IMAGE")
 
 
 def test_a_polyline_that_has_but_the_first_of_its_markers_is_read() -> None:

@@ -128,8 +128,8 @@ def test_whatever_a_handle_is(handle: str) -> None:
 def test_whatever_code_page_layers_are_written_in(page: str, encoding: str, layer: str) -> None:
     header = f"9\n$DWGCODEPAGE\n3\n{page}\n0\nENDSEC\n"
     text = PLAIN.replace("0\nENDSEC\n", header, 1).replace("\nCUT\n", f"\n{layer}\n", 1)
-    found, judged = read_by_both(text.encode(encoding))
-    assert difference(found, judged) == ""
-    assert isinstance(found, Drawing)
+    ours, reference = read_by_both(text.encode(encoding))
+    assert difference(ours, reference) == ""
+    assert isinstance(ours, Drawing)
     if page not in ("GB2312", "dos850"):
-        assert found.layers[0] == ("刀线" if encoding == "ascii" else layer)
+        assert ours.layers[0] == ("刀线" if encoding == "ascii" else layer)

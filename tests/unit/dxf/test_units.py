@@ -20,7 +20,7 @@ def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None
     assert (drawing.unit, drawing.stated) == (unit, unit)
     assert str(drawing.evidence) == f"$INSUNITS = {code}"
     assert_array_equal(drawing.ends[0], [[0, 0], [2 * millimetres, 0]])
-    assert drawing.ledger.length[0] == 2 * millimetres
+    assert drawing.import_report.length[0] == 2 * millimetres
 
 
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015", "AC1027"])

@@ -21,8 +21,8 @@ POINT = 25.4 / 72.0
 
 def stands(drawing: Drawing) -> dict[str, list[float]]:
     """The boxes (mm) by the handles of the entities."""
-    rows, found = drawing.ledger.location_boxes
-    handles = list(drawing.ledger.handle)
+    rows, found = drawing.import_report.location_boxes
+    handles = list(drawing.import_report.handle)
     return {handles[row]: box for row, box in zip(rows.tolist(), found.tolist(), strict=True)}
 
 

@@ -84,17 +84,17 @@ def test_a_move_that_must_be_done_is_off_the_path() -> None:
     [PROGRAM.replace(b"G1 Z-1", b"G53 G1 Z-1"), PROGRAM.replace(b"G1 Z-1", b"G43 H1\nG1 Z-1")],
     ids=["machine coordinates", "unknown word"],
 )
-def test_a_program_that_cannot_be_followed_is_not_judged(program: bytes) -> None:
+def test_a_program_that_cannot_be_followed_is_not_checked(program: bytes) -> None:
     assert verdict(Corridor(program, START, 15), report(900, 900, 20)) is None
 
 
-def test_positions_without_a_known_work_offset_are_not_judged() -> None:
+def test_positions_without_a_known_work_offset_are_not_checked() -> None:
     corridor = Corridor(PROGRAM, START, 15)
     assert verdict(corridor, report(900, 900, 20, located=False)) is None
 
 
 @pytest.mark.parametrize("state", [State.CHECK, State.ALARM, State.JOG])
-def test_only_a_machine_that_carries_out_the_program_is_judged(state: State) -> None:
+def test_only_a_machine_that_carries_out_the_program_is_checked(state: State) -> None:
     assert verdict(Corridor(PROGRAM, START, 15), report(900, 900, 20, state=state)) is None
 
 

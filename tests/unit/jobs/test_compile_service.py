@@ -51,7 +51,7 @@ def ordered(store: Store) -> Job:
         interpretation=Interpretation("mm"),
         summary={},
         edges=b"",
-        ledger=b"",
+        import_report=b"",
     )
     return store.jobs.add(
         drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")

@@ -1,18 +1,22 @@
 from __future__ import annotations
 
+import json
 import sqlite3
 import threading
+import zlib
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
 import pytest
 import sqlalchemy as sa
 from alembic import command
 from alembic.autogenerate import compare_metadata
 from alembic.config import Config
 from alembic.migration import MigrationContext
+from numpy.testing import assert_array_equal
 from sqlalchemy import Table
 from sqlalchemy.dialects import postgresql
 from sqlalchemy.schema import CreateIndex
@@ -28,6 +32,7 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs import migrations
+from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.compile_store import ATTEMPTS
 from knifetip.jobs.gateway_store import GatewayReport
@@ -46,7 +51,7 @@ RESULT = CompileResult(
     lines=LINES,
     toolpath=b"KTIP",
     verdict=b"KTIP",
-    judged={"seconds": 12.5, "accepted": True},
+    verdict_summary={"seconds": 12.5, "accepted": True},
 )
 REFUSED = CompileResult(
     accepted=False,
@@ -56,7 +61,7 @@ REFUSED = CompileResult(
     lines=0,
     toolpath=b"",
     verdict=b"",
-    judged={"seconds": 0.0, "accepted": False},
+    verdict_summary={"seconds": 0.0, "accepted": False},
     source=["2F4"],
 )
 
@@ -93,7 +98,7 @@ def drawing(store: Store, **more: str) -> Drawing:
         interpretation=Interpretation("mm", overrides=b"\xff"),
         summary={"unit": "mm"},
         edges=b"KTIP",
-        ledger=b"",
+        import_report=b"",
         **more,
     )
 
@@ -1005,6 +1010,59 @@ def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(stor
     with pytest.raises(MachineBusy, match=job.id):
         store.gateways.claim("table", "other", manual=True)
     assert store.jobs.get(second.id).state == "queued"
+
+
+def test_a_database_with_the_former_names_of_the_import_report_keeps_its_drawings(
+    store: Store,
+) -> None:
+    job = queued(store)
+    ends = np.arange(8.0).reshape(2, 2, 2)
+    block = packed({"ends": ends, "fate": np.array([0, 2], np.uint8)}, {"fates": ["kept"]})
+    rows = [{"handle": "1F", "fate": "kept"}, {"handle": "fate", "fate": "dropped"}]
+    former: dict[str, Any] = {
+        "summary": json.dumps(
+            {
+                "unit": "mm",
+                "ledger": {"kept": 1, "merged": 0, "dropped": 1},
+                "report": {"groups": [{"fate": "dropped", "kinds": ["fate"]}]},
+            }
+        ),
+        "edges": block,
+        "ledger": zlib.compress(json.dumps(rows).encode()),
+    }
+    settings = Config()
+    settings.set_main_option("script_location", str(MIGRATIONS))
+    engine = sa.create_engine(store.database.url)
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        command.downgrade(settings, "0006")
+        connection.execute(
+            sa.text("UPDATE drawing SET summary = :summary, edges = :edges, ledger = :ledger"),
+            former,
+        )
+        command.upgrade(settings, "head")
+    row = store.drawings.get_with(job.drawing, "edges", "import_report")
+    assert row.summary == {
+        "unit": "mm",
+        "import_report": {"kept": 1, "merged": 0, "dropped": 1},
+        "report": {"groups": [{"outcome": "dropped", "kinds": ["fate"]}]},
+    }
+    assert json.loads(zlib.decompress(row.import_report)) == [
+        {"handle": "1F", "outcome": "kept"},
+        {"handle": "fate", "outcome": "dropped"},
+    ]
+    columns, meta = unpacked(row.edges)
+    assert (list(columns), meta) == (["ends", "outcome"], {"outcomes": ["kept"]})
+    assert_array_equal(columns["ends"], ends)
+    assert columns["outcome"].tolist() == [0, 2]
+    assert store.jobs.get(job.id).verdict_summary == RESULT.verdict_summary
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        command.downgrade(settings, "0006")
+        again = connection.execute(sa.text("SELECT summary, edges FROM drawing")).one()
+    engine.dispose()
+    assert json.loads(str(again[0])) == json.loads(former["summary"])
+    assert unpacked(bytes(again.edges))[1] == {"fates": ["kept"]}
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])

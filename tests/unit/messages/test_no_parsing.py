@@ -79,7 +79,7 @@ def test_no_sentence_is_parsed() -> None:
 def test_the_check_finds_each_way_of_parsing() -> None:
     ways = (
         'drawing.evidence.startswith("x")',
-        '"x" in ledger.reason[row]',
+        '"x" in import_report.reason[row]',
         're.sub("x", "", reason)',
         'PATTERN.match(row["reason"])',
         'str(error.message).partition(":")',

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
-from knifetip.model.drawing import Fate
+from knifetip.model.drawing import ImportOutcome
 from knifetip.pdf.read import read
 from tests.support.drawings import report_reasons
 from tests.support.writers.pdf_text import carton, objects, pdf, stream
@@ -195,20 +195,22 @@ def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
 def test_invalid_operands_drop_only_their_path(numbers: str, why: str) -> None:
     drawing = read(pdf(f"0 0 m {numbers} l S {LINE}"))
     assert len(drawing) == 1
-    rows = zip(drawing.ledger.kind, report_reasons(drawing), strict=True)
+    rows = zip(drawing.import_report.kind, report_reasons(drawing), strict=True)
     assert [reason for kind, reason in rows if kind == "path"] == [why, "kept"]
 
 
 @pytest.mark.parametrize("matrix", ["1 0 0 1 0 x cm", "cm", "1 0 0 cm", "(a) 0 0 1 0 0 cm"])
 def test_lines_after_an_invalid_matrix_are_dropped(matrix: str) -> None:
     drawing = read(pdf(f"q {matrix} {LINE} Q {LINE}"))
-    assert [fate for fate in drawing.ledger.fate if fate == Fate.KEPT] == [Fate.KEPT]
+    assert [
+        outcome for outcome in drawing.import_report.outcome if outcome == ImportOutcome.KEPT
+    ] == [ImportOutcome.KEPT]
 
 
 def test_operators_without_operands_are_ignored() -> None:
     given = "Q Q EMC ET Tj h W n BDC d gs SCN CS g G K cs scn Do Tf Tm TJ ' \" Td TL sh re v y c f*"
     drawing = read(pdf(given, "d0 [(a)] TJ /x /y BDC", LINE))
-    assert drawing.ledger.fate[-1] == Fate.KEPT
+    assert drawing.import_report.outcome[-1] == ImportOutcome.KEPT
 
 
 def check_result(data: bytes) -> None:
@@ -225,9 +227,9 @@ def check_result(data: bytes) -> None:
     assert np.isfinite(drawing.ends).all()
     assert (np.abs(drawing.bulge) <= 1.0).all()
     assert math.isclose(
-        drawing.ledger.length.sum(), drawing.lengths.sum(), rel_tol=1e-9, abs_tol=1e-9
+        drawing.import_report.length.sum(), drawing.lengths.sum(), rel_tol=1e-9, abs_tol=1e-9
     )
-    assert len(drawing.ledger) == len(drawing.ledger.reason)
+    assert len(drawing.import_report) == len(drawing.import_report.reason)
 
 
 WHOLE = (

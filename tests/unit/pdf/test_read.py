@@ -16,7 +16,7 @@ from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.pdf.read import read
 from knifetip.svg.read import read as read_svg
 from tests.support.drawings import report_reasons
@@ -25,11 +25,11 @@ from tests.support.writers.pdf_text import MM, bends, carton, objects, pdf, sepa
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
+    return dict(zip(drawing.import_report.handle, report_reasons(drawing), strict=True))
 
 
-def fates(drawing: Drawing) -> list[tuple[str, str]]:
-    return list(zip(drawing.ledger.kind, report_reasons(drawing), strict=True))
+def outcomes(drawing: Drawing) -> list[tuple[str, str]]:
+    return list(zip(drawing.import_report.kind, report_reasons(drawing), strict=True))
 
 
 # ── The same carton as SVG ────────────────────────────────────────────────────────────────────
@@ -65,16 +65,18 @@ def test_the_carton_equals_that_of_the_svg(layered: bool, flate: bool) -> None:
     for name in (0, 1):
         mine, theirs = (one.lengths[one.layer == name].sum() for one in (plain, as_svg))
         assert_allclose(mine, theirs, atol=1e-3)
-    assert ours.inscriptions[0].text == as_svg.inscriptions[0].text == "A carton"
-    assert_allclose(ours.inscriptions[0].height, 4.0)
-    assert_allclose((ours.inscriptions[0].x, ours.inscriptions[0].y), (20.0, 2.0))
+    assert ours.annotations[0].text == as_svg.annotations[0].text == "A carton"
+    assert_allclose(ours.annotations[0].height, 4.0)
+    assert_allclose((ours.annotations[0].x, ours.annotations[0].y), (20.0, 2.0))
 
 
 def pick(drawing: Drawing, kept: np.ndarray) -> Drawing:
     """Return the drawing with the chosen edges only."""
     columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
     given = {name: getattr(drawing, name)[kept] for name in columns}
-    rest = {name: getattr(drawing, name) for name in ("layers", "linetypes", "ledger", "unit")}
+    rest = {
+        name: getattr(drawing, name) for name in ("layers", "linetypes", "import_report", "unit")
+    }
     return Drawing(**given, **rest, evidence=Message("unit.not-given"))
 
 
@@ -151,7 +153,7 @@ def test_lines_outside_the_crop_box_are_dropped() -> None:
         )
     )
     assert_allclose(drawing.ends[0] * MM, [[10, 10], [20, 20]])
-    assert fates(drawing) == [
+    assert outcomes(drawing) == [
         ("path", "kept"),
         ("path", "it lies outside the visible area of the page"),
         ("path", "kept: part of it lies outside the visible area of the page"),
@@ -390,7 +392,7 @@ def test_a_layer_that_is_off_is_hidden(default: str, shown: list[int]) -> None:
     for row in {0, 1} - set(shown):
         name = ("Cut", "Perf")[row]
         assert report_reasons(drawing)[row] == f"it is hidden: the layer {name} is switched off"
-        assert drawing.ledger.layer[row] == name
+        assert drawing.import_report.layer[row] == name
 
 
 @pytest.mark.parametrize(
@@ -437,7 +439,7 @@ def test_a_form_is_copied_to_its_position() -> None:
         )
     )
     assert_allclose(drawing.ends * MM, [[[20, 10], [30, 10]], [[40, 10], [50, 10]]])
-    assert drawing.ledger.handle == ("Fm0/#1", "Fm0/#2")
+    assert drawing.import_report.handle == ("Fm0/#1", "Fm0/#2")
     assert drawing.layers == ("0", "CutContour")
 
 
@@ -462,7 +464,7 @@ def test_the_box_of_a_form_clips_its_content() -> None:
             more=[form("0 0 m 5 0 l S 20 20 m 30 20 l S", "/BBox [0 0 10 10]")],
         )
     )
-    assert [fate for _, fate in fates(drawing)] == [
+    assert [outcome for _, outcome in outcomes(drawing)] == [
         "kept",
         "it lies outside the visible area of the page",
     ]
@@ -485,11 +487,11 @@ def test_a_form_that_contains_itself_is_dropped() -> None:
 
 def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
-    assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
-    assert_allclose(by_row, drawing.ledger.length)
-    dropped = drawing.ledger.fate == Fate.DROPPED
-    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
+    assert_allclose(drawing.import_report.length.sum(), drawing.lengths.sum())
+    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
+    assert_allclose(by_row, drawing.import_report.length)
+    dropped = drawing.import_report.outcome == ImportOutcome.DROPPED
+    assert [drawing.import_report.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
 def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
@@ -504,7 +506,7 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
             spaces="/None [/Separation /None /DeviceGray 1 0 R]",
         )
     )
-    assert fates(drawing) == [
+    assert outcomes(drawing) == [
         ("path", "kept"),
         ("path", "a filled area without a stroke, on a page with strokes"),
         ("path", "it is only a clipping path"),
@@ -544,7 +546,7 @@ def test_only_the_first_page_is_read_and_others_are_reported() -> None:
         )
     )
     assert_allclose(drawing.lengths * MM, [9])
-    assert fates(drawing)[-1] == ("page", "only the first of 2 pages is read")
+    assert outcomes(drawing)[-1] == ("page", "only the first of 2 pages is read")
 
 
 def test_a_page_may_have_several_content_streams() -> None:
@@ -574,10 +576,10 @@ def test_texts_are_decoded_by_the_table_of_their_font() -> None:
             fonts="/F2 6 0 R /F3 8 0 R",
         )
     )
-    (words,) = drawing.inscriptions
+    (words,) = drawing.annotations
     assert words.text == "AB ß C"
     assert_allclose(np.array([words.x, words.y, words.height]) * MM, [30, 40, 20])
-    assert fates(drawing)[1] == ("text", "text is not cut, and its encoding is unknown")
+    assert outcomes(drawing)[1] == ("text", "text is not cut, and its encoding is unknown")
 
 
 def test_objects_may_be_packed_into_a_stream() -> None:

@@ -17,7 +17,7 @@ from knifetip.dxf import read as dxf
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.model.drawing import Drawing, Fate
+from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.svg.read import read
 from knifetip.units.evidence import find_unit
 from tests.support.drawings import report_reasons
@@ -25,7 +25,7 @@ from tests.support.writers.svg_text import SVG, carton, svg
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
-    return dict(zip(drawing.ledger.handle, report_reasons(drawing), strict=True))
+    return dict(zip(drawing.import_report.handle, report_reasons(drawing), strict=True))
 
 
 def only(text: str, **fields: str) -> Drawing:
@@ -343,15 +343,15 @@ def test_an_element_outside_groups_has_the_layer_of_its_own_name(names: str, lay
 
 def test_lengths_in_the_report_add_up() -> None:
     drawing = read(carton())
-    assert_allclose(drawing.ledger.length.sum(), drawing.lengths.sum())
-    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.ledger))
-    assert_allclose(by_row, drawing.ledger.length)
-    dropped = drawing.ledger.fate == Fate.DROPPED
-    assert [drawing.ledger.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
+    assert_allclose(drawing.import_report.length.sum(), drawing.lengths.sum())
+    by_row = np.bincount(drawing.entity, drawing.lengths, len(drawing.import_report))
+    assert_allclose(by_row, drawing.import_report.length)
+    dropped = drawing.import_report.outcome == ImportOutcome.DROPPED
+    assert [drawing.import_report.kind[row] for row in np.flatnonzero(dropped).tolist()] == ["text"]
 
 
 def test_texts_are_kept_as_annotations() -> None:
-    (words,) = read(carton()).inscriptions
+    (words,) = read(carton()).annotations
     assert (words.text, words.x, words.y, words.height) == ("A carton", 20.0, 2.0, 4.0)
     assert words.kind == "text"
     assert math.isnan(words.measure)
@@ -428,7 +428,7 @@ def test_use_copies_a_group_to_its_position() -> None:
         )
     )
     assert_allclose(drawing.ends, [[[20, 70], [30, 70]], [[0, 100], [0, 90]]], atol=1e-12)
-    assert drawing.ledger.handle == ("one/slit", "two/slit")
+    assert drawing.import_report.handle == ("one/slit", "two/slit")
     assert drawing.true_colour.tolist() == [0, 0xFF0000]
 
 
@@ -519,4 +519,4 @@ def test_a_prefix_for_svg_is_read_and_other_namespaces_are_omitted() -> None:
 
 def test_a_file_without_lines_is_an_empty_drawing() -> None:
     drawing = read(f"<svg {SVG}/>".encode())
-    assert len(drawing) == len(drawing.ledger) == 0
+    assert len(drawing) == len(drawing.import_report) == 0

@@ -48,9 +48,9 @@ def test_a_crease_on_a_cut_is_not_asked_about(crease: tuple[float, float, float,
     assert dieline.line_type.tolist() == 4 * [LineType.CUT] + 2 * [LineType.CREASE]
     assert dieline.rules[dieline.rule[5]].code == "classification.on-cut"
     # The cut takes it.
-    ledger = pipeline.clean(dieline)
-    assert ledger.merged[5] == pytest.approx(drawing.lengths[5])
-    assert ledger.kept[4] == pytest.approx(90.0)
+    cleaned = pipeline.clean(dieline)
+    assert cleaned.merged[5] == pytest.approx(drawing.lengths[5])
+    assert cleaned.kept[4] == pytest.approx(90.0)
 
 
 def test_a_crease_where_the_board_ends_is_asked_about() -> None:

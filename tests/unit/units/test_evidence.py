@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from knifetip.geometry.columns import F64
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.model.unit import MILLIMETRES, UnitFinding, UnitHint
 from knifetip.units import weights
 from knifetip.units.evidence import find_unit
@@ -23,8 +23,8 @@ IMPERIAL = Carton(
 )  # fmt: skip
 
 
-def text_of(text: str, measure: float = math.nan) -> Inscription:
-    return Inscription(
+def text_of(text: str, measure: float = math.nan) -> Annotation:
+    return Annotation(
         text, 0.0, 0.0, 3.0, measure, "TEXT" if math.isnan(measure) else "DIMENSION", ""
     )
 

@@ -26,9 +26,9 @@ def test_giving_a_unit_scales_ends_report_and_texts() -> None:
     silent = read(dxf(*BOX, words, units=None))
     inches = rescale(silent, "in")
     assert_allclose(inches.bounds, [0, 0, 6350, 4572])
-    assert_allclose(inches.ledger.length[:2], [6350, 4572])
-    assert inches.inscriptions[0].x == 127.0
-    assert_allclose(inches.ledger.location_boxes.box, [[127.0, 152.4, 127.0, 152.4]])
+    assert_allclose(inches.import_report.length[:2], [6350, 4572])
+    assert inches.annotations[0].x == 127.0
+    assert_allclose(inches.import_report.location_boxes.box, [[127.0, 152.4, 127.0, 152.4]])
     assert (inches.unit, str(inches.evidence)) == ("in", "given")
     assert_array_equal(inches.bulge, silent.bulge)
 
@@ -42,7 +42,7 @@ def test_points_and_pixels_are_units() -> None:
 def test_rescaling_equals_reading_in_the_unit() -> None:
     early, late = read(dxf(*BOX), "in"), rescale(read(dxf(*BOX, units=None)), "in")
     assert_array_equal(early.ends, late.ends)
-    assert_array_equal(early.ledger.length, late.ledger.length)
+    assert_array_equal(early.import_report.length, late.import_report.length)
 
 
 def test_correcting_a_unit_starts_from_file_units() -> None:

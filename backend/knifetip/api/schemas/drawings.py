@@ -10,17 +10,17 @@ from knifetip.api.schemas.common import LineTypeWord, Name, QuestionOut, Strict
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.library.custom_profiles import MAX_BYTES
 
-FateWord = Literal["kept", "merged", "dropped"]
+OutcomeWord = Literal["kept", "merged", "dropped"]
 Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
 
 
-class LedgerRow(BaseModel):
+class ImportReportRow(BaseModel):
     """Import outcome of one entity of the file."""
 
     handle: str
     kind: str
     layer: str
-    fate: FateWord
+    outcome: OutcomeWord
     reason: MessageOut
     length: float
     text: str = Field(default="", description="Content of a text entity")
@@ -53,13 +53,15 @@ class LayerOut(BaseModel):
     types: list[LineTypeWord]
 
 
-class LedgerOut(BaseModel):
+class ImportReportOut(BaseModel):
     """Import report: number of entities by outcome, and a row for each entity."""
 
     kept: int
     merged: int
     dropped: int
-    rows: list[LedgerRow] = Field(description="At most 2,000 in a drawing; all with GET …/ledger")
+    rows: list[ImportReportRow] = Field(
+        description="At most 2,000 in a drawing; all with GET …/import-report"
+    )
 
 
 class CleaningLengths(BaseModel):
@@ -87,8 +89,8 @@ class CleaningRow(MessageOut):
 
     row: int
     handle: str
-    fate: FateWord
-    why: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
+    outcome: OutcomeWord
+    reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
     into: int = Field(description="Row of the edge that is worked instead; -1 for none")
     kept: float
     merged: float
@@ -130,7 +132,7 @@ class UnitFindingOut(BaseModel):
 class ReportGroup(BaseModel):
     """Edges or entities with the same outcome and reason."""
 
-    fate: FateWord
+    outcome: OutcomeWord
     reason: MessageOut = Field(description="Of the first of them: others have their own measures")
     what: Literal["edges", "entities"] = Field(
         description="What is counted: edges of the drawing, or entities that gave no edge"
@@ -185,7 +187,7 @@ class DrawingOut(BaseModel):
     layers: list[LayerOut]
     questions: list[QuestionOut]
     overrides: int = Field(description="Number of edges with a line type set by the user")
-    ledger: LedgerOut
+    import_report: ImportReportOut
     report: ReportOut | None = Field(
         default=None, description="Null if the drawing was read by an older version"
     )
@@ -219,7 +221,7 @@ class EdgeOut(BaseModel):
     alternatives: list[LineTypeWord] = Field(
         description="Other possible line types, most likely first"
     )
-    fate: FateWord
+    outcome: OutcomeWord
     reason: str = Field(description="Why the edge was merged or dropped")
     length: float
     start: tuple[float, float]

@@ -73,7 +73,7 @@ class StyleTable:
 
 def tabulate_styles(drawing: Drawing) -> StyleTable:
     """Return the styles of a drawing: layer, colour, linetype, kind of entity and block."""
-    report = drawing.ledger
+    report = drawing.import_report
     kinds, kind = numbered(report.kind)
     blocks, block = numbered(report.block or ("",))
     entity_key = np.zeros(len(report), np.int32)

@@ -41,7 +41,7 @@ from knifetip.kernels import (
     OutU8_1,
     kernel,
 )
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.topology.coincident import coincident_edges
 from knifetip.topology.faces import Faces, trace_faces
 from knifetip.topology.intersections import MIN_CHUNK
@@ -106,7 +106,7 @@ class ShapeFeatures:
 def extract_shape_features(
     ends: F64,
     bulge: F64,
-    annotations: Sequence[Inscription] = (),
+    annotations: Sequence[Annotation] = (),
     unit_known: bool = True,
     with_folds: bool = True,
 ) -> ShapeFeatures:
@@ -158,7 +158,7 @@ class _Extraction(NamedTuple):
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
-    annotations: Sequence[Inscription]
+    annotations: Sequence[Annotation]
     unit: float
     with_folds: bool
 

@@ -17,7 +17,7 @@ from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.geometry.tolerance import GAP
 from knifetip.kernels import F64_1, F64_2, I32_1, OutBool_1, OutF64_1, OutF64_2, OutI64_1, kernel
 from knifetip.model.dieline import LineType
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 
@@ -81,7 +81,7 @@ class Measures(NamedTuple):
         faces: Faces,
         length: F64,
         box: F64,
-        annotations: Sequence[Inscription],
+        annotations: Sequence[Annotation],
         unit: float,
     ) -> Measures:
         """Return the measures of a graph's components.
@@ -181,7 +181,7 @@ def _is_type_name(text: str) -> bool:
     return len(text) <= _MAX_NAME and name_meaning(text).kind not in (None, LineType.IGNORED)
 
 
-def _text_positions(annotations: Sequence[Inscription]) -> F64:
+def _text_positions(annotations: Sequence[Annotation]) -> F64:
     """Return x, y, height and width of texts, (t, 4), sorted by x."""
     # The insertion point of a text is its lower left corner; letters are about 0.7 high wide.
     positions = np.array(
@@ -193,7 +193,7 @@ def _text_positions(annotations: Sequence[Inscription]) -> F64:
     return positions[np.argsort(positions[:, 0], kind="stable")]
 
 
-def _locate_texts(annotations: Sequence[Inscription], box: F64) -> tuple[I64, Bool]:
+def _locate_texts(annotations: Sequence[Annotation], box: F64) -> tuple[I64, Bool]:
     """Return the number of texts in each box, and whether a text is in or beside it, (c,) each."""
     positions = _text_positions(annotations)
     inside, near = np.zeros(len(box), np.int64), np.zeros(len(box), np.bool_)

@@ -21,7 +21,7 @@ from knifetip.classification.shape.measures import ComponentBoxes, Measures
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.parallel import chunks, parallel_map, parallel_pair
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_1, kernel
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 
@@ -62,7 +62,7 @@ class PartKinds:
         faces: Faces,
         length: F64,
         boxes: ComponentBoxes,
-        annotations: Sequence[Inscription],
+        annotations: Sequence[Annotation],
         unit: float,
     ) -> PartKinds:
         """Return what the components of a graph are.

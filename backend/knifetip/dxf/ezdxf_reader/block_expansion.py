@@ -40,7 +40,7 @@ IN_PAPER_SPACE: Final = Message("import.paper-space")
 class Placed(NamedTuple):
     """A shape, drawn k times: each point p at ``linear @ p + shift``."""
 
-    row: int  #: of the ledger
+    row: int  #: of the import report
     shape: Shape
     linear: F64  #: (k, 2, 2)
     shift: F64  #: (k, 2) file units

@@ -19,7 +19,7 @@ from knifetip.dxf.annotations import WORDS, of_tags
 from knifetip.dxf.encoding import encoding_of, spelled
 from knifetip.dxf.location_boxes import around
 from knifetip.geometry.columns import F64
-from knifetip.model.drawing import Inscription
+from knifetip.model.drawing import Annotation
 
 #: The first bytes of a binary DXF.
 BINARY: Final = b"AutoCAD Binary DXF\r\n\x1a\x00"
@@ -35,7 +35,7 @@ class PrescannedEntity:
     handle: str  #: empty where the file gives none
     layer: str
     paper: bool  #: whether it is in paper space
-    words: Inscription | None = None
+    words: Annotation | None = None
     box: F64 | None = None  #: (4,) around its points, see ``location_boxes``
 
 
@@ -70,7 +70,7 @@ class Prescan:
         return len(self.entities) + sum(len(block.entities) for block in self.blocks.values())
 
     @property
-    def inscriptions(self) -> tuple[Inscription, ...]:
+    def annotations(self) -> tuple[Annotation, ...]:
         """The texts in model space."""
         return tuple(one.words for one in self.entities if one.words and not one.paper)
 

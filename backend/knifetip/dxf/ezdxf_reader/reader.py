@@ -39,7 +39,7 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
     sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
     found = columns(sheet, shapes, known.scale, limits)
     found, styles = styled(found, [shape.style for shape in shapes])
-    return assemble(sheet, found, styles, counted.inscriptions, known)
+    return assemble(sheet, found, styles, counted.annotations, known)
 
 
 def _check(data: bytes, counted: Prescan, limits: Limits) -> None:

@@ -152,7 +152,7 @@ class SheetRows(NamedTuple):
     """The k entities of the sheet in file order."""
 
     entity: I64_1  #: (k,) row of each entity
-    ledger: I64_1  #: (k,) row of each in the ledger
+    report_row: I64_1  #: (k,) row of each in the import report
     first: I64_1  #: (k,) number of segments written before each
     segments: I64_1  #: (k,) number of segments that each draws itself, 0 for INSERTs
 
@@ -181,7 +181,7 @@ class SheetSegments(NamedTuple):
 
     ends: OutF64_3  #: (m, 2, 2)
     bulge: OutF64_1  #: (m,)
-    row: OutI32_1  #: (m,) row in the ledger
+    row: OutI32_1  #: (m,) row in the import report
     style: OutI32_1  #: (m,) number of the style
 
 
@@ -190,7 +190,7 @@ def place(
     sheet: SheetRows, drawn: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
 ) -> None:
     """Write all segments of the sheet in file order, those of its INSERTs transformed."""
-    rows, ledger, first_out, shown = sheet
+    rows, report_row, first_out, shown = sheet
     ends, bulge, first, style_of = drawn
     spots, source, children, move, styles = inserts
     out_ends, out_bulge, out_row, out_style = out
@@ -202,7 +202,7 @@ def place(
             for end in range(2):
                 out_ends[at, end, 0], out_ends[at, end, 1] = ends[i, end, 0], ends[i, end, 1]
             out_bulge[at] = bulge[i]
-            out_row[at] = ledger[number]
+            out_row[at] = report_row[number]
             out_style[at] = style_of[row]
             at += 1
     for number in range(len(spots)):
@@ -217,6 +217,6 @@ def place(
                     out_ends[at, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]
                     out_ends[at, end, 1] = m[1, 0] * x + m[1, 1] * y + m[1, 2]
                 out_bulge[at] = turn * bulge[i]
-                out_row[at] = ledger[spots[number]] + 1 + child
+                out_row[at] = report_row[spots[number]] + 1 + child
                 out_style[at] = styles[style + i - start]
                 at += 1

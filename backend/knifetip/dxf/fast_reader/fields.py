@@ -45,5 +45,5 @@ LAYER_NAME, LAYER_COLOUR, LAYER_TRUE, LAYER_FLAGS, LAYER_LINETYPE, LAYER_PLOT = 
 # Columns of the values: groups 10, 20, 11, 21, 40, 50, 51, 41, 42, 44, 45.
 X, Y, X2, Y2, RADIUS, ANGLE, ANGLE2, SCALE_X, SCALE_Y, SPACE_X, SPACE_Y = range(11)
 VALUES: Final = 11
-#: Those of ``inscriptions.LENGTHS``.
+#: Those of ``annotations.LENGTHS``.
 LENGTHS: Final = [X, Y, X2, Y2, RADIUS, SCALE_Y]

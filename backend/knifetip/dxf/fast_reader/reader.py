@@ -40,13 +40,13 @@ from knifetip.dxf.fast_reader.columns import (
     place,
     style_keys,
 )
-from knifetip.dxf.fast_reader.ledger_writer import (
+from knifetip.dxf.fast_reader.import_report_writer import (
     Inserts,
     Order,
     Variant,
     boxes,
-    inscriptions,
     left_out,
+    read_annotations,
     report_rows,
 )
 from knifetip.dxf.fast_reader.scan import Scan, scan
@@ -58,7 +58,7 @@ from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.tolerance import BULGE
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
-from knifetip.model.drawing import Drawing, Inscription
+from knifetip.model.drawing import Annotation, Drawing
 
 #: Columns of an entity's style.
 _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
@@ -70,7 +70,7 @@ class FastReading(NamedTuple):
     sheet: ReportRows
     columns: Columns  #: file units
     styles: list[Style]  #: of the columns
-    inscriptions: tuple[Inscription, ...]
+    annotations: tuple[Annotation, ...]
 
 
 class _AsWritten:
@@ -267,20 +267,20 @@ class FastReader:
         children[walked] = np.diff(begin, append=len(walk.sheet.handle)) - 1
         refuse_beyond(int(segments.sum()), self.limits)
 
-        ledger = np.cumsum(children + 1) - children - 1
+        report_row = np.cumsum(children + 1) - children - 1
         before = np.cumsum(segments) - segments
         there = np.arange(len(walk.sheet.handle)) + np.repeat(
-            ledger[walked] - begin, children[walked] + 1
+            report_row[walked] - begin, children[walked] + 1
         )
         move = np.empty((len(given), 2, 3))
         inserts(given, self.found.base[block], move)
         placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
-        sheet = SheetRows(rows, ledger, before, shown)
+        sheet = SheetRows(rows, report_row, before, shown)
         done, words = parallel_pair(
             lambda: self._placed(sheet, styles, int(segments.sum()), placed),
-            lambda: inscriptions(self.tables, texts),
+            lambda: read_annotations(self.tables, texts),
         )
         # An arc lies within half a chord length of its chord.
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
@@ -291,7 +291,7 @@ class FastReader:
         self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
         last = len(rows) + int(children.sum())
         idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
-        order = Order(rows, ledger, shown > 0, np.concatenate([there, idle_]))
+        order = Order(rows, report_row, shown > 0, np.concatenate([there, idle_]))
         done, known = styled(done, list(self._numbers))
         return FastReading(report_rows(self.tables, order, placed, walk.sheet), done, known, words)
 
@@ -477,4 +477,4 @@ def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:
         return None
     # The scan takes more memory than the drawing: free it before the drawing is assembled.
     del reader
-    return assemble(found.sheet, found.columns, found.styles, found.inscriptions, known)
+    return assemble(found.sheet, found.columns, found.styles, found.annotations, known)

@@ -2,7 +2,7 @@
 
     [controller] of a machine's TOML -> Plotter
 
-It contains data only: emitter and judge's reader share no computation.
+It contains data only: emitter and verifier's reader share no computation.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""ledger_writer: report rows and texts of a file that the fast reader reads, in columns.
+"""import_report_writer: report rows and texts of a file that the fast reader reads, in columns.
 
 rows of a Scan, INSERTs, expanded entities -> ReportRows
-texts and dimensions -> inscriptions
+texts and dimensions -> annotations
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from knifetip.drawing_builder.report import ReportRows, ReportWriter, SharedOutcome
-from knifetip.dxf.annotations import inscription, is_coded, of_lines, uncoded
+from knifetip.dxf.annotations import annotation, is_coded, of_lines, uncoded
 from knifetip.dxf.ezdxf_reader.block_expansion import IN_PAPER_SPACE, not_read, places
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.handle_set import paths_of
@@ -23,7 +23,7 @@ from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
-from knifetip.model.drawing import Inscription, LocationBoxes
+from knifetip.model.drawing import Annotation, LocationBoxes
 from knifetip.model.words import Repeated
 
 
@@ -51,9 +51,9 @@ class Order(NamedTuple):
     """Report rows of n entities in model space, of m rows in all."""
 
     rows: I64  #: (n,) of the Scan
-    ledger: I64  #: (n,)
+    report_row: I64  #: (n,)
     drawn: Bool  #: (n,) they are lines that are drawn in columns
-    walked: I64  #: (w,) rows of the ledger for those of what was walked through
+    walked: I64  #: (w,) rows of the import report for those of what was walked through
 
 
 def left_out(tables: Tables, row: int) -> Message | None:
@@ -81,16 +81,18 @@ def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWrit
     )
     # For entities in blocks: row, entity and INSERT.
     step = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
-    under = np.repeat(order.ledger[inserts.spot] + 1, size) + step
+    under = np.repeat(order.report_row[inserts.spot] + 1, size) + step
     inserted = np.repeat(low, size) + step
     # An expanded entity has its own row, followed by the rows of its block.
-    total = 1 + int(max(column.max(initial=-1) for column in (order.ledger, under, order.walked)))
+    total = 1 + int(
+        max(column.max(initial=-1) for column in (order.report_row, under, order.walked))
+    )
     own, insert = np.empty(total, np.int64), np.full(total, -1, np.int64)
-    own[order.ledger], own[under] = order.rows, inserted
+    own[order.report_row], own[under] = order.rows, inserted
     insert[under] = np.repeat(order.rows[inserts.spot], size)
     kind, layer = np.empty(total, np.int32), np.empty(total, np.int32)
-    kind[order.ledger], kind[under] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
-    layer[order.ledger] = entity[order.rows, f.LAYER]
+    kind[order.report_row], kind[under] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
+    layer[order.report_row] = entity[order.rows, f.LAYER]
     layer[layer < 0] = silent
     layers = [[numbers[name] for name in variant.layers] for variant in inserts.variants]
     begin = np.cumsum([0, *map(len, layers)])[inserts.variant]
@@ -104,7 +106,7 @@ def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWrit
     there = order.walked.tolist()
     left = ~order.drawn
     left[inserts.spot] = False
-    left[np.isin(order.ledger, order.walked)] = False
+    left[np.isin(order.report_row, order.walked)] = False
     spots = np.flatnonzero(left)
     handles, (alike, standing) = parallel_pair(
         lambda: paths_of(tables.handles, walk.handle, own, insert),
@@ -145,7 +147,7 @@ def _of_sheet(
     # The length of a text does not matter.
     first, kind = unique_rows(paper, sort, word, np.where(sort == f.OTHER, 0, count))
     for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
-        yield SharedOutcome(order.ledger[spots[same]], left_out(tables, int(rows[spots[spot]])))
+        yield SharedOutcome(order.report_row[spots[same]], left_out(tables, int(rows[spots[spot]])))
     of_layer = {
         layer: notes
         for layer in np.flatnonzero(np.bincount(entity[rows, f.LAYER] + 1)).tolist()
@@ -153,20 +155,20 @@ def _of_sheet(
     }
     for layer, notes in of_layer.items():
         there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
-        yield SharedOutcome(order.ledger[there], None, notes)
+        yield SharedOutcome(order.report_row[there], None, notes)
     layer = entity[rows[inserts.spot], f.LAYER]
     first, kind = unique_rows(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
         note = places(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
-        yield SharedOutcome(order.ledger[inserts.spot[same]], None, (note, *notes))
+        yield SharedOutcome(order.report_row[inserts.spot[same]], None, (note, *notes))
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
     """Yield the outcomes of entities in blocks."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
-        first = order.ledger[inserts.spot[same]] + 1
+        first = order.report_row[inserts.spot[same]] + 1
         for number, (dropped, notes) in variant.outcomes.items():
             yield SharedOutcome(first + number, dropped, notes)
 
@@ -184,7 +186,9 @@ def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxe
     """Yield the location boxes of entities in model space that are left out."""
     spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
     if len(spots):
-        yield LocationBoxes(order.ledger[spots].astype(np.int32), boxes(tables, order.rows[spots]))
+        yield LocationBoxes(
+            order.report_row[spots].astype(np.int32), boxes(tables, order.rows[spots])
+        )
 
 
 def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
@@ -199,7 +203,7 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Locat
         numbers, rows = numbers[on_model], rows[on_model]
         if not len(rows):
             continue
-        first = np.repeat(order.ledger[inserts.spot[same]] + 1, len(rows))
+        first = np.repeat(order.report_row[inserts.spot[same]] + 1, len(rows))
         move = np.repeat(inserts.move[same], len(rows), axis=0)
         box = np.tile(boxes(tables, rows), (len(same), 1))
         yield LocationBoxes(
@@ -214,7 +218,7 @@ def _grouped(kind: I64, kinds: int) -> list[I64]:
     return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
 
 
-def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
+def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
     """Return the texts in model space, those of dimensions included."""
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
@@ -234,7 +238,7 @@ def inscriptions(tables: Tables, rows: I64) -> tuple[Inscription, ...]:
     pairs = zip(kinds, texts, strict=True)
     for at in [at for at, (kind, text) in enumerate(pairs) if is_coded(kind, text)]:
         flags = int(entity[rows[at], f.FLAGS])
-        found[at] = inscription(kinds[at], layers[at], texts[at], lengths[at].tolist(), flags)
+        found[at] = annotation(kinds[at], layers[at], texts[at], lengths[at].tolist(), flags)
     for at in np.flatnonzero(entity[rows, f.ODD]).tolist():
         lines = data[slice(*entity[rows[at], [f.START, f.END]].tolist())]
         found[at] = of_lines(kinds[at], layers[at], lines, tables.encoding)

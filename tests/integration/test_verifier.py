@@ -1,4 +1,4 @@
-"""The judge against the engines: broken on purpose, each must be refused."""
+"""The verifier against the engines: broken on purpose, each must be refused."""
 
 from __future__ import annotations
 
@@ -96,16 +96,16 @@ def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch: pytest.Monk
     line = dieline((LineType.CUT, outline), (LineType.CUT, edges(((50, 50), (120, 50)))))
     machine, board = load.machine("demo-table"), load.board("greyboard-2.0")
 
-    def judged() -> Verdict:
+    def verdict_of() -> Verdict:
         operations = plan(line, machine, board)
         toolpath = sequence([compensate(operation) for operation in operations], machine)
         text = process(toolpath, machine, "grblhal").text
         return verify(text, line, (0.0, 0.0), machine, board)
 
-    assert judged().accepted
+    assert verdict_of().accepted
     right = original(knife, "trimmed")
     monkeypatch.setattr(knife, "trimmed", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
-    finding = judged().findings[0]
+    finding = verdict_of().findings[0]
     assert (finding.kind, finding.edge) == ("overcut", 4)
     # 2.3 mm of board and mat, blade at 10°.
     assert finding.measure == pytest.approx(2.3 * 0.17633, abs=1e-3)

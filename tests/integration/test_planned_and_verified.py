@@ -26,7 +26,7 @@ ROUND = edges(((100, 200), (300, 200)), ((300, 200), (100, 200)))
 CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
 
 
-def judged(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdict:
+def verdict_of(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdict:
     board = replace(BOARD, **asked)
     operations = plan(line, machine, board)
     toolpath = sequence([compensate(operation) for operation in operations], machine)
@@ -42,7 +42,7 @@ def test_a_groove_that_meets_the_edge_at_any_angle(degrees: float, step: float) 
     # From 40 mm inside, or less, to the top edge.
     share = min(1.0, 200.0 / max(reach, 1.0))
     groove = edges(((start, 300 - 40 * share), (start + reach * share, 300)))
-    verdict = judged(dieline(OUTLINE, (GROOVE, groove)), groove_pass=step)
+    verdict = verdict_of(dieline(OUTLINE, (GROOVE, groove)), groove_pass=step)
     assert verdict.accepted, verdict.findings[:2]
 
 
@@ -65,7 +65,7 @@ PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), 
 def test_a_groove_that_ends_at_a_corner_of_the_board(
     outline: tuple[LineType, F64], groove: tuple[tuple[int, int], tuple[int, int]]
 ) -> None:
-    verdict = judged(dieline(outline, (GROOVE, edges(groove))))
+    verdict = verdict_of(dieline(outline, (GROOVE, edges(groove))))
     assert verdict.accepted, verdict.findings[:2]
 
 
@@ -80,7 +80,7 @@ def test_a_groove_that_does_not_run_out_into_a_notch_is_refused(
         return 0.0 * size, on_edge
 
     monkeypatch.setattr(groove_operations, "run_out_lengths", stopped)
-    assert not judged(line).accepted
+    assert not verdict_of(line).accepted
 
 
 @pytest.mark.parametrize("factor", [0.0, 0.8])
@@ -88,7 +88,7 @@ def test_a_groove_that_does_not_run_out_far_enough_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((200, 200), (300, 300)))))
-    assert judged(line).accepted
+    assert verdict_of(line).accepted
     right = original(groove_operations, "run_out_lengths")
 
     def short(*args: object) -> tuple[F64, Bool]:
@@ -96,12 +96,12 @@ def test_a_groove_that_does_not_run_out_far_enough_is_refused(
         return factor * size, on_edge
 
     monkeypatch.setattr(groove_operations, "run_out_lengths", short)
-    assert not judged(line).accepted
+    assert not verdict_of(line).accepted
 
 
 def test_a_curved_groove_within_the_error_that_the_board_allows() -> None:
     line = dieline(OUTLINE, (GROOVE, edges(((120, 150), (380, 150)))), bulge={4: 0.1})
-    assert judged(line, groove_curve=0.1).accepted
+    assert verdict_of(line, groove_curve=0.1).accepted
 
 
 @pytest.mark.parametrize(
@@ -115,14 +115,14 @@ def test_a_curved_groove_within_the_error_that_the_board_allows() -> None:
 )
 def test_a_part_held_by_bridges(contour: F64, bulge: dict[int, float]) -> None:
     line = dieline((CUT, contour), bulge=bulge)
-    verdict = judged(line, bridge_width=0.8, bridge_spacing=200.0)
+    verdict = verdict_of(line, bridge_width=0.8, bridge_spacing=200.0)
     assert verdict.accepted, verdict.findings[:2]
 
 
 def test_an_outline_begun_and_ended_in_the_waste() -> None:
     knife = with_dimensions(MACHINE.stations[0].tool, lead_in=5.0, lead_out=5.0)
     stations = (replace(MACHINE.stations[0], tool=knife), *MACHINE.stations[1:])
-    verdict = judged(dieline(OUTLINE), replace(MACHINE, stations=stations))
+    verdict = verdict_of(dieline(OUTLINE), replace(MACHINE, stations=stations))
     assert verdict.accepted, verdict.findings[:2]
 
 
@@ -136,7 +136,7 @@ def test_creases_crossed_dashed_and_drawn_twice(apart: float) -> None:
         (CREASE, edges(((150, 250), (250, 280)))),
         (CUT, edges(((200, 235), (200, 285)))),
     )
-    verdict = judged(line, double_crease=apart)
+    verdict = verdict_of(line, double_crease=apart)
     assert verdict.accepted, verdict.findings[:2]
 
 
@@ -156,13 +156,13 @@ def test_dashes_shorter_than_the_setback_are_one_crease(
     row: tuple[int, float, float], short: str
 ) -> None:
     # The wheel stands back by 5.1 mm from either end of all of them.
-    verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease=short)
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease=short)
     assert verdict.accepted, verdict.findings[:2]
 
 
 @pytest.mark.parametrize("row", [(2, 3.0, 3.0), (10, 3.0, 4.6), (5, 1.0, 1.0)], ids=str)
 def test_short_creases_and_short_rows_of_dashes_are_pressed(row: tuple[int, float, float]) -> None:
-    verdict = judged(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease="press")
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease="press")
     assert verdict.accepted, verdict.findings[:2]
 
 
@@ -180,16 +180,16 @@ def test_short_creases_and_short_rows_of_dashes_are_pressed(row: tuple[int, floa
 )
 def test_dashes_and_a_cut(cut: tuple[tuple[float, int], ...]) -> None:
     line = dieline(OUTLINE, (CREASE, dashes(10, 4.0, 3.0)), (CUT, edges(*pairwise(cut))))
-    verdict = judged(line)
+    verdict = verdict_of(line)
     assert verdict.accepted, verdict.findings[:2]
 
 
 def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.MonkeyPatch) -> None:
     cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))
-    assert judged(line).accepted
+    assert verdict_of(line).accepted
     right = original(crease_operations, "split_at_cuts")
     monkeypatch.setattr(
         crease_operations, "split_at_cuts", lambda paths, *_: right(paths, cut[:0], cut[:0, 0, 0])
     )
-    assert not judged(line).accepted
+    assert not verdict_of(line).accepted

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from knifetip import pipeline
-from knifetip.jobs.ledger import inscribed, listed
+from knifetip.jobs.import_report import inscribed, listed
 from tests.support.writers import dxf_text as text
 
 
@@ -44,6 +44,6 @@ def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets() -> None:
         )
     )
     found = inscribed(drawing)
-    assert [(drawing.ledger.handle[row], one.text) for row, one in found.items()] == [
-        (drawing.ledger.handle[max(found)], "sheet")
+    assert [(drawing.import_report.handle[row], one.text) for row, one in found.items()] == [
+        (drawing.import_report.handle[max(found)], "sheet")
     ]

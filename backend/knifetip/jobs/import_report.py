@@ -1,6 +1,6 @@
 """The import report as rows of JSON data, with locations and texts.
 
-    Drawing -> rows: handle, kind, layer, fate, reason, length, box; text and place
+    Drawing -> rows: handle, kind, layer, outcome, reason, length, box; text and place
 
 Entities with edges are located by their edges.  Texts, hatches and other entities without edges
 have a bounding box; texts also have their content and height.
@@ -14,9 +14,9 @@ from typing import Any
 
 from knifetip.jobs.report import said
 from knifetip.messages import Message
-from knifetip.model.drawing import Drawing, Fate, Inscription
+from knifetip.model.drawing import Annotation, Drawing, ImportOutcome
 
-_FATES = {fate.value: fate.name.lower() for fate in Fate}
+_OUTCOMES = {outcome.value: outcome.name.lower() for outcome in ImportOutcome}
 #: Cached, since kinds, layers and reasons repeat.
 _said = lru_cache(maxsize=4096)(said)
 _as_json = lru_cache(maxsize=4096)(Message.as_json)
@@ -24,28 +24,30 @@ _as_json = lru_cache(maxsize=4096)(Message.as_json)
 
 def listed(drawing: Drawing) -> list[dict[str, Any]]:
     """Return the import report of a drawing, one row per entity in file order."""
-    ledger = drawing.ledger
+    import_report = drawing.import_report
     rows: list[dict[str, Any]] = [
         {
             "handle": said(handle),
             "kind": _said(kind),
             "layer": _said(layer),
-            "fate": _FATES[fate],
+            "outcome": _OUTCOMES[outcome],
             "reason": _as_json(reason),
             "length": round(length, 6),
         }
-        for handle, kind, layer, fate, reason, length in zip(
-            ledger.handle,
-            ledger.kind,
-            ledger.layer,
-            ledger.fate.tolist(),
-            ledger.reason,
-            ledger.length.tolist(),
+        for handle, kind, layer, outcome, reason, length in zip(
+            import_report.handle,
+            import_report.kind,
+            import_report.layer,
+            import_report.outcome.tolist(),
+            import_report.reason,
+            import_report.length.tolist(),
             strict=True,
         )
     ]
     for row, box in zip(
-        ledger.location_boxes.rows.tolist(), ledger.location_boxes.box.tolist(), strict=True
+        import_report.location_boxes.rows.tolist(),
+        import_report.location_boxes.box.tolist(),
+        strict=True,
     ):
         rows[row]["box"] = [round(side, 6) for side in box]
     for row, found in inscribed(drawing).items():
@@ -53,24 +55,24 @@ def listed(drawing: Drawing) -> list[dict[str, Any]]:
     return rows
 
 
-def inscribed(drawing: Drawing) -> dict[int, Inscription]:
+def inscribed(drawing: Drawing) -> dict[int, Annotation]:
     """Return the texts of a drawing by their row of the import report.
 
     Texts have no handle, so they are matched by file order within each kind and layer.  If the two
     counts differ, none of that kind and layer is matched: a wrong location is worse than none.
     """
-    ledger = drawing.ledger
-    words: dict[tuple[str, str], list[Inscription]] = defaultdict(list)
-    for one in drawing.inscriptions:
+    import_report = drawing.import_report
+    words: dict[tuple[str, str], list[Annotation]] = defaultdict(list)
+    for one in drawing.annotations:
         words[one.kind, one.layer].append(one)
     rows: dict[tuple[str, str], list[int]] = defaultdict(list)
-    for row, named in enumerate(zip(ledger.kind, ledger.layer, strict=True)):
+    for row, named in enumerate(zip(import_report.kind, import_report.layer, strict=True)):
         # Entities of a block have the locations of its references.
         if (
             named in words
-            and "/" not in ledger.handle[row]
-            and not (ledger.block and ledger.block[row])
-            and ledger.reason[row].code != "import.paper-space"
+            and "/" not in import_report.handle[row]
+            and not (import_report.block and import_report.block[row])
+            and import_report.reason[row].code != "import.paper-space"
         ):
             rows[named].append(row)
     return {
