@@ -20,7 +20,7 @@ from shutil import copyfile
 
 import numpy as np
 
-from knifetip.compensation.corner import durations, lengths
+from knifetip.compensation.corner import corner_durations, corner_lengths
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
@@ -191,7 +191,7 @@ def table(rows: list[Row], version: str) -> str:
         smoother += d.touch < b.touch
         lost += d.cycle > b.cycle
         count = len(shape.turns)
-        model = 1000.0 * durations(
+        model = 1000.0 * corner_durations(
             np.radians(shape.turns), radius, np.full(count, KNOB), feed / 60.0, ACCELERATION
         ).sum(axis=0)
         expected = [model[Corner.C] - model[Corner.B], model[Corner.D] - model[Corner.B]]
@@ -256,7 +256,7 @@ def check(rows: list[Row]) -> None:
     """Refuse to write figures down that contradict the lengths of the patent's table."""
     for row in rows:
         turn = np.radians(row.shape.turns)
-        around = lengths(turn, row.radius, np.full(len(turn), KNOB))[:, row.corner].sum()
+        around = corner_lengths(turn, row.radius, np.full(len(turn), KNOB))[:, row.corner].sum()
         assert abs(row.way - SIDE * len(turn) - around) < 1e-6
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.compensation import radius
-from knifetip.compensation.radius import Centres
+from knifetip.compensation.radius import CentrePaths
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.library import load
@@ -66,12 +67,14 @@ def test_a_cutter_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) 
         return right(paths, distance, -side, **more)
 
     monkeypatch.setattr(radius, "offset_paths", wrong)
-    monkeypatch.setattr(radius, "_with_leads", lambda _operation, _cutter, way, _held: _bare(way))
+    monkeypatch.setattr(
+        radius, "_add_leads", lambda _operation, _cutter, way, _held: _without_leads(way)
+    )
     assert not verdict().accepted
 
 
-def _bare(way: Centres) -> tuple[Paths, I32, U8]:
-    return way.paths, way.segment, radius._all(Motion.FEED, way.segment)
+def _without_leads(centre: CentrePaths) -> tuple[Paths, I32, U8]:
+    return centre.paths, centre.segment, np.full(len(centre.segment), Motion.FEED, np.uint8)
 
 
 def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is_not(
@@ -127,12 +130,12 @@ def test_a_blank_held_by_bridges_is_accepted(
 def test_bridges_that_are_too_narrow_or_too_wide_are_refused(
     monkeypatch: pytest.MonkeyPatch, wrong: float
 ) -> None:
-    right = original(radius, "interrupted")
+    right = original(radius, "insert_gaps")
 
     def gapped(paths: Paths, path: I32, middle: F64, gap: float) -> Any:
         return right(paths, path, middle, gap + wrong)
 
-    monkeypatch.setattr(radius, "interrupted", gapped)
+    monkeypatch.setattr(radius, "insert_gaps", gapped)
     result = verdict_of(dieline(OUTLINE), HELD)
     kind = "uncut" if wrong > 0 else "overcut"
     found = next(finding for finding in result.findings if finding.kind == kind)
@@ -143,12 +146,14 @@ def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     line = dieline(OUTLINE)
-    monkeypatch.setattr(radius, "_with_bridges", lambda _operation, _cutter, way: (way, _none(way)))
+    monkeypatch.setattr(
+        radius, "_add_bridge_gaps", lambda _operation, _cutter, way: (way, _none(way))
+    )
     assert "0 bridges hold the part" in verdict_of(line, HELD).findings[0].text
     assert verdict_of(line).accepted
 
 
-def _none(way: Centres) -> Bool:
+def _none(way: CentrePaths) -> Bool:
     return way.paths.closed & False
 
 

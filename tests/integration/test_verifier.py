@@ -50,8 +50,8 @@ def test_a_v_cutter_whose_d_or_r_is_wrong_by_a_fiftieth_is_refused(
 
 
 def test_a_head_on_the_wrong_side_of_the_groove_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = original(vgroove, "right")
-    monkeypatch.setattr(vgroove, "right", lambda vectors: -right(vectors))
+    right = original(vgroove, "right_normal")
+    monkeypatch.setattr(vgroove, "right_normal", lambda vectors: -right(vectors))
     assert not verdict(RIGID).accepted
 
 
@@ -86,8 +86,10 @@ def test_c_turning_the_wrong_way_on_the_v_cutter_is_refused(
 def test_a_wheel_set_back_too_little_or_too_much_is_refused(
     monkeypatch: pytest.MonkeyPatch, factor: float
 ) -> None:
-    right = crease.setback
-    monkeypatch.setattr(crease, "setback", lambda depth, wheel: factor * right(depth, wheel))
+    right = crease.half_contact_length
+    monkeypatch.setattr(
+        crease, "half_contact_length", lambda depth, wheel: factor * right(depth, wheel)
+    )
     assert not verdict(TRAY).accepted
 
 
@@ -103,8 +105,8 @@ def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch: pytest.Monk
         return verify(text, line, (0.0, 0.0), machine, board)
 
     assert verdict_of().accepted
-    right = original(knife, "trimmed")
-    monkeypatch.setattr(knife, "trimmed", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
+    right = original(knife, "trim_ends")
+    monkeypatch.setattr(knife, "trim_ends", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
     finding = verdict_of().findings[0]
     assert (finding.kind, finding.edge) == ("overcut", 4)
     # 2.3 mm of board and mat, blade at 10°.

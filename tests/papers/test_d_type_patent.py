@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from knifetip.compensation.corner import extension, lengths
+from knifetip.compensation.corner import corner_lengths, d_type_shape
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
@@ -54,9 +54,9 @@ def test_the_table_of_lengths(
 ) -> None:
     turn, k = np.radians([degrees]), np.array([0.5])
     np.testing.assert_allclose(
-        lengths(turn, radius, k), radius * np.array([[b, c, d]]), atol=6e-5 * radius
+        corner_lengths(turn, radius, k), radius * np.array([[b, c, d]]), atol=6e-5 * radius
     )
-    got = extension(turn, radius, k)
+    got = d_type_shape(turn, radius, k)
     np.testing.assert_allclose(
         np.ravel(got), radius * np.array([straight, bend]), atol=6e-5 * radius
     )
@@ -120,7 +120,7 @@ def test_claim_d_is_longer_than_b_and_shorter_than_c(
     assert b < d < c
     assert d == pytest.approx((1.0 - k) * b + k * c, rel=1e-9)
     np.testing.assert_allclose(
-        lengths(np.radians([degrees]), radius, np.array([k])), [[b, c, d]], rtol=1e-9
+        corner_lengths(np.radians([degrees]), radius, np.array([k])), [[b, c, d]], rtol=1e-9
     )
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.compensation.deflection import deflection, fit_deflection, programmed_centre
+from knifetip.compensation.deflection import deflection_at, fit_deflection, programmed_centre
 from knifetip.errors import CompensationError
 
 STEEP = np.array([[3.0, 4.0]])  # f′ 3, g′ 4: sin a 0.8, cos a 0.6
@@ -17,30 +17,30 @@ THIRTY = np.array([[3.0**0.5, 1.0]])  # sin a 0.5, cos a 0.8660254
 
 def test_6_where_the_contour_runs_along_y_the_tool_gives_way_in_x_alone() -> None:
     np.testing.assert_allclose(
-        deflection(np.array([[0.0, 1.0]]), 1, 0.1, 0.05), [[-0.1, 0.0]], atol=1e-15
+        deflection_at(np.array([[0.0, 1.0]]), 1, 0.1, 0.05), [[-0.1, 0.0]], atol=1e-15
     )
 
 
 def test_7_between_them_it_gives_way_by_sine_and_cosine() -> None:
     # 0.1 sin 30° = 0.05 and 0.05 cos 30° = 0.0433.
     np.testing.assert_allclose(
-        deflection(THIRTY, 1, 0.1, 0.05), [[-0.05, 0.0433012702]], atol=1e-10
+        deflection_at(THIRTY, 1, 0.1, 0.05), [[-0.05, 0.0433012702]], atol=1e-10
     )
 
 
 def test_8_where_it_runs_along_x_the_tool_gives_way_in_y_alone() -> None:
     np.testing.assert_allclose(
-        deflection(np.array([[1.0, 0.0]]), 1, 0.1, 0.05), [[0.0, 0.05]], atol=1e-15
+        deflection_at(np.array([[1.0, 0.0]]), 1, 0.1, 0.05), [[0.0, 0.05]], atol=1e-15
     )
 
 
 def test_9_any_curve_by_its_derivative_with_the_misprint_mended() -> None:
     # −0.1 · 4/5 and 0.05 · 3/5; the paper's printed ΔXmax cos a would give 0.06.
-    np.testing.assert_allclose(deflection(STEEP, 1, 0.1, 0.05), [[-0.08, 0.03]], atol=1e-15)
+    np.testing.assert_allclose(deflection_at(STEEP, 1, 0.1, 0.05), [[-0.08, 0.03]], atol=1e-15)
 
 
 def test_9_on_the_other_side_the_tool_is_pushed_the_other_way() -> None:
-    np.testing.assert_allclose(deflection(STEEP, -1, 0.1, 0.05), [[0.08, -0.03]], atol=1e-15)
+    np.testing.assert_allclose(deflection_at(STEEP, -1, 0.1, 0.05), [[0.08, -0.03]], atol=1e-15)
 
 
 def test_10_one_measured_point_gives_the_largest_deflections() -> None:
@@ -52,7 +52,7 @@ def test_10_one_measured_point_gives_the_largest_deflections() -> None:
 def test_11_12_from_one_measured_point_to_every_other() -> None:
     # (12): ΔXe = ΔX₀ sin a / sin a₀ = −0.02 · 0.8 / 0.5, ΔYe = 0.0433 · 0.6 / 0.866.
     x, y = fit_deflection(THIRTY, np.array([[-0.02, 0.0433012702]]), 1)
-    np.testing.assert_allclose(deflection(STEEP, 1, x, y), [[-0.032, 0.03]], atol=1e-10)
+    np.testing.assert_allclose(deflection_at(STEEP, 1, x, y), [[-0.032, 0.03]], atol=1e-10)
 
 
 def test_12_is_singular_where_the_paper_divides_by_nothing() -> None:

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from knifetip.compensation.deflection import programmed_centre
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import azimuth, left, unit
-from knifetip.geometry.curve import Ellipse
-from knifetip.geometry.path import Paths, chained
+from knifetip.geometry.azimuth import azimuth, left_normal, unit_vectors
+from knifetip.geometry.ellipse import Ellipse
+from knifetip.geometry.path import Paths, path_through
 from knifetip.offset.offset_paths import offset_paths
 
 QUARTER = np.tan(np.pi / 8)
@@ -44,11 +44,11 @@ def test_1_keeps_the_quadrant_that_tan_a_forgets() -> None:
 @pytest.mark.parametrize(("df", "dg"), [(3.0, 4.0), (-3.0, 4.0), (-3.0, -4.0), (3.0, -4.0)])
 def test_2_cosine_and_sine_have_the_signs_of_the_derivative(df: float, dg: float) -> None:
     # The paper's 1 / √(1 + tan² a) would be +0.6 in all four.
-    np.testing.assert_allclose(unit(np.array([[df, dg]])), [[df / 5, dg / 5]], atol=1e-15)
+    np.testing.assert_allclose(unit_vectors(np.array([[df, dg]])), [[df / 5, dg / 5]], atol=1e-15)
 
 
 def test_3_the_normal_is_minus_sine_and_cosine() -> None:
-    np.testing.assert_allclose(left(np.array([0.6, 0.8])), [-0.8, 0.6], atol=1e-15)
+    np.testing.assert_allclose(left_normal(np.array([0.6, 0.8])), [-0.8, 0.6], atol=1e-15)
 
 
 def test_4_the_centre_is_r_along_the_normal() -> None:
@@ -79,7 +79,7 @@ def test_5_at_three_points_of_the_ellipse_by_hand() -> None:
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_5_a_line_is_shifted(side: int) -> None:
-    paths = chained(np.array([[0.0, 0.0], [30.0, 40.0]]), np.zeros(1))
+    paths = path_through(np.array([[0.0, 0.0], [30.0, 40.0]]), np.zeros(1))
     beside = offset_paths(paths, 5.0, side).paths
     np.testing.assert_allclose(beside.start, [[-4.0 * side, 3.0 * side]], atol=1e-12)
     np.testing.assert_allclose(beside.end, [[30 - 4.0 * side, 40 + 3.0 * side]], atol=1e-12)
@@ -88,7 +88,7 @@ def test_5_a_line_is_shifted(side: int) -> None:
 @pytest.mark.parametrize(("side", "size"), [(1, 7.0), (-1, 13.0)])
 def test_5_an_arc_keeps_its_centre_and_gains_or_loses_r(side: int, size: float) -> None:
     # A quarter to the left about (0, 10): its left is the centre's side.
-    paths = chained(np.array([[0.0, 0.0], [10.0, 10.0]]), np.array([QUARTER]))
+    paths = path_through(np.array([[0.0, 0.0], [10.0, 10.0]]), np.array([QUARTER]))
     beside = offset_paths(paths, 3.0, side).paths
     np.testing.assert_allclose(arc.radius(beside.start, beside.end, beside.bulge), size)
     np.testing.assert_allclose(
@@ -100,7 +100,7 @@ def test_5_an_arc_keeps_its_centre_and_gains_or_loses_r(side: int, size: float) 
 @pytest.mark.parametrize("side", [1, -1])
 def test_5_a_fitted_ellipse_offset_as_arcs_lies_on_the_paper_s_curve(side: int) -> None:
     # Fitted within 0.001 mm, then moved by r: no farther from (5) than the fit, in the normal.
-    start, end, bulge = ELLIPSE.fitted(0.001)
+    start, end, bulge = ELLIPSE.to_segments(0.001)
     paths = Paths(start, end, bulge, np.array([0, len(bulge)]))
     beside = offset_paths(paths, 3.0, side).paths
     points = arc.points_along(beside.start, beside.end, beside.bulge, 9).reshape(-1, 2)
@@ -132,5 +132,5 @@ def test_inside_corners_are_shortened_to_where_the_equidistants_meet(degrees: fl
     # East for 40, then left by φ, tool on the left: r tan(φ/2) is lost before the corner.
     a = radians(degrees)
     xy = np.array([[0.0, 0.0], [40.0, 0.0], [40 + 40 * cos(a), 40 * sin(a)]])
-    beside = offset_paths(chained(xy, np.zeros(2)), 3.0, 1).paths
+    beside = offset_paths(path_through(xy, np.zeros(2)), 3.0, 1).paths
     np.testing.assert_allclose(beside.end[0], [40 - 3 * np.tan(a / 2), 3.0], atol=1e-9)

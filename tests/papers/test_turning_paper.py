@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from knifetip.compensation.vgroove import sideways_move
 from knifetip.errors import CompensationError
-from knifetip.geometry.leaving import run_out
+from knifetip.geometry.run_out import corner_run_outs
 from knifetip.model.tool import TipCircle, VCutter
 from knifetip.sequencing.air_moves import (
     interference,
@@ -27,23 +27,28 @@ from knifetip.sequencing.air_moves import (
 
 def test_1_a_track_square_to_the_edge_needs_no_more_way() -> None:
     # Both corners cross together.
-    assert run_out(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0])).max() == 0.0
+    assert (
+        corner_run_outs(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0])).max()
+        == 0.0
+    )
 
 
 def test_1_at_45_degrees_the_later_corner_is_half_the_width_behind() -> None:
     # W = 6, n · m = sin 45°, u · m = cos 45°: 3 mm.
     u = np.array([[sqrt(0.5), sqrt(0.5)]])
-    assert run_out(u, np.array([[1.0, 0.0]]), np.array([6.0])).max() == pytest.approx(3.0)
+    assert corner_run_outs(u, np.array([[1.0, 0.0]]), np.array([6.0])).max() == pytest.approx(3.0)
 
 
 def test_1_at_60_degrees_from_square_it_is_tan_60_times_half_the_width() -> None:
     u = np.array([[0.5, -sqrt(0.75)]])
-    assert run_out(u, np.array([[1.0, 0.0]]), np.array([2.0])).max() == pytest.approx(1.7320508)
+    assert corner_run_outs(u, np.array([[1.0, 0.0]]), np.array([2.0])).max() == pytest.approx(
+        1.7320508
+    )
 
 
 def test_1_along_the_edge_there_is_no_answer() -> None:
     with pytest.raises(CompensationError, match=r"leaves the board at 90\.00°"):
-        run_out(np.array([[0.0, 1.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))
+        corner_run_outs(np.array([[0.0, 1.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))
 
 
 @settings(deadline=None, max_examples=500)
@@ -54,7 +59,7 @@ def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(
     m = np.array([cos(radians(edge)), sin(radians(edge))])
     u = np.array([cos(radians(edge + off)), sin(radians(edge + off))])
     n = np.array([-u[1], u[0]])
-    extra = run_out(u[None], m[None], np.array([width])).max()
+    extra = corner_run_outs(u[None], m[None], np.array([width])).max()
     # The edge runs through the origin, where the middle of the tool crosses it.
     corners = [(extra * u + side * width / 2.0 * n) @ m for side in (-1, 1)]
     assert min(corners) == pytest.approx(0.0, abs=1e-9)

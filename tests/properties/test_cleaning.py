@@ -107,7 +107,7 @@ def split(line: Dieline, row: int, shares: list[float]) -> Dieline:
     start, end, bulge = (
         np.repeat(x[[row]], n, axis=0) for x in (line.ends[:, 0], line.ends[:, 1], line.bulge)
     )
-    a, b, bent = arc.part(start, end, bulge, places[:-1], places[1:])
+    a, b, bent = arc.sub_arc(start, end, bulge, places[:-1], places[1:])
     pieces = np.stack([a, b], axis=1)[::-1]
     keep = np.arange(len(line)) != row
     return drawn(

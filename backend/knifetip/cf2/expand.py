@@ -22,7 +22,7 @@ from knifetip.drawing_builder.report import ReportWriter, too_far
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.curve import each
+from knifetip.geometry.curve import fit_many
 from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
@@ -464,4 +464,4 @@ def _fit_ellipses(
         result: F64 = way * (np.cos(t) * v[k] - np.sin(t) * u[k]) @ linear.T
         return result
 
-    return each(point, tangent, len(arcs), tolerance)
+    return fit_many(point, tangent, len(arcs), tolerance)

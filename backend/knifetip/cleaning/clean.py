@@ -93,7 +93,7 @@ class _Work:
         start, finish, bent = drawn.ends[row, 0], drawn.ends[row, 1], drawn.bulge[row]
         on, bow = self.ends[edge], self.bulge[edge]
         from_, to = (
-            arc.nearest(on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, share))
+            arc.nearest_fraction(on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, share))
             for share in (begin, end)
         )
         # One row for every part into which the edge of a stretch was split.
@@ -371,7 +371,7 @@ def _off(
     for share in (0.0, 0.25, 0.5, 0.75, 1.0):
         place = low[some] + share * (high[some] - low[some])
         point = arc.point_at(start, end, bent, place)
-        along = arc.nearest(at[:, 0], at[:, 1], to, point)
+        along = arc.nearest_fraction(at[:, 0], at[:, 1], to, point)
         gap = point - arc.point_at(at[:, 0], at[:, 1], to, along)
         np.maximum.at(off, row[some], np.hypot(*gap.T))
     return off

@@ -21,7 +21,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.cleaning.end_points import CROWD, EndPoints
-from knifetip.geometry.chain import outward
+from knifetip.geometry.chain import outward_directions
 from knifetip.geometry.columns import F64, U8, Bool
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, SAME
 from knifetip.geometry.union_find import find, union
@@ -58,7 +58,7 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -
         points,
         bulge,
         kind.astype(np.int64),
-        outward(ends, bulge).reshape(-1, 2),
+        outward_directions(ends, bulge).reshape(-1, 2),
         place,
         near[order],
         settled,

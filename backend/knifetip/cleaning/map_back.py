@@ -66,7 +66,7 @@ def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> S
     on = cleaned.dieline.ends[target]
     to = cleaned.dieline.bulge[target]
     first, last = (
-        arc.nearest(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, share[own]))
+        arc.nearest_fraction(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, share[own]))
         for share in (parts.begin, parts.end)
     )
     low, high = np.minimum(first, last), np.maximum(first, last)

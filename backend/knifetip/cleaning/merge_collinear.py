@@ -18,7 +18,7 @@ import numpy as np
 
 from knifetip.cleaning.end_points import EndPoints
 from knifetip.geometry import arc
-from knifetip.geometry.chain import walked
+from knifetip.geometry.chain import follow_links
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.tolerance import BULGE, GAP, JOIN, SAME
 from knifetip.kernels import (
@@ -71,7 +71,7 @@ def merge_collinear(
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
     fine = length < FINE
     link = _continuations(met.place, met.near, kind, fine, curves_only)
-    order, flipped, first, round_ = walked(link)
+    order, flipped, first, round_ = follow_links(link)
     rows = np.column_stack([ends.reshape(-1, 4), bulge])
     begin, code, off = _split_runs(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
     size = np.diff(np.append(begin, count))

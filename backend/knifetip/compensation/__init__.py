@@ -1,1 +1,1 @@
-"""Compensation engines, one per tool kind: head paths with which the tip follows the line."""
+"""Tool compensation: compute the head's path from the tip's path, one engine per kind of tool."""

@@ -1,7 +1,4 @@
-"""calibration: the deflection of a cutter in a board, from a measured test cut.
-
-azimuths, measured points -> Calibration
-"""
+"""calibration: fit the deflection of a cutter in a board to a measured test cut."""
 
 from __future__ import annotations
 
@@ -15,35 +12,36 @@ from knifetip.compensation import deflection
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """The deflection of a cutter in a board."""
+    """Deflection of a cutter in a board, fitted to a test cut."""
 
-    x: float  #: δx (mm)
-    y: float  #: δy (mm)
-    residual: float  #: largest distance of a measured point from what δx and δy predict (mm)
+    x: float  #: δx, deflection along X (mm)
+    y: float  #: δy, deflection along Y (mm)
+    residual: float  #: largest distance of a measured point from its prediction (mm)
 
 
 def calibrate(
     azimuth: Sequence[float], measured: Sequence[tuple[float, float]], side: int = 1
 ) -> Calibration:
-    """Return the deflection of a cutter, fitted to points on a contour that it has cut.
+    """Return the deflection of a cutter, fitted to measured points of a contour that it has cut.
 
     Parameters
     ----------
     azimuth : (m,) degrees
-        Direction of travel along the contour at each point, 0 along X.
-    measured : (m,) of (ΔX, ΔY) in mm
-        Position of the cut contour at each point, minus its position in the drawing.
+        Direction of travel along the contour at each measured point; 0 is along +X.
+    measured : (m,) pairs (ΔX, ΔY), mm
+        Measured position of the cut contour at each point minus its position in the drawing.
     side
-        +1 if the cutter ran on the left of travel, as in knifetip's programs; -1 on the right.
+        +1 if the cutter ran on the left of travel, as in knifetip's programs; -1 if on the right.
 
     Raises
     ------
     CompensationError
-        The points do not determine the deflection; the hint names what else to measure.
+        The points do not determine the deflection; the hint names the points to measure in
+        addition.
     """
     angle = np.radians(np.array(azimuth, np.float64))
     tangent = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    moved = np.array(measured, np.float64).reshape(-1, 2)
-    x, y = deflection.fit_deflection(tangent, moved, side)
-    off = moved - deflection.deflection(tangent, side, x, y)
-    return Calibration(x, y, float(np.hypot(*off.T).max()))
+    displacement = np.array(measured, np.float64).reshape(-1, 2)
+    x, y = deflection.fit_deflection(tangent, displacement, side)
+    error = displacement - deflection.deflection_at(tangent, side, x, y)
+    return Calibration(x, y, float(np.hypot(*error.T).max()))

@@ -1,13 +1,13 @@
-"""corner: the type of each convex corner of a cutter's path, and its duration.
-
-    Operation[DiscTool] -> type (n,) and knob k (n,) of the corner at the start of each segment
+"""corner: choose the type of each convex corner of a cutter's path.
 
 Type B is an arc that stays in contact with the corner; C is two or three lines with a stop at each
-bend; D is line, arc, line, without stop or contact.  "auto" selects the fastest type for each
-corner on this machine, and B only if its contact is short enough not to burn the corner.
+bend; D is a line, an arc and a line, without a stop or contact.  The parameter k of type D goes
+from 0 (equal to B) to 1 (equal to C).  The policy "auto" selects the fastest type for each corner
+on the machine, and B only if its contact is short enough not to burn the corner.
 
-Source: radius compensation patent of Dalian Jiaotong University (B, C and D types); the times are
-our derivation: trapezoidal, with a stop where the direction jumps and v² ≤ a r′ on an arc.
+Source: radius compensation patent of Dalian Jiaotong University (B, C and D types); the durations
+are our derivation: trapezoidal speed profiles, with a stop at each jump of direction and
+v² ≤ a r′ on arcs.
 """
 
 from __future__ import annotations
@@ -25,25 +25,27 @@ from knifetip.model.operation import Operation
 from knifetip.model.tool import DiscTool
 from knifetip.offset.transition import Corner
 
-#: Largest turn with two lines (extension); beyond it a third line is inserted (radians).
-_SQUARE: Final = np.pi / 2.0
-#: Smallest knob: below it a D corner is practically a B corner.
-_LEAST: Final = 0.05
+#: Largest turn for which type C has two lines; beyond it a third line is inserted (radians).
+_RIGHT_ANGLE: Final = np.pi / 2.0
+#: Smallest useful k: a D corner with a smaller k is practically a B corner.
+_MIN_K: Final = 0.05
 _AUTO: Final = TYPES.index("auto")
-#: Smallest turn of a corner (radians).
-_STRAIGHT: Final = 1e-9
+#: Smallest turn that counts as a corner (radians).
+_MIN_TURN: Final = 1e-9
 
 
-def turns(paths: Paths, side: int) -> F64:
-    """Return the turn φ at the start of each segment (radians), > 0 if convex for the tool.
+def turn_angles(paths: Paths, side: int) -> F64:
+    """Return the turn φ at the start of each segment, (n,) radians, > 0 if convex for the tool.
 
-    With u1 the tangent in and u2 out, φ = atan2(−σ u1 × u2, u1 · u2).  Where an open path begins
-    there is no corner, and φ is 0.
+    With u1 the tangent into the corner and u2 the tangent out of it,
+    φ = atan2(−σ u1 × u2, u1 · u2).  φ is 0 at the start of an open path.
 
     Parameters
     ----------
+    paths
+        Contours with n segments in total.
     side
-        σ, +1 with the tool left of travel, −1 right.
+        σ, +1 if the tool is left of travel, −1 if right.
     """
     ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
     first, last = paths.first[:-1], paths.first[1:] - 1
@@ -54,63 +56,84 @@ def turns(paths: Paths, side: int) -> F64:
     return angle
 
 
-def extension(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
-    """Return l and r′ of the D type (mm): a line of length l, an arc of radius r′, a line again.
+def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
+    """Return the length l of both lines and the radius r′ of the arc of D corners, (n,) mm each.
 
     l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond; r′ = r − l cot(φ/2).
 
     Parameters
     ----------
     turn : (n,) radians, in (0, π]
+        Turn φ of each corner.
     radius : mm
+        Radius r of the cutter.
     k : (n,), in [0, 1]
+        0 gives a B corner, 1 a C corner.
     """
-    b, c = arc_length(turn, radius), line_length(turn, radius)
+    b, c = b_type_length(turn, radius), c_type_length(turn, radius)
     half = turn / 2.0
     cotangent = np.cos(half) / np.sin(half)
-    wide = turn > _SQUARE
+    wide = turn > _RIGHT_ANGLE
     gentle = k * radius * np.tan(np.where(wide, 0.0, half))
     sharp = k * (c - b) / np.where(wide, 2.0 - turn * cotangent, 1.0)
     straight: F64 = np.where(wide, sharp, gentle)
     return straight, radius - straight * cotangent
 
 
-def arc_length(turn: F64, radius: float) -> F64:
-    """Return L_B = r φ (mm)."""
+def b_type_length(turn: F64, radius: float) -> F64:
+    """Return the path length of B corners, L_B = r φ, (n,) mm, for turns φ (n,) in radians."""
     return radius * turn
 
 
-def line_length(turn: F64, radius: float) -> F64:
-    """Return L_C (mm): 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond."""
+def c_type_length(turn: F64, radius: float) -> F64:
+    """Return the path length L_C of C corners, (n,) mm, for turns φ (n,) in radians.
+
+    L_C = 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond, with r the ``radius`` in mm.
+    """
     half = turn / 2.0
-    wide = turn > _SQUARE
+    wide = turn > _RIGHT_ANGLE
     bend = 2.0 * radius * np.tan(np.where(wide, 0.0, half))
     chord = 2.0 * radius * (1.0 + np.sin(half) - np.cos(half))
     length: F64 = np.where(wide, chord, bend)
     return length
 
 
-def lengths(turn: F64, radius: float, k: F64) -> F64:
-    """Return the path lengths of types B, C and D (mm), (n, 3); arguments as ``extension``."""
-    straight, bend = extension(turn, radius, k)
+def corner_lengths(turn: F64, radius: float, k: F64) -> F64:
+    """Return the path length of each corner as type B, C and D, (n, 3) mm.
+
+    The arguments are those of ``d_type_shape``.
+    """
+    straight, bend = d_type_shape(turn, radius, k)
     return np.stack(
-        [arc_length(turn, radius), line_length(turn, radius), 2.0 * straight + bend * turn], axis=1
+        [b_type_length(turn, radius), c_type_length(turn, radius), 2.0 * straight + bend * turn],
+        axis=1,
     )
 
 
 def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> F64:
-    """Return the contact time of type B at each corner (s); C and D leave it at once."""
-    duration: F64 = arc_length(turn, radius) / _round(
+    """Return the time for which a cutter touches each corner in type B, (n,) s.
+
+    Types C and D leave the corner at once.
+
+    Parameters
+    ----------
+    turn : (n,) radians
+    radius : mm
+    feed : mm/s
+    acceleration : mm/s²
+    """
+    duration: F64 = b_type_length(turn, radius) / _arc_speed(
         np.full(len(turn), radius), feed, acceleration
     )
     return duration
 
 
-def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
-    """Return the duration of each corner as type B, C and D (s), (n, 3).
+def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
+    """Return the duration of each corner as type B, C and D, (n, 3) s.
 
-    It counts the path from B₀ to E₀ and the time lost by slowing down before it and speeding up
-    after it: (v − w)² / (2 a v) for each change between feed v and speed w.
+    The duration includes the path around the corner, from B₀ to E₀, and the time lost by slowing
+    down before it and speeding up after it: (v − w)² / (2 a v) for each change between feed v and
+    speed w.
 
     Parameters
     ----------
@@ -119,50 +142,51 @@ def durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float
     k : (n,), in [0, 1]
     feed : mm/s
     acceleration : mm/s²
-        Along the path and across it; infinite to count lengths only.
+        Along the path and across it; infinite to compare lengths only.
     """
-    way = lengths(turn, radius, k)
-    straight, bend = extension(turn, radius, k)
+    length = corner_lengths(turn, radius, k)
+    straight, bend = d_type_shape(turn, radius, k)
 
-    def changed(speed: F64) -> F64:
+    def time_lost(speed: F64) -> F64:
+        """Return the time lost by slowing from the feed to a speed and back (s)."""
         lost: F64 = (feed - speed) ** 2 / (acceleration * feed)
         return lost
 
-    on_b = _round(np.full(len(turn), radius), feed, acceleration)
-    on_d = _round(bend, feed, acceleration)
-    b = way[:, 0] / on_b + changed(on_b)
-    d = 2.0 * straight / feed + bend * turn / on_d + changed(on_d)
-    # Beyond 90° there are two bends with a stop at each.
-    between = np.where(turn > _SQUARE, way[:, 1] - 2.0 * radius, 0.0)
+    speed_b = _arc_speed(np.full(len(turn), radius), feed, acceleration)
+    speed_d = _arc_speed(bend, feed, acceleration)
+    b = length[:, 0] / speed_b + time_lost(speed_b)
+    d = 2.0 * straight / feed + bend * turn / speed_d + time_lost(speed_d)
+    # Beyond 90° type C has two bends with a stop at each.
+    between = np.where(turn > _RIGHT_ANGLE, length[:, 1] - 2.0 * radius, 0.0)
     reached = between >= feed**2 / acceleration
     stopped = np.where(
         reached,
         between / feed + np.where(between > 0.0, feed / acceleration, 0.0),
         2.0 * np.sqrt(between / acceleration),
     )
-    c = (way[:, 1] - between) / feed + changed(np.zeros(len(turn))) + stopped
+    c = (length[:, 1] - between) / feed + time_lost(np.zeros(len(turn))) + stopped
     return np.stack([b, c, d], axis=1)
 
 
-def _round(radius: F64, feed: float, acceleration: float) -> F64:
-    """Return the speed on arcs (mm/s): v ≤ √(a r′)."""
+def _arc_speed(radius: F64, feed: float, acceleration: float) -> F64:
+    """Return the speed on arcs of the given radii, (n,) mm/s: the feed, at most √(a r′)."""
     if acceleration == np.inf:
         return np.full(len(radius), feed)
     speed: F64 = np.minimum(feed, np.sqrt(acceleration * np.maximum(radius, 0.0)))
     return np.maximum(speed, 1e-9)
 
 
-def corners(operation: Operation) -> tuple[U8, F64]:
-    """Return the type and the knob of the corner at the start of each segment, both (n,).
+def select_corner_types(operation: Operation) -> tuple[U8, F64]:
+    """Return the type and the parameter k of the corner at the start of each segment, both (n,).
 
     "auto" selects the type with the shortest duration, and B only if its contact is not longer than
-    the cutter's ``dwell``.  Its knob is limited so that type D keeps the feed where possible:
-    k ≤ 1 − v² / (a r), so that r′ ≥ v² / a up to 90°.
+    the cutter's ``dwell``.  It limits the k of the operation so that type D keeps the feed if
+    possible: k ≤ 1 − v² / (a r), so that r′ ≥ v² / a up to 90°.
 
     Raises
     ------
     CompensationError
-        The corner policy is none of B, C, D and auto, or a knob is outside 0 … 1.
+        The corner type of the operation is none of B, C, D and auto, or a k is outside 0 … 1.
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
@@ -186,16 +210,16 @@ def corners(operation: Operation) -> tuple[U8, F64]:
     if not auto.any():
         return kind, k
     feed, acceleration = operation.feed / 60.0, operation.acceleration
-    asked = k
-    spare = feed**2 / (acceleration * cutter.radius)
-    if 1.0 - spare > _LEAST:
-        k = np.where(np.isnan(operation.k_at), np.minimum(k, 1.0 - spare), operation.k_at)
+    requested_k = k
+    loss = feed**2 / (acceleration * cutter.radius)
+    if 1.0 - loss > _MIN_K:
+        k = np.where(np.isnan(operation.k_at), np.minimum(k, 1.0 - loss), operation.k_at)
     chosen = np.full(count, Corner.B, np.uint8)
-    turn = turns(operation.paths, operation.side)
-    rows = np.flatnonzero(turn > _STRAIGHT)
-    took = durations(turn[rows], cutter.radius, k[rows], feed, acceleration)
+    turn = turn_angles(operation.paths, operation.side)
+    rows = np.flatnonzero(turn > _MIN_TURN)
+    duration = corner_durations(turn[rows], cutter.radius, k[rows], feed, acceleration)
     if cutter.dwell > 0.0:
-        burns = contact_time(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
-        took[burns, Corner.B] = np.inf
-    chosen[rows] = np.argmin(took, axis=1).astype(np.uint8)
-    return np.where(auto, chosen, kind), np.where(auto, k, asked)
+        too_long = contact_time(turn[rows], cutter.radius, feed, acceleration) > cutter.dwell
+        duration[too_long, Corner.B] = np.inf
+    chosen[rows] = np.argmin(duration, axis=1).astype(np.uint8)
+    return np.where(auto, chosen, kind), np.where(auto, k, requested_k)

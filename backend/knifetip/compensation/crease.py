@@ -1,9 +1,7 @@
-"""crease: stop the wheel before free ends, so that nothing is creased beyond them.
+"""crease: stop a crease wheel before free ends, so that it creases nothing beyond them.
 
-    Operation[CreaseWheel] -> Toolpath, one track along every path
-
-A wheel of radius R pressed in by δ touches the board over ± s, s² = δ(2R − δ).  At a free end it
-must stop s plus the board's end clearance before the end.
+A wheel of radius R pressed into the board by δ touches it over a length of 2 s, s² = δ(2R − δ).
+At a free end it must stop by s plus the end clearance of the board before the end.
 
 Source: Yang, Du, Shu & Qian, section 1 ("simple compensation of the tool based on the depth of the
 indentation, in order to prevent the over-cutting"); s is our derivation.
@@ -13,37 +11,37 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.compensation.tracks import Strokes, headings, raised
+from knifetip.compensation.tracks import Strokes, at_height, headings
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry.columns import F64, I32
-from knifetip.geometry.path import point_along, taken, trimmed
+from knifetip.geometry.path import point_along, select_paths, trim_ends
 from knifetip.geometry.tolerance import POINT
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import CreaseWheel
 from knifetip.model.toolpath import Toolpath
 
 
-def setback(depth: F64, wheel: CreaseWheel) -> F64:
-    """Return s, half the contact length of the wheel (mm), for depths (mm).
+def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
+    """Return s, half the contact length of a wheel with the board, (n,) mm, for depths δ (n,) mm.
 
-    s = √(δ(2R − δ)): 3.4409 mm at R 15 mm and δ 0.4 mm.
+    s = √(δ(2R − δ)) with R the radius of the wheel: 3.4409 mm for R 15 mm and δ 0.4 mm.
     """
     result: F64 = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     return result
 
 
-def depth_that_fits(half: F64, wheel: CreaseWheel) -> F64:
-    """Return the depth (mm) at which half the contact length is ``half`` (mm)."""
-    reach = np.clip(half, 0.0, wheel.radius)
+def depth_at_contact(half_length: F64, wheel: CreaseWheel) -> F64:
+    """Return the depth at which half the contact length is ``half_length``, (n,) mm each."""
+    reach = np.clip(half_length, 0.0, wheel.radius)
     result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
     return result
 
 
-def crease(operation: Operation) -> Toolpath:
-    """Return the toolpath that creases every path, set back at its free ends.
+def crease_toolpath(operation: Operation) -> Toolpath:
+    """Return the toolpath of a crease wheel along every path, set back at free ends.
 
-    A path too short for the setback is pressed in place at a smaller depth, or refused; the board
-    defines which.
+    A path too short for the setback is pressed in one position at a smaller depth, or refused,
+    depending on the ``short_crease`` setting of the board.
 
     Raises
     ------
@@ -58,45 +56,48 @@ def crease(operation: Operation) -> Toolpath:
     clear = operation.end_clearance
     free_start, free_end = operation.start == End.FREE, operation.finish == End.FREE
     first, last = paths.first[:-1], paths.first[1:] - 1
-    at_start = np.where(free_start, setback(depth[first], wheel) + clear, 0.0)
-    at_end = np.where(free_end, setback(depth[last], wheel) + clear, 0.0)
+    at_start = np.where(free_start, half_contact_length(depth[first], wheel) + clear, 0.0)
+    at_end = np.where(free_end, half_contact_length(depth[last], wheel) + clear, 0.0)
     fits = length - at_start - at_end > 10.0 * POINT
     rolled = np.flatnonzero(fits).astype(np.int32)
     short = np.flatnonzero(~fits).astype(np.int32)
 
-    way, rows = taken(paths, rolled)
-    way, kept = trimmed(way, at_start[rolled], at_end[rolled])
+    rolled_paths, rows = select_paths(paths, rolled)
+    rolled_paths, kept = trim_ends(rolled_paths, at_start[rolled], at_end[rolled])
     rows = rows[kept]
-    c_start, c_end = headings(way)
+    c_start, c_end = headings(rolled_paths)
     z = operation.caliper - depth[rows]
     begins = np.zeros(len(rows), np.bool_)
-    begins[way.first[:-1]] = True
+    begins[rolled_paths.first[:-1]] = True
     height = operation.caliper + operation.clearance
-    start_pose = np.column_stack([way.start, z, c_start])
-    end_pose = np.column_stack([way.end, z, c_end])
+    start_pose = np.column_stack([rolled_paths.start, z, c_start])
+    end_pose = np.column_stack([rolled_paths.end, z, c_end])
     rolling = Strokes(
         start=start_pose,
         end=end_pose,
-        bulge=way.bulge,
+        bulge=rolled_paths.bulge,
         down=begins,
         up=np.roll(begins, -1),
-        track=rolled[way.path_of],
+        track=rolled[rolled_paths.path_of],
         source=operation.source[rows],
-        above_start=raised(start_pose, height),
-        above_end=raised(end_pose, height),
+        above_start=at_height(start_pose, height),
+        above_end=at_height(end_pose, height),
     )
     return rolling.merged_with(_presses(operation, wheel, short)).to_toolpath(operation)
 
 
 def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
-    """Return presses for short paths: midway between free ends, or at the continued end."""
-    paths, _ = taken(operation.paths, short)
+    """Return a press for each path in ``short``.
+
+    It is midway between two free ends, or at the end that is not free.
+    """
+    paths, _ = select_paths(operation.paths, short)
     free_start = operation.start[short] == End.FREE
     free_end = operation.finish[short] == End.FREE
     length = paths.lengths
-    place = np.where(free_start & free_end, length / 2.0, np.where(free_start, length, 0.0))
+    position = np.where(free_start & free_end, length / 2.0, np.where(free_start, length, 0.0))
     half = np.where(free_start & free_end, length / 2.0, length) - operation.end_clearance
-    xy, heading, segment = point_along(paths, place)
+    xy, heading, segment = point_along(paths, position)
     rows = operation.paths.first[:-1][short] + segment - paths.first[:-1]
     bad = np.flatnonzero((half <= POINT) | (operation.short_crease == "refuse"))
     if len(bad):
@@ -109,7 +110,7 @@ def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
             clearance=operation.end_clearance,
             source=[str(row) for row in listed[:10]],
         )
-    depth = np.minimum(depth_that_fits(half, wheel), operation.depth[rows, 0])
+    depth = np.minimum(depth_at_contact(half, wheel), operation.depth[rows, 0])
     pose = np.column_stack([xy, operation.caliper - depth, heading])
     once = np.ones(len(short), np.bool_)
     height = operation.caliper + operation.clearance
@@ -123,6 +124,6 @@ def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
         up=once,
         track=short,
         source=operation.source[rows],
-        above_start=raised(start_pose, height),
-        above_end=raised(end_pose, height),
+        above_start=at_height(start_pose, height),
+        above_end=at_height(end_pose, height),
     )

@@ -1,7 +1,5 @@
 """deflection: compensate the deflection of a cutter under load by aiming deeper into the board.
 
-    centre paths, δx, δy -> centre paths        measured points -> δx, δy
-
 A contour that runs at angle a pushes the cutter off it by Δ = σ (−δx sin a, δy cos a), so the
 centre is programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: that is, every point of
 the offset moves by −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
@@ -18,44 +16,69 @@ import numpy as np
 
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE
 
 #: Least Σ sin² to determine δx, and Σ cos² to determine δy: one point within 13° of the axis.
-_LEAST: Final = 0.05
+_MIN_WEIGHT: Final = 0.05
 #: Largest negative deflection that is taken for a measuring error (mm).
-_NOISE: Final = 0.01
-#: Largest jump of direction at which shifted neighbours still meet (radians).
-_SMOOTH: Final = 1e-7
-#: Measured: a biarc deviates from an elliptical arc of sweep φ by |a − b| φ³ divided by this.
-_ERROR: Final = 40.0
-#: Tolerance of fitted elliptical arcs (mm).
-FITTED: Final = 0.0005
+_MAX_NEGATIVE: Final = 0.01
+#: Largest jump of direction that keeps shifted neighbours connected (radians).
+_MIN_JUMP: Final = 1e-7
+#: A biarc deviates from an elliptical arc with half axes a and b and sweep φ by |a − b| φ³ / this
+#: number; measured.
+_BIARC_ERROR: Final = 40.0
+#: Default tolerance of arcs fitted to elliptical arcs (mm).
+FIT_TOLERANCE: Final = 0.0005
 
 
-def deflection(tangent: F64, side: int, x: float, y: float) -> F64:
-    """Return the deflection of the cutter, (n, 2) mm, for tangents (n, 2) of any length.
+def deflection_at(tangent: F64, side: int, x: float, y: float) -> F64:
+    """Return the deflection of a cutter, (n, 2) mm, for tangents (n, 2) of any length.
 
     Δ = σ (−δx sin a, δy cos a): radius paper, eqs 6–9; its eq 9 prints ΔXmax instead of ΔYmax.
+
+    Parameters
+    ----------
+    tangent : (n, 2)
+        Directions of travel, at azimuth a.
+    side
+        σ, +1 if the cutter is left of travel, −1 if right.
+    x, y : mm
+        δx, δy.
     """
-    pushed: F64 = side * np.array([x, y]) * left(unit(tangent))
-    return pushed
+    displacement: F64 = side * np.array([x, y]) * left_normal(unit_vectors(tangent))
+    return displacement
 
 
 def programmed_centre(
     point: F64, tangent: F64, side: int, radius: float, x: float, y: float
 ) -> F64:
-    """Return the centre, (n, 2) mm, that cuts the part at points (n, 2) with tangents (n, 2).
+    """Return where to program the centre of a cutter to cut given contour points, (n, 2) mm.
 
     P + σ diag(r − δx, r − δy) n, eq 5 less eq 11.
+
+    Parameters
+    ----------
+    point : (n, 2) mm
+        P, points of the contour.
+    tangent : (n, 2)
+        Directions of travel at the points.
+    side
+        σ, +1 if the cutter is left of travel, −1 if right.
+    radius, x, y : mm
+        r, δx, δy.
     """
-    return point + side * radius * left(unit(tangent)) - deflection(tangent, side, x, y)
+    return (
+        point
+        + side * radius * left_normal(unit_vectors(tangent))
+        - deflection_at(tangent, side, x, y)
+    )
 
 
 def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
-    """Return δx and δy (mm) from the deflection at one or more points, by least squares.
+    """Return δx and δy (mm), fitted by least squares to the deflection at one or more points.
 
     ::
 
@@ -66,11 +89,11 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
     Parameters
     ----------
     tangent : (m, 2)
-        Of the contour at the measured points, in the direction of travel.
+        Tangents of the contour at the measured points, in the direction of travel.
     measured : (m, 2) mm
-        ΔX, ΔY: actual position of the cutter minus the intended one.
+        ΔX, ΔY: actual position of the cutter minus the intended position.
     side
-        σ, +1 with the cutter left of travel, −1 right.
+        σ, +1 if the cutter is left of travel, −1 if right.
 
     Raises
     ------
@@ -80,77 +103,81 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
     """
     if len(tangent) == 0 or not (np.isfinite(tangent).all() and np.isfinite(measured).all()):
         raise CompensationError("calibration.bad-points", count=len(tangent))
-    cos, sin = unit(tangent).T
+    cos, sin = unit_vectors(tangent).T
     weight = np.array([(sin * sin).sum(), (cos * cos).sum()])
     for axis, direction, other in ((0, "Y", "δx"), (1, "X", "δy")):
-        if weight[axis] < _LEAST:
+        if weight[axis] < _MIN_WEIGHT:
             along = "X" if axis == 0 else "Y"
             raise CompensationError(
                 "calibration.undetermined",
                 along=along,
                 other=other,
                 weight=weight[axis],
-                least=_LEAST,
+                least=_MIN_WEIGHT,
                 direction=direction,
             )
     sums = side * np.array([-(measured[:, 0] * sin).sum(), (measured[:, 1] * cos).sum()])
     x, y = (sums / weight).tolist()
-    if min(x, y) < -_NOISE:
+    if min(x, y) < -_MAX_NEGATIVE:
         raise CompensationError("calibration.wrong-sign", x=x, y=y)
     return max(x, 0.0), max(y, 0.0)
 
 
 def shift_centres(
-    paths: Paths, side: int, x: float, y: float, tolerance: float = FITTED
+    paths: Paths, side: int, x: float, y: float, tolerance: float = FIT_TOLERANCE
 ) -> tuple[Paths, I32]:
-    """Return centre paths aimed deeper by the deflection, and the segment of each new one.
+    """Return centre paths aimed deeper by the deflection, and the input segment of each segment.
 
     Valid for corner types B, C and D: only the direction of travel of the centre matters, which is
-    that of the contour wherever the cutter touches it.  Where the direction jumps, at a bend of
-    type C or in an inside corner, neighbours are extended or trimmed to their intersection.
+    the direction of the contour wherever the cutter touches it.  At jumps of direction (a bend of
+    type C, an inside corner), neighbours are extended or trimmed to their intersection.
 
     Parameters
     ----------
     paths
-        Offsets: the paths of the cutter's centre.
+        Offsets of the contours: paths of the cutter's centre.
     side
-        σ, +1 with the cutter left of travel, −1 right.
+        σ, +1 if the cutter is left of travel, −1 if right.
     x, y : mm
         δx, δy.
     tolerance : mm
-        Of arcs that are fitted to elliptical arcs.
+        Largest distance of the returned arcs from the exact elliptical arcs.
 
     Raises
     ------
     CompensationError
-        A segment is too short, or an arc too tight, for the deflection.
+        A segment is too short, or the radius of an arc too small, for the deflection.
     """
     if (x == 0.0 and y == 0.0) or len(paths.bulge) == 0:
         return paths, np.arange(len(paths.bulge), dtype=np.int32)
-    ways = _Ways(paths, side, x, y)
-    low, high = ways.met(paths)
-    rows, start, end, bulge = ways.arcs(low, high, abs(x - y), tolerance)
+    shifted = _ShiftedSegments(paths, side, x, y)
+    low, high = shifted.intersect_neighbours(paths)
+    rows, start, end, bulge = shifted.to_arcs(low, high, abs(x - y), tolerance)
     count = np.bincount(paths.path_of[rows], minlength=len(paths))
     first = np.concatenate([[0], np.cumsum(count)])
-    # Neighbours meet within rounding: let them share the same point exactly.
-    onward = np.arange(1, len(rows) + 1)
-    onward[first[1:] - 1] = np.where(paths.closed, first[:-1], -1)
-    end[onward >= 0] = start[onward[onward >= 0]]
+    # Neighbours meet within rounding; make their common point exactly equal.
+    successor = np.arange(1, len(rows) + 1)
+    successor[first[1:] - 1] = np.where(paths.closed, first[:-1], -1)
+    end[successor >= 0] = start[successor[successor >= 0]]
     return Paths(start, end, bulge, first), rows.astype(np.int32)
 
 
-class _Ways:
-    """n shifted segments by parameter: mm along a line, the angle of an elliptical arc."""
+class _ShiftedSegments:
+    """Segments of centre paths, shifted by the deflection, as lines and elliptical arcs.
+
+    The parameter t of a segment is mm along a line, or the angle of an elliptical arc in radians.
+    """
 
     def __init__(self, paths: Paths, side: int, x: float, y: float) -> None:
         start, end, bulge = paths.start, paths.end, paths.bulge
         self.curved: Bool = np.abs(bulge) >= BULGE
         ahead, _ = arc.tangents(start, end, bulge)
-        self.ahead = unit(ahead)
-        self.origin = start - deflection(ahead, side, x, y)
+        self.ahead = unit_vectors(ahead)
+        self.origin = start - deflection_at(ahead, side, x, y)
         radius = np.where(self.curved, arc.radius(start, end, bulge), 0.0)
         middle = np.where(self.curved[:, None], arc.centre(start, end, bulge), 0.0)
-        # n points away from the centre for an arc to the right, towards it for one to the left.
+        # The left normal points away from the centre of a right-hand arc, towards that of a left
+        # one.
         outward = side * np.sign(bulge)
         self.half = radius[:, None] + outward[:, None] * np.array([x, y])
         tight = self.curved & (self.half <= 0.0).any(axis=1)
@@ -170,6 +197,7 @@ class _Ways:
         self.high = self.low + along
 
     def point(self, row: I32, t: F64) -> F64:
+        """Return the points of the segments ``row`` (m,) at parameters t (m,), (m, 2) mm."""
         cos, sin = np.cos(t), np.sin(t)
         turned = self.middle[row] + self.half[row] * np.column_stack([cos, sin])
         straight = self.origin[row] + self.ahead[row] * t[:, None]
@@ -177,12 +205,17 @@ class _Ways:
         return result
 
     def slope(self, row: I32, t: F64) -> F64:
+        """Return the derivatives by t of the segments ``row`` (m,) at parameters t (m,), (m, 2)."""
         turned = self.half[row] * np.column_stack([-np.sin(t), np.cos(t)])
         result: F64 = np.where(self.curved[row, None], turned, self.ahead[row])
         return result
 
-    def met(self, paths: Paths) -> tuple[F64, F64]:
-        """Return the parameters of start and end of each segment at which neighbours meet."""
+    def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
+        """Return the parameters of each segment at its start and end, (n,) each.
+
+        If the direction jumps at a joint, they are the parameters of the intersection of the
+        neighbours.
+        """
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
         first, last = paths.first[:-1], paths.first[1:] - 1
@@ -190,9 +223,9 @@ class _Ways:
         before[first] = np.where(paths.closed, last, -1)
         after = np.flatnonzero(before >= 0)
         before = before[after]
-        u, v = unit(arriving[before]), unit(ahead[after])
+        u, v = unit_vectors(arriving[before]), unit_vectors(ahead[after])
         jump = np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1))
-        jumps = np.abs(jump) > _SMOOTH
+        jumps = np.abs(jump) > _MIN_JUMP
         before, after = before[jumps].astype(np.int32), after[jumps].astype(np.int32)
         a, b = high[before].copy(), low[after].copy()
         gap = np.zeros((len(a), 2))
@@ -206,21 +239,38 @@ class _Ways:
             b += (gap[:, 0] * p[:, 1] - gap[:, 1] * p[:, 0]) / area
         high[before], low[after] = a, b
         gap = self.point(after, b) - self.point(before, a)
-        lost = np.zeros(len(low), np.bool_)
-        lost[after[~(np.hypot(*gap.T) < 1e-9)]] = True
-        lost |= (high - low) * (self.high - self.low) <= 0.0
-        if lost.any():
-            row = int(np.argmax(lost))
+        failed = np.zeros(len(low), np.bool_)
+        failed[after[~(np.hypot(*gap.T) < 1e-9)]] = True
+        failed |= (high - low) * (self.high - self.low) <= 0.0
+        if failed.any():
+            row = int(np.argmax(failed))
             place = paths.start[row]
             raise CompensationError("deflection.path-too-short", x=place[0], y=place[1])
         return low, high
 
-    def arcs(
-        self, low: F64, high: F64, uneven: float, tolerance: float
+    def to_arcs(
+        self, low: F64, high: F64, difference: float, tolerance: float
     ) -> tuple[I32, F64, F64, F64]:
-        """Return lines and arcs: segment, start, end and bulge of each."""
+        """Return the segments between two parameters as lines and circular arcs.
+
+        Parameters
+        ----------
+        low, high : (n,)
+            Parameters at the start and the end of each segment.
+        difference : mm
+            |δx − δy|, the difference of the half axes of the elliptical arcs.
+        tolerance : mm
+            Largest distance of the arcs from the exact curves.
+
+        Returns
+        -------
+        row : (m,)
+            Segment that each line or arc belongs to.
+        start, end : (m, 2) mm
+        bulge : (m,)
+        """
         sweep = np.where(self.curved, np.abs(high - low), 0.0)
-        longest = np.cbrt(_ERROR * tolerance / max(uneven, 1e-12))
+        longest = np.cbrt(_BIARC_ERROR * tolerance / max(difference, 1e-12))
         # One bulge covers at most half a turn; a biarc halves it again.
         pieces = np.maximum(np.ceil(sweep / min(longest, np.pi / 2.0)), 1.0).astype(np.int64)
         row = np.repeat(np.arange(len(low), dtype=np.int32), pieces)
@@ -229,7 +279,10 @@ class _Ways:
         t = low[row] + step * place
         a, b = self.point(row, t), self.point(row, t + step)
         sign = np.where(self.curved[row], np.sign(step), 1.0)[:, None]
-        u, v = unit(sign * self.slope(row, t)), unit(sign * self.slope(row, t + step))
+        u, v = (
+            unit_vectors(sign * self.slope(row, t)),
+            unit_vectors(sign * self.slope(row, t + step)),
+        )
         # Biarc with equal tangent lengths d: |c|² − 2 d c·(u + v) − 2 d² (1 − u·v) = 0.
         chord = b - a
         square = (chord * chord).sum(axis=1)
@@ -248,7 +301,7 @@ class _Ways:
 
 
 def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle between two vectors: the bulge, from tangent and chord."""
+    """Return tan of half the angle between two vectors: an arc's bulge, from tangent and chord."""
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     dot = (before * after).sum(axis=1)
     result: F64 = cross / (np.hypot(cross, dot) + dot)

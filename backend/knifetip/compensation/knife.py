@@ -1,12 +1,11 @@
-"""knife: keep the blade on the line, correct its lead at ends, turn sharp corners in the air.
+"""knife: keep a knife's blade on the cut, and adjust the ends of cuts to the slant of the blade.
 
-    Operation[Knife] -> Toolpath, one track along every path
-
-The leading edge of the blade slants by α, so the cut in the top face leads that in the bottom face,
-where the tip is, by T tan α for a thickness T.  A closed path therefore runs past its start by this
-lead, as does an end that meets another cut; an end inside a panel or at a bridge stops earlier,
-where the cut in the *top* face ends.  Around a blank the knife may enter from the waste and leave
-into it along a quarter circle.
+The leading edge of the blade slants by α, so the cut in the top face is ahead of the cut in the
+bottom face, where the tip is, by T tan α for a thickness T.  A closed path therefore runs past its
+start by this lead, as does an end that meets another cut; an end inside a panel or at a bridge
+stops earlier, at the point that the cut in the *top* face must not exceed.  Around a blank the
+knife may enter from the waste and leave into it along a quarter circle.  At sharp corners the knife
+is lifted and turned above the board.
 
 A drag knife trails its axis by e: the head is at tip + e u and swings around the tip at corners.
 
@@ -19,25 +18,25 @@ import math
 
 import numpy as np
 
-from knifetip.compensation.tracks import Strokes, headings, raised
+from knifetip.compensation.tracks import Strokes, at_height, headings
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import left
+from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64, I32, U8
-from knifetip.geometry.path import Paths, point_along, taken, trimmed
+from knifetip.geometry.path import Paths, point_along, select_paths, trim_ends
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Bulge of a quarter turn to the left: tan(90° / 4).
-QUARTER = math.tan(math.pi / 8.0)
+#: Bulge of a quarter circle to the left: tan(90° / 4).
+_QUARTER_BULGE = math.tan(math.pi / 8.0)
 
 
-def knife(operation: Operation) -> Toolpath:
-    """Return the toolpath that cuts along every path.
+def knife_toolpath(operation: Operation) -> Toolpath:
+    """Return the toolpath of a knife along every path of an operation.
 
-    At corners sharper than the ``swivel`` angle the blade turns in the air, at others in the
-    board.
+    At corners sharper than the ``swivel`` angle the blade turns above the board, at other corners
+    in the board.
 
     Raises
     ------
@@ -46,7 +45,7 @@ def knife(operation: Operation) -> Toolpath:
     """
     blade = operation.tool
     assert isinstance(blade, Knife)
-    paths, rows, motion = _with_ends(operation, blade)
+    paths, rows, motion = _adjust_ends(operation, blade)
     source = operation.source[rows]
     c_start, c_end = headings(paths)
     z = operation.caliper - operation.depth[rows, 0]
@@ -65,8 +64,8 @@ def knife(operation: Operation) -> Toolpath:
         up=np.roll(down, -1),
         track=paths.path_of,
         source=source,
-        above_start=raised(start_pose, height),
-        above_end=raised(end_pose, height),
+        above_start=at_height(start_pose, height),
+        above_end=at_height(end_pose, height),
         # The head of a drag knife swings around its tip; without a trail it only turns.
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
@@ -74,16 +73,16 @@ def knife(operation: Operation) -> Toolpath:
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
-    """Return the head position, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
+    """Return the head positions, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head
 
 
-def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return paths shortened or extended at their ends, with the origin and kind of each segment.
+def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
+    """Return the paths, shortened or extended at their ends, with lead-ins and lead-outs.
 
-    The kind is the Motion: LEAD_IN, FEED or LEAD_OUT.
+    Also returns for each segment the input segment and its Motion: LEAD_IN, FEED or LEAD_OUT.
     """
     paths, finish = operation.paths, operation.finish
     last = paths.first[1:] - 1
@@ -102,7 +101,7 @@ def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
             lead=lead[short[0]],
             source=[str(row) for row in listed[:10]],
         )
-    cut, rows = trimmed(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
+    cut, rows = trim_ends(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
     again, more = _repeated_starts(paths, np.where(finish == End.CLOSED, overrun, 0.0))
     beyond, far = _extensions(paths, np.where(finish == End.MEETS, overrun, 0.0))
     closed = (finish == End.CLOSED) & (operation.side != 0)
@@ -135,12 +134,15 @@ def _with_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first ``size`` mm of every path, which a closed path runs over again."""
-    return trimmed(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
+    """Return the first ``size`` (p,) mm of each path, and the input segment of each segment.
+
+    A closed path is cut there twice.
+    """
+    return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight pieces of ``size`` mm that continue the ends of paths."""
+    """Return straight extensions of path ends by ``size`` (p,) mm, and the extended segments."""
     last = (paths.first[1:] - 1)[size > 0.0]
     _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     ahead /= np.hypot(*ahead.T)[:, None]
@@ -152,7 +154,9 @@ def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
 def _quarter_circles(
     paths: Paths, size: F64, overrun: F64, side: int, into: bool
 ) -> tuple[Paths, I32]:
-    """Return the quarter circles by which the knife enters or leaves closed paths.
+    """Return quarter circles by which the knife enters or leaves closed paths.
+
+    Also returns for each quarter circle the segment that it touches.
 
     Parameters
     ----------
@@ -162,9 +166,11 @@ def _quarter_circles(
         Length by which the paths run past their start before the blade leaves.
     side
         Side of the waste: +1 left of travel, -1 right.
+    into
+        True for quarter circles before the start, False for quarter circles after the end.
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
-    some, kept = taken(paths, which)
+    some, kept = select_paths(paths, which)
     first = np.concatenate([[0], np.cumsum(size > 0.0)])
     if len(which) == 0:
         return Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), first), kept
@@ -172,6 +178,8 @@ def _quarter_circles(
     place, heading, row = point_along(some, at)
     ahead = np.column_stack([np.cos(np.radians(heading)), np.sin(np.radians(heading))])
     radius = (size[which] * 2.0 / np.pi)[:, None]
-    far = place + radius * (side * left(ahead) - ahead if into else side * left(ahead) + ahead)
+    far = place + radius * (
+        side * left_normal(ahead) - ahead if into else side * left_normal(ahead) + ahead
+    )
     start, end = (far, place) if into else (place, far)
-    return Paths(start, end, np.full(len(which), side * QUARTER), first), kept[row]
+    return Paths(start, end, np.full(len(which), side * _QUARTER_BULGE), first), kept[row]

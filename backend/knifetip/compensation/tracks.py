@@ -1,7 +1,7 @@
-"""tracks: lay out the moves of tracks: plunge, feed, swivel, lift.
+"""tracks: create the moves of tracks: plunge, feed, swivel and lift.
 
-An engine computes the head poses at both ends of every segment; this module creates the moves of
-all segments at once.
+An engine computes the poses of the head at both ends of every segment; this module creates the
+moves of all segments at once.
 """
 
 from __future__ import annotations
@@ -12,31 +12,31 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import azimuth, turn
+from knifetip.geometry.azimuth import azimuth, turn_angle
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.kernels import F64_1, F64_2, I32_1, U8_1, Bool_1, kernel
 from knifetip.model.operation import Operation
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Smallest change of direction or depth that gets a move of its own (degrees, mm).
-_STILL = 1e-7
+#: Smallest change of heading (degrees) or depth (mm) that gets a move of its own.
+_MIN_CHANGE = 1e-7
 # Kernels take plain numbers.
 _RAPID, _PLUNGE, _SWIVEL = int(Motion.RAPID), int(Motion.PLUNGE), int(Motion.SWIVEL)
 _LIFT = int(Motion.LIFT)
 
 
 def headings(paths: Paths) -> tuple[F64, F64]:
-    """Return C at the start and at the end of every segment (degrees), unwrapped along each path.
+    """Return the C angle at the start and at the end of every segment, (n,) degrees each.
 
     The first heading of a path is its azimuth in [0, 360); along an arc C turns with the tangent,
-    at a corner by the smaller angle.
+    at a corner by the smaller angle.  Headings of a path have no jumps of 360°.
     """
     ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
     begin = azimuth(ahead)
     swept = np.degrees(arc.sweep(paths.bulge))
     corner = np.zeros(len(begin))
-    corner[1:] = turn(azimuth(last)[:-1], begin[1:])
+    corner[1:] = turn_angle(azimuth(last)[:-1], begin[1:])
     first = paths.first[:-1]
     corner[first] = 0.0
     gained = np.cumsum(corner + swept) - swept
@@ -44,8 +44,8 @@ def headings(paths: Paths) -> tuple[F64, F64]:
     return start, start + swept
 
 
-def raised(pose: F64, height: float) -> F64:
-    """Return the poses, (n, 4), with Z at ``height`` (mm)."""
+def at_height(pose: F64, height: float) -> F64:
+    """Return a copy of the poses, (n, 4), with Z set to ``height`` (mm)."""
     above = pose.copy()
     above[:, 2] = height
     return above
@@ -53,23 +53,23 @@ def raised(pose: F64, height: float) -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Strokes:
-    """n segments in working order, at least one, with the head's pose at both ends of each.
+    """Segments in machining order, n ≥ 1, with the pose of the head at both ends of each.
 
-    A segment with two equal ends is a press: the tool plunges and lifts without travel.
+    A segment with equal ends is a press: the tool plunges and lifts without travel.
     """
 
-    start: F64  #: (n, 4) x y z c
-    end: F64  #: (n, 4)
-    bulge: F64  #: (n,)
-    above_start: F64  #: (n, 4) start of the plunge, if there is one
-    above_end: F64  #: (n, 4) end of the lift, if there is one
-    down: Bool  #: (n,) the tool plunges before this segment
-    up: Bool  #: (n,) it lifts after it
-    track: I32  #: (n,) the track of each segment, ascending
-    source: I32  #: (n,) row in Dieline
+    start: F64  #: (n, 4) pose of the head at the start: x, y, z (mm), c (degrees)
+    end: F64  #: (n, 4) pose of the head at the end
+    bulge: F64  #: (n,) tan(sweep / 4) of the head's path
+    above_start: F64  #: (n, 4) pose where a plunge starts; unused without ``down``
+    above_end: F64  #: (n, 4) pose where a lift ends; unused without ``up``
+    down: Bool  #: (n,) whether the tool plunges before the segment
+    up: Bool  #: (n,) whether the tool lifts after the segment
+    track: I32  #: (n,) number of the track of each segment, ascending
+    source: I32  #: (n,) row of the edge in the Dieline
     #: (n,) bulge of the head's path around the tip where C turns in the board; 0 by default
     swing: F64 = field(default_factory=lambda: np.zeros(0))
-    #: (n,) FEED (by default), LEAD_IN or LEAD_OUT
+    #: (n,) Motion of each segment: FEED (by default), LEAD_IN or LEAD_OUT
     motion: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
 
     def __post_init__(self) -> None:
@@ -80,7 +80,7 @@ class Strokes:
             object.__setattr__(self, "motion", np.full(count, Motion.FEED, np.uint8))
 
     def merged_with(self, other: Strokes) -> Strokes:
-        """Return these strokes and others, ordered by track."""
+        """Return these strokes together with the strokes of ``other``, ordered by track."""
         if len(other.track) == 0:
             return self
         order = np.argsort(np.concatenate([self.track, other.track]), kind="stable")
@@ -91,7 +91,7 @@ class Strokes:
         return Strokes(**{name: column[order] for name, column in columns.items()})
 
     def to_toolpath(self, operation: Operation) -> Toolpath:
-        """Return the moves of all strokes: air move, plunge, step, swivel, feed, lift."""
+        """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts."""
         pose, bulge, motion, feed, source, track = _write_moves(
             self.start,
             self.end,
@@ -140,16 +140,22 @@ def _write_moves(
     plunge: float,
     swivel: float,
 ) -> Any:
-    """Write the moves of all strokes; each needs up to six."""
+    """Return the columns of the moves of all strokes; a stroke has up to six moves.
+
+    Returns
+    -------
+    pose : (m, 4), bulge, motion, feed, source, track : (m,)
+        The end of each move and its attributes, as in Toolpath.
+    """
     count = len(bulge)
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
-    stepped = np.zeros(count, np.bool_)
-    turned = np.zeros(count, np.bool_)
+    depth_changes = np.zeros(count, np.bool_)
+    turns = np.zeros(count, np.bool_)
     for i in range(count):
         if not down[i]:
-            stepped[i] = abs(start[i, 2] - end[i - 1, 2]) > _STILL
-            turned[i] = abs(start[i, 3] - end[i - 1, 3]) > _STILL
-    rows = 2 * down.sum() + stepped.sum() + turned.sum() + travels.sum() + up.sum()
+            depth_changes[i] = abs(start[i, 2] - end[i - 1, 2]) > _MIN_CHANGE
+            turns[i] = abs(start[i, 3] - end[i - 1, 3]) > _MIN_CHANGE
+    rows = 2 * down.sum() + depth_changes.sum() + turns.sum() + travels.sum() + up.sum()
     poses = np.empty((rows, 4))
     bent = np.zeros(rows)
     kind = np.empty(rows, np.uint8)
@@ -158,19 +164,19 @@ def _write_moves(
     tracks = np.empty(rows, np.int32)
     row = 0
     for i in range(count):
-        begun = row
+        first_move = row
         if down[i]:
             poses[row] = above_start[i]
             kind[row], speed[row] = _RAPID, 0.0
             poses[row + 1] = start[i]
             kind[row + 1], speed[row + 1] = _PLUNGE, plunge
             row += 2
-        if stepped[i]:
+        if depth_changes[i]:
             poses[row] = end[i - 1]
             poses[row, 2] = start[i, 2]
             kind[row], speed[row] = _PLUNGE, plunge
             row += 1
-        if turned[i]:
+        if turns[i]:
             poses[row] = start[i]
             kind[row], speed[row], bent[row] = _SWIVEL, swivel, swing[i]
             row += 1
@@ -182,10 +188,10 @@ def _write_moves(
             poses[row] = above_end[i]
             kind[row], speed[row] = _LIFT, plunge
             row += 1
-        edge[begun:row] = source[i]
-        tracks[begun:row] = track[i]
+        edge[first_move:row] = source[i]
+        tracks[first_move:row] = track[i]
         if down[i]:
-            edge[begun] = -1
+            edge[first_move] = -1
             if i == 0 or track[i] != track[i - 1]:
-                tracks[begun] = -1  # the air move to the start of a track belongs to no edge
+                tracks[first_move] = -1  # the air move to the start of a track belongs to no track
     return poses, bent, kind, speed, edge, tracks

@@ -1,9 +1,7 @@
-"""vgroove: keep the tip of the V-cutter on the line.
+"""vgroove: keep the tip of a V-cutter on the groove's centre line.
 
-    Operation[VCutter] -> Toolpath, two passes along every straight path, for each depth
-
-The blade leans, so its tip is off the axis of the head.  Two passes, forth and back with the head
-turned by half a turn between them, make two slanted cuts that meet and remove a V of board.  A
+The blade is tilted, so its tip is off the axis of the head.  Two passes, forth and back with the
+head turned by half a turn between them, make two slanted cuts that meet and remove a V of board.  A
 groove that ends at the board's edge continues until its whole width has left the board
 (``Operation.run_out``).
 
@@ -19,7 +17,7 @@ import numpy as np
 
 from knifetip.compensation.tracks import Strokes
 from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
-from knifetip.geometry.azimuth import azimuth, right, turn, unit
+from knifetip.geometry.azimuth import azimuth, right_normal, turn_angle, unit_vectors
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, I32_1, kernel
@@ -29,15 +27,15 @@ from knifetip.model.toolpath import Motion, Toolpath
 
 
 def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
-    """Return the position of the head relative to the tip on the first pass.
+    """Return the position of the head relative to the tip in the first pass, (n, 2) mm.
 
-    With β the azimuth of start → end::
+    With β the azimuth from start to end::
 
         Δx =  d sin β + r cos β
         Δy = -d cos β + r sin β                                   Yang et al., 4.2 a, b
 
-    that is, d to the right of travel and r ahead.  On the second pass it is -Δ, so points 1 to 4
-    of their figure 3 are A + Δ, B + Δ, B - Δ, A - Δ.
+    that is, d to the right of travel and r ahead.  In the second pass the position is -Δ, so points
+    1 to 4 of their figure 3 are A + Δ, B + Δ, B - Δ, A - Δ.
 
     Parameters
     ----------
@@ -45,11 +43,6 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
         Ends of each edge, in the order of travel.
     cutter : VCutter
         Its ``back`` is d, its ``half_width`` r.
-
-    Returns
-    -------
-    (n, 2) float64, mm
-        Offset to add to both ends.
 
     Raises
     ------
@@ -66,47 +59,57 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     >>> head_offset(np.array([[0.0, 0.0]]), np.array([[100.0, 0.0]]), VCutter(4.0, 1.5, 45.0))
     array([[ 1.5, -4. ]])
     """
-    ahead = unit(end - start)
-    offset: F64 = cutter.back * right(ahead) + cutter.half_width * ahead
+    ahead = unit_vectors(end - start)
+    offset: F64 = cutter.back * right_normal(ahead) + cutter.half_width * ahead
     return offset
 
 
 def sideways_move(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
-    """Return the sideways movement of the head, (n, 2) mm, while the tip rises by (n,) mm.
+    """Return the sideways movement of the head while the tip rises, (n, 2) mm.
 
-    The tip moves along the blade, so the head moves by Δz tan θ to the right of travel when it
-    lifts and to the left when it plunges: Yang et al., section 3, the "oblique angle" of their
+    The tip moves along the tilted blade, so the head moves by Δz tan θ to the right of travel when
+    it lifts and to the left when it plunges: Yang et al., section 3, the "oblique angle" of their
     three-axis interpolation.
+
+    Parameters
+    ----------
+    start, end : (n, 2) mm
+        Ends of each edge, in the order of travel.
+    cutter
+        V-cutter with tilt θ.
+    rise : (n,) mm
+        Δz, the height by which the tip rises.
     """
-    offset: F64 = cutter.slope * rise[:, None] * right(unit(end - start))
+    offset: F64 = cutter.slope * rise[:, None] * right_normal(unit_vectors(end - start))
     return offset
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class GrooveSection:
     """Cross-section of a V-groove."""
 
     included: float  #: angle between the flanks, which is the largest fold angle (degrees)
-    width: float  #: at the top face (mm)
-    web: float  #: thickness left below the groove (mm)
+    width: float  #: width at the top face of the board (mm)
+    web: float  #: thickness of the board left below the groove (mm)
 
 
-def section(depth: float, caliper: float, cutter: VCutter) -> Section:
-    """Return the cross-section of a groove of a depth (mm) in a board of a caliper (mm).
+def groove_section(depth: float, caliper: float, cutter: VCutter) -> GrooveSection:
+    """Return the cross-section of a groove of ``depth`` mm in a board of ``caliper`` mm.
 
-    With θ the tilt: included angle 2θ, width W = 2 h tan θ, web T - h (our derivation).
+    With θ the tilt of the cutter, h the depth and T the caliper: included angle 2θ,
+    width W = 2 h tan θ, web T - h (our derivation).
 
     Examples
     --------
-    >>> section(1.3, 2.0, VCutter(6.0, 1.5, 45.0))
-    Section(included=90.0, width=2.6, web=0.7)
+    >>> groove_section(1.3, 2.0, VCutter(6.0, 1.5, 45.0))
+    GrooveSection(included=90.0, width=2.6, web=0.7)
     """
     width = 2.0 * depth * cutter.slope
-    return Section(2.0 * cutter.tilt, round(width, 9), round(caliper - depth, 9))
+    return GrooveSection(2.0 * cutter.tilt, round(width, 9), round(caliper - depth, 9))
 
 
-def vgroove(operation: Operation) -> Toolpath:
-    """Return the toolpath that cuts V-grooves: two passes along every path for every depth.
+def vgroove_toolpath(operation: Operation) -> Toolpath:
+    """Return the toolpath that cuts V-grooves: two passes along every path at each depth.
 
     Raises
     ------
@@ -115,26 +118,26 @@ def vgroove(operation: Operation) -> Toolpath:
     EdgeTooShort
         A path is shorter than the blade is wide.
     GrooveTooDeep
-        A groove goes through the board, or the blade would overrun an end inside the panel by
-        more than the board allows.
+        A groove is as deep as the board is thick, or the blade would overrun an end inside a panel
+        by more than the board allows.
     """
     cutter = operation.tool
     assert isinstance(cutter, VCutter)
-    _refuse(operation, cutter)
-    start, end = _run_out(operation)
+    _check_paths(operation, cutter)
+    start, end = _extend_run_outs(operation)
     offset = head_offset(start, end, cutter)
-    aside = sideways_move(start, end, cutter, np.ones(len(start)))
+    sideways = sideways_move(start, end, cutter, np.ones(len(start)))
     heading = azimuth(end - start)
     first, owner = operation.paths.first, operation.paths.path_of
-    # Pieces of one groove differ by hundredths of a degree, also on both sides of 0°.
+    # Segments of one groove may differ by hundredths of a degree, also across 0°.
     along = heading[first[:-1]][owner]
-    heading = along + turn(along, heading)
-    columns = _passes(
+    heading = along + turn_angle(along, heading)
+    columns = _write_passes(
         first,
         start,
         end,
         offset,
-        aside,
+        sideways,
         heading,
         operation.depth,
         operation.source,
@@ -142,30 +145,30 @@ def vgroove(operation: Operation) -> Toolpath:
         operation.clearance,
     )
     begin, finish, above_begin, above_finish, down, up, track, source = columns
-    still = np.zeros(len(track))
+    zeros = np.zeros(len(track))
     return Strokes(
         start=begin,
         end=finish,
-        bulge=still,
+        bulge=zeros,
         above_start=above_begin,
         above_end=above_finish,
         down=down,
         up=up,
         track=track,
         source=source,
-        swing=still,
+        swing=zeros,
         motion=np.full(len(track), Motion.FEED, np.uint8),
     ).to_toolpath(operation)
 
 
-def _run_out(operation: Operation) -> tuple[F64, F64]:
-    """Return start and end of the tip on each segment, beyond the board at run-outs."""
+def _extend_run_outs(operation: Operation) -> tuple[F64, F64]:
+    """Return the start and end of the tip on each segment, (n, 2) mm each, extended at run-outs."""
     paths, out = operation.paths, operation.run_out
     start, end = paths.start, paths.end
     for column, rows in ((0, paths.first[:-1]), (1, paths.first[1:] - 1)):
         some = out[:, column] > 0.0
         at, size = rows[some], out[some, column, None]
-        ahead = unit(paths.end[at] - paths.start[at])
+        ahead = unit_vectors(paths.end[at] - paths.start[at])
         if column == 0:
             start = start.copy()
             start[at] -= size * ahead
@@ -176,21 +179,26 @@ def _run_out(operation: Operation) -> tuple[F64, F64]:
 
 
 @kernel
-def _passes(
+def _write_passes(
     first: I32_1,
     start: F64_2,
     end: F64_2,
     offset: F64_2,
-    aside: F64_2,
+    sideways: F64_2,
     heading: F64_1,
     depth: F64_2,
     source: I32_1,
     caliper: float,
     clearance: float,
 ) -> Any:
-    """Return the segments in working order: by path, then depth, first and second pass.
+    """Return the columns of strokes, ordered by path, then by depth, then first and second pass.
 
-    The head turns by half a turn between the passes and back again, so C does not accumulate.
+    The head turns by half a turn between the two passes and back again, so C does not accumulate.
+
+    Returns
+    -------
+    start, end, above_start, above_end : (m, 4), down, up, track, source : (m,)
+        As in ``Strokes``.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)
@@ -218,7 +226,7 @@ def _passes(
                     near = end[i, axis] if back else start[i, axis]
                     far = start[i, axis] if back else end[i, axis]
                     out = side * offset[i, axis]
-                    lifted = out + side * aside[i, axis] * (deep + clearance)
+                    lifted = out + side * sideways[i, axis] * (deep + clearance)
                     begin[row, axis] = near + out
                     finish[row, axis] = far + out
                     above_begin[row, axis] = near + lifted
@@ -233,7 +241,8 @@ def _passes(
     return begin, finish, above_begin, above_finish, down, up, track, edge
 
 
-def _refuse(operation: Operation, cutter: VCutter) -> None:
+def _check_paths(operation: Operation, cutter: VCutter) -> None:
+    """Raise an error if a path is curved, too short or too deep, or would overrun a free end."""
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)
     if len(curved):

@@ -23,7 +23,7 @@ from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.curve import EvaluateEach, each
+from knifetip.geometry.curve import EvaluateEach, fit_many
 from knifetip.geometry.tolerance import CURVE
 from knifetip.messages import Message
 
@@ -362,7 +362,7 @@ def _fitted(
 ) -> tuple[F64, F64, I64]:
     """Fit curves; where one fails, bisect until it is found, and record its error."""
     try:
-        start, end, bulge, of = each(
+        start, end, bulge, of = fit_many(
             lambda k, s: point(which[k], s),
             lambda k, s: tangent(which[k], s),
             len(which),

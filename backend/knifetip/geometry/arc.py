@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.geometry.azimuth import left
+from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import BULGE
 
@@ -24,7 +24,9 @@ def centre(start: F64, end: F64, bulge: F64) -> F64:
     safe = np.where(straight, 1.0, bulge)
     middle = (start + end) / 2.0
     # The apothem, along the left normal of the chord: (1 - b²) / 4b chords.
-    result: F64 = middle + left(end - start) * ((1.0 - safe * safe) / (4.0 * safe))[..., None]
+    result: F64 = (
+        middle + left_normal(end - start) * ((1.0 - safe * safe) / (4.0 * safe))[..., None]
+    )
     result[straight] = np.nan
     return result
 
@@ -43,10 +45,10 @@ def length(start: F64, end: F64, bulge: F64) -> F64:
     """Return the lengths of lines and arcs (mm).  The squares of coordinates must be finite."""
     # Column by column: operations on rows of two are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
-    return over(np.sqrt(x * x + y * y), bulge)
+    return length_from_chord(np.sqrt(x * x + y * y), bulge)
 
 
-def over(chord: F64, bulge: F64) -> F64:
+def length_from_chord(chord: F64, bulge: F64) -> F64:
     """Return the lengths of lines and arcs with given chord lengths, (n,) mm."""
     result = chord.copy()
     curved = np.flatnonzero(bulge != 0.0)
@@ -56,7 +58,7 @@ def over(chord: F64, bulge: F64) -> F64:
     return result
 
 
-def _turned(vectors: F64, angle: F64) -> F64:
+def _rotate(vectors: F64, angle: F64) -> F64:
     cos, sin = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
     return np.stack([x * cos - y * sin, x * sin + y * cos], axis=-1)
@@ -66,7 +68,7 @@ def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
     """Return the tangents at start and end, (n, 2) each, with the length of the chord."""
     half = sweep(bulge) / 2.0
     chord = end - start
-    return _turned(chord, -half), _turned(chord, half)
+    return _rotate(chord, -half), _rotate(chord, half)
 
 
 def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
@@ -75,16 +77,16 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
     # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
     half = theta / 2.0
     ratio = fraction * np.sinc(fraction * half / np.pi) / np.sinc(half / np.pi)
-    result: F64 = start + _turned(end - start, (fraction - 1.0) * half) * ratio[..., None]
+    result: F64 = start + _rotate(end - start, (fraction - 1.0) * half) * ratio[..., None]
     return result
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
     """Return the tangents at a fraction of the length, (n, 2), with the length of the chord."""
-    return _turned(end - start, sweep(bulge) * (fraction - 0.5))
+    return _rotate(end - start, sweep(bulge) * (fraction - 0.5))
 
 
-def nearest(start: F64, end: F64, bulge: F64, point: F64) -> F64:
+def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
     """Return the fraction of each segment's length nearest to a point (n, 2) mm, (n,)."""
     chord = end - start
     along: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
@@ -113,7 +115,7 @@ def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
     return points.reshape(-1, count, 2)
 
 
-def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
+def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
     """Return start, end and bulge of the pieces between two fractions of the length."""
     return (
         point_at(start, end, bulge, first),
@@ -122,7 +124,7 @@ def part(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, 
     )
 
 
-def bounds(start: F64, end: F64, bulge: F64) -> F64:
+def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
     """Return the bounding boxes of lines and arcs, (n, 4): x min, y min, x max, y max."""
     low = np.minimum(start, end)
     high = np.maximum(start, end)

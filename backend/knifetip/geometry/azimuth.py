@@ -13,7 +13,7 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import POINT
 
 
-def unit(vectors: F64) -> F64:
+def unit_vectors(vectors: F64) -> F64:
     """Return the unit vectors, (n, 2), of vectors given in mm.
 
     Raises
@@ -37,17 +37,17 @@ def azimuth(vectors: F64) -> F64:
     return folded
 
 
-def right(vectors: F64) -> F64:
+def right_normal(vectors: F64) -> F64:
     """Return the vectors turned by -90 degrees: the normal to the right of travel."""
     return np.stack([vectors[..., 1], -vectors[..., 0]], axis=-1)
 
 
-def left(vectors: F64) -> F64:
+def left_normal(vectors: F64) -> F64:
     """Return the vectors turned by +90 degrees: the normal to the left of travel."""
     return np.stack([-vectors[..., 1], vectors[..., 0]], axis=-1)
 
 
-def turn(before: F64, after: F64) -> F64:
+def turn_angle(before: F64, after: F64) -> F64:
     """Return the signed smaller angle from one azimuth to the next, in (-180, 180] degrees."""
     folded: F64 = 180.0 - (180.0 - (after - before)) % 360.0
     return folded

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import unit
+from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, GAP, JOIN
@@ -39,7 +39,7 @@ class Chains:
         return Paths(turned[:, 0], turned[:, 1], bent, self.first)
 
 
-def outward(ends: F64, bulge: F64) -> F64:
+def outward_directions(ends: F64, bulge: F64) -> F64:
     """Return the unit directions in which each edge leaves its two ends, (n, 2, 2).
 
     Raises
@@ -48,16 +48,16 @@ def outward(ends: F64, bulge: F64) -> F64:
         An edge without length has no direction.
     """
     ahead, last = arc.tangents(ends[:, 0], ends[:, 1], bulge)
-    return np.stack([unit(ahead), -unit(last)], axis=1)
+    return np.stack([unit_vectors(ahead), -unit_vectors(last)], axis=1)
 
 
-def nodes(points: F64, gap: float = JOIN) -> I32:
+def number_vertices(points: F64, gap: float = JOIN) -> I32:
     """Return the vertex number of each point, (n,), for points (n, 2) mm."""
     if len(points) == 0:
         return np.zeros(0, np.int32)
     cell = np.floor((points - points.min(axis=0)) / gap).astype(np.int64)
     order = np.lexsort((cell[:, 1], cell[:, 0]))
-    labels: I32 = _clustered(points, cell, order, gap)
+    labels: I32 = _cluster_points(points, cell, order, gap)
     return np.unique(labels, return_inverse=True)[1].astype(np.int32)
 
 
@@ -89,24 +89,26 @@ def chain(
     count = len(ends)
     if count == 0:
         return Chains(np.zeros(0, np.int32), np.zeros(0, np.bool_), np.zeros(1, np.int32))
-    node = nodes(ends.reshape(-1, 2), gap)
+    node = number_vertices(ends.reshape(-1, 2), gap)
     if group is not None:
         own = np.column_stack([node, np.repeat(group, 2)])
         node = np.unique(own, axis=0, return_inverse=True)[1].astype(np.int32).ravel()
     by_node = np.argsort(node, kind="stable")
     bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    link = _linked(
-        outward(ends, bulge).reshape(-1, 2),
+    link = _link_ends(
+        outward_directions(ends, bulge).reshape(-1, 2),
         by_node,
         bounds,
         np.cos(np.radians(kink)) - 1e-12,
         np.cos(np.radians(min(kink, ANGLE))) - 1e-12,
     )
-    order, flipped, first, _ = walked(link)
+    order, flipped, first, _ = follow_links(link)
     return Chains(order, flipped, first)
 
 
-def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP) -> Bool:
+def continues_straight(
+    points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP
+) -> Bool:
     """Return for ends of paths whether another path continues straight from the same point.
 
     Parameters
@@ -122,15 +124,17 @@ def run_on(points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP)
     """
     if len(points) == 0:
         return np.zeros(0, np.bool_)
-    node = nodes(points, gap)
+    node = number_vertices(points, gap)
     by_node = np.argsort(node, kind="stable")
     bounds = np.searchsorted(node[by_node], np.arange(node.max() + 2))
-    result: Bool = _run_on(directions, by_node, bounds, np.cos(np.radians(angle)) - 1e-12)
+    result: Bool = _continues_straight(
+        directions, by_node, bounds, np.cos(np.radians(angle)) - 1e-12
+    )
     return result
 
 
 @kernel
-def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
+def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
     """Merge near points by union-find over a grid; cells, sorted, are found by bisection."""
     n = len(points)
     parent = np.arange(n)
@@ -158,7 +162,7 @@ def _clustered(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
 
 
 @kernel
-def _linked(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
+def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
     """Return the end connected to each end, -1 for open ends.
 
     Two ends continue each other if their outward directions are opposite: the cosine of the turn is
@@ -196,7 +200,7 @@ def _linked(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight
 
 
 @kernel
-def _run_on(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
+def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
     found = np.zeros(len(out), np.bool_)
     for node in range(len(bounds) - 1):
         for p in range(bounds[node], bounds[node + 1]):
@@ -209,7 +213,7 @@ def _run_on(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
 
 
 @kernel
-def walked(link: I64_1) -> Any:
+def follow_links(link: I64_1) -> Any:
     """Follow links from end to end, and return runs of edges.
 
     Parameters

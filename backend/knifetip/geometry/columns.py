@@ -18,7 +18,7 @@ U8: TypeAlias = NDArray[np.uint8]
 Bool: TypeAlias = NDArray[np.bool_]
 
 
-def frozen(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
+def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
     """Return the values as a contiguous read-only array of a type and shape.
 
     -1 in ``shape`` matches any length.  An empty input gets the shape with 0 for -1.

@@ -13,7 +13,7 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_1A, F64_2, F64_2A, I32_1, I64_2, kernel
 
 
-def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float) -> Bool:
+def points_on_segments(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float) -> Bool:
     """Return whether each point lies on a segment other than its own.
 
     Parameters
@@ -27,7 +27,7 @@ def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
     """
     if len(points) == 0 or len(bulge) == 0:
         return np.zeros(len(points), np.bool_)
-    boxes = arc.bounds(start, end, bulge) + np.array([-gap, -gap, gap, gap])
+    boxes = arc.bounding_boxes(start, end, bulge) + np.array([-gap, -gap, gap, gap])
     low = boxes[:, :2].min(axis=0)
     high = boxes[:, 2:].max(axis=0)
     side = max(1, math.isqrt(len(bulge)))
@@ -37,14 +37,14 @@ def touching(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
     middle = arc.centre(start, end, bulge)
     radius = arc.radius(start, end, bulge)
     first = np.arctan2(*(start - middle).T[::-1])
-    hit: Bool = _touching(
+    hit: Bool = _points_on_segments(
         points, own, places, cells, side, start, end, middle, radius, first, arc.sweep(bulge), gap
     )
     return hit
 
 
 @kernel
-def _touching(
+def _points_on_segments(
     points: F64_2,
     own: I32_1,
     places: I64_2,

@@ -1,6 +1,4 @@
-"""parallel: distribute compiled work to all cores of the machine.
-
-    a kernel, chunks of its work -> the results in order
+"""parallel: call a compiled kernel for chunks of its input on all cores of the machine.
 
 The kernel must release the GIL; otherwise the threads wait for each other.
 """
@@ -14,8 +12,9 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import TypeVar, cast
 
-_Run = TypeVar("_Run")
-_Done = TypeVar("_Done")
+_Item = TypeVar("_Item")
+_Result = TypeVar("_Result")
+_Other = TypeVar("_Other")
 
 
 def core_count() -> int:
@@ -23,49 +22,51 @@ def core_count() -> int:
     return os.cpu_count() or 1
 
 
-def chunks(count: int, worth: int, most: int | None = None) -> list[tuple[int, int]]:
-    """Split ``range(count)`` into chunks of equal size, at most one per core.
+def chunks(count: int, min_size: int, max_chunks: int | None = None) -> list[tuple[int, int]]:
+    """Split ``range(count)`` into contiguous chunks of equal size, as (first, end) pairs.
 
     Parameters
     ----------
-    worth
-        Smallest chunk worth handing to another thread.
-    most
-        Largest number of chunks; may exceed the number of cores if other work runs beside them.
+    min_size
+        Smallest size of a chunk that is worth handing to another thread.
+    max_chunks
+        Largest number of chunks; by default the number of cores.
     """
-    shares = max(1, min(most or core_count(), count // worth))
-    return list(pairwise(count * share // shares for share in range(shares + 1)))
+    number = max(1, min(max_chunks or core_count(), count // min_size))
+    return list(pairwise(count * chunk // number for chunk in range(number + 1)))
 
 
-def parallel_pair(one: Callable[[], _Run], other: Callable[[], _Done]) -> tuple[_Run, _Done]:
-    """Call two independent functions on two cores; return both results."""
-    done, beside = parallel_map(lambda work: work(), (other, one))
-    return cast(tuple[_Run, _Done], (beside, done))
+def parallel_pair(
+    func: Callable[[], _Result], other: Callable[[], _Other]
+) -> tuple[_Result, _Other]:
+    """Call two independent functions on two cores, and return the results of both in order."""
+    second, first = parallel_map(lambda call: call(), (other, func))
+    return cast(tuple[_Result, _Other], (first, second))
 
 
-def parallel_map(done: Callable[[_Run], _Done], work: Sequence[_Run]) -> list[_Done]:
-    """Map a function over chunks on all cores; return the results in order.
+def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> list[_Result]:
+    """Call a function with each item, on all cores, and return the results in order.
 
-    The calling thread takes the first chunk, and every chunk that no other thread has started.
+    The calling thread takes the first item, and every item that no other thread has started.
     Re-raises the first exception.
     """
-    beside = [_others(os.getpid()).submit(done, run) for run in work[1:]]
-    results: list[_Done] = []
-    wrong: Exception | None = None
-    for run, future in zip(work, (None, *beside), strict=False):
+    futures = [_thread_pool(os.getpid()).submit(func, item) for item in items[1:]]
+    results: list[_Result] = []
+    failure: Exception | None = None
+    for item, future in zip(items, (None, *futures), strict=False):
         try:
-            results.append(done(run) if future is None or future.cancel() else future.result())
+            results.append(func(item) if future is None or future.cancel() else future.result())
         except Exception as error:
-            wrong = wrong or error
-    if wrong is not None:
-        raise wrong
+            failure = failure or error
+    if failure is not None:
+        raise failure
     return results
 
 
 @lru_cache(maxsize=1)
-def _others(_process: int) -> ThreadPoolExecutor:
-    """Return a pool of idle threads for the other cores, since starting one takes milliseconds.
+def _thread_pool(_process: int) -> ThreadPoolExecutor:
+    """Return a pool of threads for the other cores; it is kept, since starting a thread takes ms.
 
-    Cached per process: a forked process does not inherit threads.
+    Cached by process id: a forked process does not inherit threads.
     """
     return ThreadPoolExecutor(max(core_count() - 1, 1), "core")

@@ -12,7 +12,7 @@ import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth
-from knifetip.geometry.columns import F64, I32, Bool, frozen
+from knifetip.geometry.columns import F64, I32, Bool, freeze
 from knifetip.geometry.tolerance import BULGE, POINT
 
 
@@ -27,10 +27,10 @@ class Paths:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "start", frozen(self.start, np.float64, -1, 2))
-        put(self, "end", frozen(self.end, np.float64, len(self.start), 2))
-        put(self, "bulge", frozen(self.bulge, np.float64, len(self.start)))
-        put(self, "first", frozen(self.first, np.int32, -1))
+        put(self, "start", freeze(self.start, np.float64, -1, 2))
+        put(self, "end", freeze(self.end, np.float64, len(self.start), 2))
+        put(self, "bulge", freeze(self.bulge, np.float64, len(self.start)))
+        put(self, "first", freeze(self.first, np.int32, -1))
         if len(self.first) == 0 or self.first[-1] != len(self.start):
             raise ValueError("first must end with the number of segments")
 
@@ -69,12 +69,12 @@ class Paths:
         return result
 
 
-def chained(xy: F64, bulge: F64) -> Paths:
+def path_through(xy: F64, bulge: F64) -> Paths:
     """Return one path through the vertices, (n + 1, 2), with bulges (n,)."""
     return Paths(xy[:-1], xy[1:], bulge, np.array([0, len(bulge)]))
 
 
-def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
+def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     """Return paths shortened at both ends, and the origin of each segment.
 
     A path that is not longer than the removed lengths keeps no segments.
@@ -98,7 +98,7 @@ def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     rows: I32 = np.flatnonzero(kept).astype(np.int32)
     start, end = paths.start[rows], paths.end[rows]
     bulge, low, high = paths.bulge[rows], low[rows], high[rows]
-    near, far, bent = arc.part(start, end, bulge, low, high)
+    near, far, bent = arc.sub_arc(start, end, bulge, low, high)
     near = np.where((low == 0.0)[:, None], start, near)
     far = np.where((high == 1.0)[:, None], end, far)
     whole = (low == 0.0) & (high == 1.0)
@@ -106,7 +106,7 @@ def trimmed(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     return Paths(near, far, np.where(whole, bulge, bent), first), rows
 
 
-def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
+def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
     """Return some of the paths, and the origin of each segment.
 
     Parameters
@@ -122,7 +122,7 @@ def taken(paths: Paths, which: I32) -> tuple[Paths, I32]:
     )
 
 
-def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
+def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
     """Return the paths with gaps; a closed path becomes as many open ones as it has gaps.
 
     Parameters
@@ -146,13 +146,13 @@ def interrupted(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     last = np.flatnonzero(np.roll(first, -1))
     following[last] = middle[first] + length[path[last]]
     begin[gapped], end[gapped] = middle + gap / 2.0, following - gap / 2.0
-    twice, rows = _twice_round(paths, many > 0)
-    repeated, again = taken(twice, owner)
-    pieces, order = trimmed(repeated, begin, np.maximum(repeated.lengths - end, 0.0))
+    twice, rows = _repeat_twice(paths, many > 0)
+    repeated, again = select_paths(twice, owner)
+    pieces, order = trim_ends(repeated, begin, np.maximum(repeated.lengths - end, 0.0))
     return pieces, owner, rows[again[order]]
 
 
-def _twice_round(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def _repeat_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     """Return the paths, those in ``which`` repeated twice, and the origin of each segment."""
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)
@@ -183,7 +183,7 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
     return arc.point_at(start, end, bulge, share), heading, rows.astype(np.int32)
 
 
-def reversed_where(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     """Return the paths, some of them reversed, and the origin of each segment.
 
     Parameters
@@ -209,7 +209,7 @@ def reversed_where(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     )
 
 
-def begun_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     """Return the paths, some closed ones starting in the middle of a segment, and the origins.
 
     The segment is the longest line of the path, or its longest arc, so that the blade enters and
@@ -237,7 +237,7 @@ def begun_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     high = np.where(turned & (place == size), 0.5, 1.0)
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     half = (low > 0.0) | (high < 1.0)
-    near, far, bent = arc.part(start, end, bulge, low, high)
+    near, far, bent = arc.sub_arc(start, end, bulge, low, high)
     return (
         Paths(
             np.where((low > 0.0)[:, None], near, start),

@@ -1,7 +1,5 @@
-"""Controller languages: one record each, found by the name in a machine's TOML file.
+"""Controller languages: one record for each language, found by the name in a machine's TOML file.
 
-    "grblhal" -> Language, which names its emitter, the verifier's reader, timing and gateway driver
-
-This package imports no part of a language.  The parts are in other packages, and the reader of the
-verifier shares no code with the emitter (ADR 27).
+A record names the emitter, the verifier's reader, the timing and the gateway driver of a language.
+This package imports none of them, and the reader shares no code with the emitter (ADR 27).
 """

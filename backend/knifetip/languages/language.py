@@ -1,8 +1,8 @@
 """language: the record that describes one controller language.
 
-A record names its parts as "module:attribute"; a part is imported when it is first used.  Protocols
-define the interfaces of the parts.  They use types of ``model``, except the moves of the verifier,
-which belong to ``verification``.
+A record names its components as "module:attribute"; a component is imported when it is first used.
+Protocols define the interfaces of the components.  The protocols use types of ``model``; only the
+moves that the verifier reads are types of ``verification``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from knifetip.model.machine import Machine
 
 @dataclass(frozen=True, slots=True)
 class Language:
-    """Name and parts of one controller language.
+    """Name and components of one controller language.
 
     Examples
     --------
@@ -28,22 +28,25 @@ class Language:
         example = "knifetip_example:LANGUAGE"
     """
 
-    name: str  #: ``dialect`` in the machine's TOML
+    name: str  #: value of ``dialect`` in the machine's TOML file
     title: str  #: name for operators
     suffix: str  #: suffix of program files, with its dot
-    emitter: str  #: a ``knifetip.post.emit.Emitter``
-    reader: str  #: a ``knifetip.verification.reading.moves.ProgramReader``
-    timing: str  #: a ``knifetip.sequencing.timing.Timing``
-    driver: str = ""  #: a ``knifetip.gateway.controller.Driver``; empty if none
-    no_driver: str = ""  #: hint if there is no driver: how to send a program to the machine
-    settings: str = ""  #: reads ``[controller]`` of a machine's TOML; empty if none
+    emitter: str  #: path of a ``knifetip.post.emit.Emitter``
+    reader: str  #: path of a ``knifetip.verification.reading.moves.ProgramReader``
+    timing: str  #: path of a ``knifetip.sequencing.timing.Timing``
+    driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
+    no_driver: str = ""  #: without a driver: hint how to send a program
+    settings: str = ""  #: path of the function that reads ``[controller]``, or empty
 
     def load_part(self, role: str) -> Any:
-        """Import and return the ``emitter``, ``reader`` or ``timing`` of this language."""
+        """Import and return one component of the language.
+
+        ``role`` is the field that names the component: ``emitter``, ``reader`` or ``timing``.
+        """
         return pkgutil.resolve_name(getattr(self, role))
 
     def load_driver(self) -> Any:
-        """Import and return the gateway driver.
+        """Import and return the gateway driver of the language.
 
         Raises
         ------
@@ -55,7 +58,7 @@ class Language:
         return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
-        """Return the settings in ``[controller]`` of a machine's TOML, checked by the language.
+        """Return the settings in ``[controller]`` of a machine's TOML file, validated.
 
         Raises
         ------

@@ -1,9 +1,7 @@
-"""registry: the controller languages, by name.
+"""registry: find controller languages by name.
 
-    "grblhal" -> Language
-
-A module of this room with a ``LANGUAGE`` is a language.  Languages of other packages are entry
-points; these are searched only for names that are not found here, since that takes longer.
+Each module of this package with a ``LANGUAGE`` is a language.  Other packages register languages as
+entry points; these are searched only for names that are not found here, since that takes longer.
 """
 
 from __future__ import annotations
@@ -23,18 +21,18 @@ GROUP = "knifetip.languages"
 
 
 def language_names() -> list[str]:
-    """Return the names of all languages."""
+    """Return the names of all controller languages, of this package and of entry points."""
     return sorted({*_own_names(), *entry_points(group=GROUP).names})
 
 
 @cache
 def find_language(name: str) -> Language:
-    """Return the language with a name.
+    """Return the controller language with the given name.
 
     Raises
     ------
     LibraryError
-        There is no such language.
+        No language has the name.
     """
     if name in _own_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
@@ -49,12 +47,14 @@ def find_language(name: str) -> Language:
 
 
 def with_language(machine: Machine, name: str) -> Machine:
-    """Return the machine with another controller language; unchanged if the name is empty.
+    """Return a copy of a machine with another controller language.
+
+    An empty name returns the machine unchanged.
 
     Raises
     ------
     LibraryError
-        There is no such language, or it needs settings that the machine's file lacks.
+        No language has the name, or the language needs settings that the machine's file lacks.
     """
     if name in ("", machine.dialect):
         return machine
@@ -74,7 +74,7 @@ def with_language(machine: Machine, name: str) -> Machine:
 
 @cache
 def _own_names() -> frozenset[str]:
-    """Return the names of the languages of this package."""
+    """Return the names of the controller languages of this package."""
     package = importlib.import_module(__package__)
     modules = {module.name for module in pkgutil.iter_modules(package.__path__)}
     return frozenset(modules - {"language", "registry"})

@@ -8,7 +8,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8, Bool, frozen
+from knifetip.geometry.columns import F64, I32, U8, Bool, freeze
 from knifetip.messages import Message, with_text
 from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import ImportOutcome
@@ -58,12 +58,12 @@ class Stretches:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "row", frozen(self.row, np.int32, -1))
+        put(self, "row", freeze(self.row, np.int32, -1))
         rows = len(self.row)
-        put(self, "begin", frozen(self.begin, np.float64, rows))
-        put(self, "end", frozen(self.end, np.float64, rows))
-        put(self, "cleaned", frozen(self.cleaned, np.int32, rows))
-        put(self, "given", frozen(self.given, np.bool_, rows))
+        put(self, "begin", freeze(self.begin, np.float64, rows))
+        put(self, "end", freeze(self.end, np.float64, rows))
+        put(self, "cleaned", freeze(self.cleaned, np.int32, rows))
+        put(self, "given", freeze(self.given, np.bool_, rows))
 
     def __len__(self) -> int:
         return len(self.row)
@@ -96,12 +96,12 @@ class Cleaned:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "of", frozen(self.of, np.int32, -1))
+        put(self, "of", freeze(self.of, np.int32, -1))
         rows = len(self.of)
         for name in ("outcome", "reason"):
-            put(self, name, frozen(getattr(self, name), np.uint8, rows))
+            put(self, name, freeze(getattr(self, name), np.uint8, rows))
         for name in ("kept", "merged", "dropped", "added", "moved", "off"):
-            put(self, name, frozen(getattr(self, name), np.float64, rows))
+            put(self, name, freeze(getattr(self, name), np.float64, rows))
 
     @property
     def changed(self) -> Bool:

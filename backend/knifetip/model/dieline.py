@@ -7,7 +7,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.geometry.columns import F64, I32, U8, freeze
 from knifetip.messages import Message
 
 
@@ -60,13 +60,13 @@ class Dieline:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "ends", frozen(self.ends, np.float64, -1, 2, 2))
+        put(self, "ends", freeze(self.ends, np.float64, -1, 2, 2))
         rows = len(self.ends)
-        put(self, "bulge", frozen(self.bulge, np.float64, rows))
-        put(self, "line_type", frozen(self.line_type, np.uint8, rows))
-        put(self, "source", frozen(self.source, np.int32, rows))
-        put(self, "rule", frozen(self.rule, np.int32, rows))
-        put(self, "confidence", frozen(self.confidence, np.float64, rows))
+        put(self, "bulge", freeze(self.bulge, np.float64, rows))
+        put(self, "line_type", freeze(self.line_type, np.uint8, rows))
+        put(self, "source", freeze(self.source, np.int32, rows))
+        put(self, "rule", freeze(self.rule, np.int32, rows))
+        put(self, "confidence", freeze(self.confidence, np.float64, rows))
         spare = len(self.rules) - len(self.alternatives)
         if spare < 0:
             raise ValueError("more alternatives than rules")

@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.geometry.columns import F64, I32, U8, freeze
 from knifetip.messages import Message
 from knifetip.model.unit import UnitHint
 
@@ -31,7 +31,7 @@ class LocationBoxes(NamedTuple):
 
 
 NO_BOXES: Final = LocationBoxes(
-    frozen(np.zeros(0, np.int32), np.int32, 0), frozen(np.zeros((0, 4)), np.float64, 0, 4)
+    freeze(np.zeros(0, np.int32), np.int32, 0), freeze(np.zeros((0, 4)), np.float64, 0, 4)
 )
 
 
@@ -58,15 +58,15 @@ class ImportReport:
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
-        object.__setattr__(self, "outcome", frozen(self.outcome, np.uint8, rows))
-        object.__setattr__(self, "length", frozen(self.length, np.float64, rows))
+        object.__setattr__(self, "outcome", freeze(self.outcome, np.uint8, rows))
+        object.__setattr__(self, "length", freeze(self.length, np.float64, rows))
         same = len(self.kind) == len(self.layer) == len(self.reason) == rows
         if not same or len(self.block) not in (0, rows):
             raise ValueError("import report columns differ in length")
         where, box = self.location_boxes
-        box = frozen(box, np.float64, len(where), 4)
+        box = freeze(box, np.float64, len(where), 4)
         object.__setattr__(
-            self, "location_boxes", LocationBoxes(frozen(where, np.int32, len(box)), box)
+            self, "location_boxes", LocationBoxes(freeze(where, np.int32, len(box)), box)
         )
 
     def __len__(self) -> int:
@@ -121,11 +121,11 @@ class Drawing:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "ends", frozen(self.ends, np.float64, -1, 2, 2))
+        put(self, "ends", freeze(self.ends, np.float64, -1, 2, 2))
         rows = len(self.ends)
-        put(self, "bulge", frozen(self.bulge, np.float64, rows))
+        put(self, "bulge", freeze(self.bulge, np.float64, rows))
         for name in ("entity", "layer", "colour", "true_colour", "linetype"):
-            put(self, name, frozen(getattr(self, name), np.int32, rows))
+            put(self, name, freeze(getattr(self, name), np.int32, rows))
 
     def __len__(self) -> int:
         return len(self.ends)
@@ -151,5 +151,5 @@ def extents(ends: F64, bulge: F64) -> F64:
     """Return the bounding box of edges, (4,): x min, y min, x max, y max; zeros for none."""
     if len(ends) == 0:
         return np.zeros(4)
-    boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     return np.concatenate([boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)])

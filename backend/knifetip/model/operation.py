@@ -8,7 +8,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.geometry.columns import F64, I32, U8, freeze
 from knifetip.geometry.path import Paths
 from knifetip.model.corners import AS_OTHERS
 from knifetip.model.dieline import LineType
@@ -63,14 +63,14 @@ class Operation:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "depth", frozen(self.depth, np.float64, len(self.paths.bulge), -1))
-        put(self, "start", frozen(self.start, np.uint8, len(self.paths)))
-        put(self, "finish", frozen(self.finish, np.uint8, len(self.paths)))
+        put(self, "depth", freeze(self.depth, np.float64, len(self.paths.bulge), -1))
+        put(self, "start", freeze(self.start, np.uint8, len(self.paths)))
+        put(self, "finish", freeze(self.finish, np.uint8, len(self.paths)))
         out = self.run_out if len(self.run_out) else np.zeros((len(self.paths), 2))
         knobs = self.k_at if len(self.k_at) else np.full(len(self.paths.bulge), np.nan)
-        put(self, "k_at", frozen(knobs, np.float64, len(self.paths.bulge)))
+        put(self, "k_at", freeze(knobs, np.float64, len(self.paths.bulge)))
         types = self.corner_at if len(self.corner_at) else np.full(len(knobs), AS_OTHERS, np.uint8)
-        put(self, "corner_at", frozen(types, np.uint8, len(self.paths.bulge)))
-        put(self, "run_out", frozen(out, np.float64, len(self.paths), 2))
-        put(self, "bridges", frozen(self.bridges, np.float64, -1, 2))
-        put(self, "source", frozen(self.source, np.int32, len(self.paths.bulge)))
+        put(self, "corner_at", freeze(types, np.uint8, len(self.paths.bulge)))
+        put(self, "run_out", freeze(out, np.float64, len(self.paths), 2))
+        put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
+        put(self, "source", freeze(self.source, np.int32, len(self.paths.bulge)))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from knifetip.geometry.columns import I32, frozen
+from knifetip.geometry.columns import I32, freeze
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -19,7 +19,7 @@ class Program:
 
     def __post_init__(self) -> None:
         count = self.text.count(b"\n")
-        object.__setattr__(self, "source", frozen(self.source, np.int32, count))
+        object.__setattr__(self, "source", freeze(self.source, np.int32, count))
 
     def __len__(self) -> int:
         return len(self.source)

@@ -7,7 +7,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8, frozen
+from knifetip.geometry.columns import F64, I32, U8, freeze
 
 
 class Motion(IntEnum):
@@ -41,14 +41,14 @@ class Toolpath:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "bulge", frozen(self.bulge, np.float64, -1))
+        put(self, "bulge", freeze(self.bulge, np.float64, -1))
         rows = len(self.bulge)
-        put(self, "pose", frozen(self.pose, np.float64, rows + 1, 4))
-        put(self, "motion", frozen(self.motion, np.uint8, rows))
-        put(self, "feed", frozen(self.feed, np.float64, rows))
-        put(self, "source", frozen(self.source, np.int32, rows))
-        put(self, "tool", frozen(self.tool, np.uint8, rows))
-        put(self, "track", frozen(self.track, np.int32, rows))
+        put(self, "pose", freeze(self.pose, np.float64, rows + 1, 4))
+        put(self, "motion", freeze(self.motion, np.uint8, rows))
+        put(self, "feed", freeze(self.feed, np.float64, rows))
+        put(self, "source", freeze(self.source, np.int32, rows))
+        put(self, "tool", freeze(self.tool, np.uint8, rows))
+        put(self, "track", freeze(self.track, np.int32, rows))
 
     def __len__(self) -> int:
         return len(self.bulge)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, frozen
+from knifetip.geometry.columns import F64, I32, freeze
 from knifetip.messages import Message, render
 
 
@@ -54,9 +54,9 @@ class Samples:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "edge", frozen(self.edge, np.int32, -1))
-        put(self, "place", frozen(self.place, np.float64, len(self.edge)))
-        put(self, "deviation", frozen(self.deviation, np.float64, len(self.edge)))
+        put(self, "edge", freeze(self.edge, np.int32, -1))
+        put(self, "place", freeze(self.place, np.float64, len(self.edge)))
+        put(self, "deviation", freeze(self.deviation, np.float64, len(self.edge)))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -72,10 +72,10 @@ class Unreached:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "bulge", frozen(self.bulge, np.float64, -1))
-        put(self, "ends", frozen(self.ends, np.float64, len(self.bulge), 2, 2))
-        put(self, "area", frozen(self.area, np.float64, -1))
-        put(self, "first", frozen(self.first, np.int32, len(self.area) + 1))
+        put(self, "bulge", freeze(self.bulge, np.float64, -1))
+        put(self, "ends", freeze(self.ends, np.float64, len(self.bulge), 2, 2))
+        put(self, "area", freeze(self.area, np.float64, -1))
+        put(self, "first", freeze(self.first, np.int32, len(self.area) + 1))
 
     def __len__(self) -> int:
         return len(self.area)
@@ -106,11 +106,11 @@ class Verdict:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "deviation", frozen(self.deviation, np.float64, -1))
+        put(self, "deviation", freeze(self.deviation, np.float64, -1))
         rows = len(self.deviation)
         for name in ("overcut", "uncut", "setback"):
-            put(self, name, frozen(getattr(self, name), np.float64, rows))
+            put(self, name, freeze(getattr(self, name), np.float64, rows))
         optional = ("width", "web", "flank", "unreached", "bottom_uncut", "top_overcut", "tidied")
         for name in optional:
             column = getattr(self, name) if len(getattr(self, name)) else np.zeros(rows)
-            put(self, name, frozen(column, np.float64, rows))
+            put(self, name, freeze(column, np.float64, rows))

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError
-from knifetip.geometry.azimuth import unit
+from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import POINT
@@ -77,7 +77,10 @@ def transitions(
     CompensationError
         k or the radius is not a number in its range.
     """
-    before, after = unit(np.asarray(u1, np.float64)), unit(np.asarray(u2, np.float64))
+    before, after = (
+        unit_vectors(np.asarray(u1, np.float64)),
+        unit_vectors(np.asarray(u2, np.float64)),
+    )
     vertex = np.asarray(point, np.float64)
     count = len(vertex)
     kind = np.broadcast_to(np.asarray(corner, np.uint8), count)

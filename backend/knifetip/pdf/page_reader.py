@@ -13,7 +13,7 @@ from __future__ import annotations
 from pypdf.generic import DictionaryObject, StreamObject
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
-from knifetip.geometry.affine import Matrix, chained
+from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
 from knifetip.pdf.document import UNBOUNDED, Box, Page, PdfFile
@@ -117,7 +117,7 @@ class _PageReader:
         file = self.file
         if (matrix := file.numbers(node, "/Matrix", 6)) is not None:
             a, b, c, d, e, f = matrix
-            state = state._replace(matrix=chained(state.matrix, (a, b, c, d, e, f)))
+            state = state._replace(matrix=compose(state.matrix, (a, b, c, d, e, f)))
         if (box := file.numbers(node, "/BBox", 4)) is not None:
             corners = [(x, y) for x in box[::2] for y in box[1::2]]
             state = state._replace(

@@ -17,7 +17,7 @@ from typing import Any, Final, NamedTuple
 from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
 from knifetip.errors import DrawingTooLarge
-from knifetip.geometry.affine import Matrix, chained
+from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, ColourSpace, Paint
@@ -194,7 +194,7 @@ class Stream:
         numbers = tuple(one for one in given if isinstance(one, float))
         # After an invalid matrix the position of all that follows is unknown.
         inner = numbers if len(numbers) == 6 == len(given) else _INVALID
-        self._state = self._state._replace(matrix=chained(self._state.matrix, inner))
+        self._state = self._state._replace(matrix=compose(self._state.matrix, inner))
 
     def _set_dash(self, _operator: str, given: list[Any]) -> None:
         dashes = given[0] if given and isinstance(given[0], list) else []

@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple
 
 from pypdf.generic import DictionaryObject, StreamObject
 
-from knifetip.geometry.affine import IDENTITY, Matrix, chained
+from knifetip.geometry.affine import IDENTITY, Matrix, compose
 from knifetip.pdf.document import PdfFile
 
 _CODECS: Final = {"/WinAnsiEncoding": "cp1252", "/MacRomanEncoding": "mac-roman"}
@@ -123,12 +123,12 @@ class TextObject:
             x, y = numbers
             if operator == "TD":
                 self._leading = -y
-            self._move(chained(self._line, (1.0, 0.0, 0.0, 1.0, x, y)), new_line=y != 0.0)
+            self._move(compose(self._line, (1.0, 0.0, 0.0, 1.0, x, y)), new_line=y != 0.0)
         elif operator == "TL" and numbers:
             self._leading = numbers[0]
         elif operator in ("T*", "'", '"'):
             down = (1.0, 0.0, 0.0, 1.0, 0.0, -self._leading)
-            self._move(chained(self._line, down), new_line=True)
+            self._move(compose(self._line, down), new_line=True)
         if operator in SHOW_OPERATORS and given:
             self._show(given[-1])
 
@@ -169,7 +169,7 @@ class TextObject:
         text = " ".join("".join(self._parts).split())
         if self._begin is None or self._unread or not text:
             return None
-        a, b, c, d, e, f = chained(matrix, self._begin)
+        a, b, c, d, e, f = compose(matrix, self._begin)
         place = e, f, abs(self.size) * math.sqrt(abs(a * d - b * c))
         return (text, *place) if all(map(math.isfinite, place)) else None
 

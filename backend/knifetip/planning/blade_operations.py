@@ -10,14 +10,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.geometry.columns import I8, I32, I64, Bool
-from knifetip.geometry.grid import touching
+from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.path import (
     Paths,
-    begun_in_middle,
-    interrupted,
-    reversed_where,
-    taken,
-    trimmed,
+    insert_gaps,
+    reverse_paths,
+    select_paths,
+    start_in_middle,
+    trim_ends,
 )
 from knifetip.geometry.tolerance import ANGLE, GAP
 from knifetip.model.dieline import Dieline, LineType
@@ -81,7 +81,7 @@ def _split_by_turn(operation: Operation, rows: I32, turn: I64) -> list[tuple[int
     parts = []
     for number in np.unique(turn_of_path):
         which = np.flatnonzero(turn_of_path == number).astype(np.int32)
-        some, segment = taken(paths, which)
+        some, segment = select_paths(paths, which)
         part = replace(
             operation,
             paths=some,
@@ -117,16 +117,16 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
         spacing = Spacing(board.bridge_width, board.bridge_spacing)
         avoid = ends_of_others(dieline, cuts.rows)
         path, along = place_bridges(paths, closed, spacing, source, avoid, all_reachable(paths))
-        paths, whole, segment = interrupted(paths, path, along, board.bridge_width)
+        paths, whole, segment = insert_gaps(paths, path, along, board.bridge_width)
         held, source = closed[whole], source[segment]
     elif cuts.waste is not None and isinstance(tool, Knife) and tool.led:
         paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
         side = 1
-    paths, segment = begun_in_middle(paths, paths.closed)
+    paths, segment = start_in_middle(paths, paths.closed)
     source = source[segment]
     start, finish = np.split(_ends_on_cuts(paths, source, dieline), 2)
     # A blade enters exactly at its tip and runs out ahead of it: start at the end that is free.
-    paths, segment = reversed_where(paths, start & ~finish & ~paths.closed & ~held)
+    paths, segment = reverse_paths(paths, start & ~finish & ~paths.closed & ~held)
     source = source[segment]
     ends = end_kinds(paths, _ends_on_cuts(paths, source, dieline), End.MEETS)
     for kinds in ends:
@@ -144,7 +144,7 @@ def _keep_waste_left(
     first = paths.first[:-1]
     as_drawn = (paths.start[first] == dieline.ends[source[first], 0]).all(axis=1)
     on_right = side[source[first]] == np.where(as_drawn, -1, 1)
-    paths, segment = reversed_where(paths, paths.closed & on_right)
+    paths, segment = reverse_paths(paths, paths.closed & on_right)
     return paths, source[segment]
 
 
@@ -155,7 +155,7 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     ends, bulge = dieline.ends[cut], dieline.bulge[cut]
     index = np.full(len(dieline), -1, np.int32)
     index[cut] = np.arange(len(cut))
-    return touching(points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP)
+    return points_on_segments(points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP)
 
 
 def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
@@ -181,7 +181,7 @@ def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32
     ordinal = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
     begin = ordinal * spacing[owner]
     size = np.where(count == 1, length, cut)[owner]
-    repeated, rows = taken(paths, owner.astype(np.int32))
+    repeated, rows = select_paths(paths, owner.astype(np.int32))
     left = np.maximum(length[owner] - begin - size, 0.0)
-    dashes, segment = trimmed(repeated, begin, left)
+    dashes, segment = trim_ends(repeated, begin, left)
     return dashes, rows[segment].astype(np.int32)

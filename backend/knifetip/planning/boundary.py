@@ -21,10 +21,11 @@ from math import radians, sin
 import numpy as np
 
 from knifetip.errors import FlankOutside
-from knifetip.geometry import arc, leaving
-from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths
+from knifetip.geometry.run_out import corner_run_outs
 from knifetip.geometry.tolerance import GAP
 from knifetip.planning.box_pairs import box_pairs
 from knifetip.planning.creases import inner_crossings
@@ -92,7 +93,7 @@ def run_out_lengths(
     end, u, m, radius = contacts.end[leaves], u[leaves], m[leaves], contacts.radius[leaves]
     sagitta = np.minimum(width / 2.0 / sine[leaves], radius) ** 2 / (2.0 * radius)
     short = np.maximum((contacts.gap[leaves] * m).sum(axis=1), 0.0)
-    needed = leaving.run_out(u, m, width, sagitta + short)
+    needed = corner_run_outs(u, m, width, sagitta + short)
 
     count = len(points)
     contact_count = np.bincount(contacts.end, minlength=count)
@@ -123,7 +124,7 @@ def _check_run_outs(
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
     # Tracks: of the middle of the tool, and across the tool where it stops.  The latter is slightly
     # shorter than the tool is wide, since the corner that leaves last is exactly on the edge.
-    half = 0.499 * width * left(ahead[rows])
+    half = 0.499 * width * left_normal(ahead[rows])
     tracks = Paths(
         np.concatenate([start, end + half]),
         np.concatenate([end, end - half]),
@@ -155,21 +156,21 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
 
 def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
     """Return the contacts of points, (n, 2) mm, with the outline, within ``GAP``."""
-    boxes = arc.bounds(outline.start, outline.end, outline.bulge)
+    boxes = arc.bounding_boxes(outline.start, outline.end, outline.bulge)
     end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
     point = points[end]
-    along = arc.nearest(start, finish, bulge, point)
+    along = arc.nearest_fraction(start, finish, bulge, point)
     place = arc.point_at(start, finish, bulge, along)
     gap = place - point
     touch = np.hypot(gap[:, 0], gap[:, 1]) <= GAP
-    tangent = unit(arc.tangent_at(start, finish, bulge, along))
+    tangent = unit_vectors(arc.tangent_at(start, finish, bulge, along))
     near_end = np.hypot(*(finish - point).T) <= GAP
     near_start = np.hypot(*(start - point).T) <= GAP
     return _Contacts(
         end[touch],
         cut[touch],
-        left(tangent)[touch],
+        left_normal(tangent)[touch],
         tangent[touch],
         gap[touch],
         arc.radius(start, finish, bulge)[touch],

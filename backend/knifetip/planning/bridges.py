@@ -20,7 +20,7 @@ import numpy as np
 
 from knifetip.errors import NoRoomForBridges
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import unit
+from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT
@@ -92,9 +92,9 @@ def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
     """Return the path and the position along it (mm) of each point on one of the paths."""
     rows = np.flatnonzero(which[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
-    point, row = box_pairs(np.hstack([points, points]), arc.bounds(start, end, bulge), GAP)
+    point, row = box_pairs(np.hstack([points, points]), arc.bounding_boxes(start, end, bulge), GAP)
     whole = start[row], end[row], bulge[row]
-    share = arc.nearest(*whole, points[point])
+    share = arc.nearest_fraction(*whole, points[point])
     on = np.hypot(*(arc.point_at(*whole, share) - points[point]).T) <= GAP
     row, share = rows[row[on]], share[on]
     size = arc.length(paths.start, paths.end, paths.bulge)
@@ -179,7 +179,7 @@ def _free_ranges(
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     size = arc.length(start, end, bulge)
     begin = np.cumsum(size) - size
-    ahead, last = (unit(vectors) for vectors in arc.tangents(start, end, bulge))
+    ahead, last = (unit_vectors(vectors) for vectors in arc.tangents(start, end, bulge))
     before = np.roll(last, 1, axis=0)
     straight_on = (before * ahead).sum(axis=1)
     sharp = straight_on < math.cos(math.radians(ANGLE))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from knifetip.geometry.azimuth import azimuth
-from knifetip.geometry.chain import chain, run_on
+from knifetip.geometry.chain import chain, continues_straight
 from knifetip.geometry.columns import I32, U8
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import ANGLE
@@ -57,7 +57,7 @@ def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8
     chains = chain(ends, bulge, ANGLE)
     paths, source = chains.paths(ends, bulge), row[order][chains.order]
     # Chains end where several edges continue in one direction: such ends are not free.
-    continued = run_on(end_points(paths)[0], end_directions(paths))
+    continued = continues_straight(end_points(paths)[0], end_directions(paths))
     start, finish = end_kinds(paths, continued, End.CONTINUED)
     path_of = paths.path_of
     paths, segment, split = split_at_cuts(paths, cut_ends, cut_bulge)

@@ -14,10 +14,10 @@ import numpy as np
 
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import left, unit
-from knifetip.geometry.chain import outward
+from knifetip.geometry.azimuth import left_normal, unit_vectors
+from knifetip.geometry.chain import outward_directions
 from knifetip.geometry.columns import F64, I32, I64, Bool
-from knifetip.geometry.path import Paths, taken
+from knifetip.geometry.path import Paths, select_paths
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP
 from knifetip.planning.box_pairs import box_pairs
 
@@ -58,7 +58,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     size = arc.length(paths.start, paths.end, paths.bulge)[row] * (high - low)
     some = (size > GAP) | ((low == 0.0) & (high == 1.0))
     row, low, high, added = row[some], low[some], high[some], added[some]
-    near_end, far_end, bent = arc.part(
+    near_end, far_end, bent = arc.sub_arc(
         paths.start[row], paths.end[row], paths.bulge[row], low, high
     )
     owner = paths.path_of[row]
@@ -90,12 +90,12 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
 def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     """Return the segments on which cuts from both sides end at one point, and its parameter."""
     points = ends.reshape(-1, 2)
-    boxes = arc.bounds(paths.start, paths.end, paths.bulge)
+    boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
     end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
     if len(end) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
     whole = paths.start[row], paths.end[row], paths.bulge[row]
-    share = arc.nearest(*whole, points[end])
+    share = arc.nearest_fraction(*whole, points[end])
     place = arc.point_at(*whole, share)
     stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
     path = paths.path_of[row]
@@ -105,8 +105,8 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     # A point on a joint counts for the segment after it.
     on &= share < 1.0 - 1e-9
     end, row, share = end[on], row[on], share[on]
-    ahead = unit(arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], share))
-    side = (left(ahead) * outward(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
+    ahead = unit_vectors(arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], share))
+    side = (left_normal(ahead) * outward_directions(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
     # A cut that leaves the crease by less than GAP was only drawn slightly too long.
     size = arc.length(ends[:, 0], ends[:, 1], bulge)[end // 2]
     side[np.abs(side) * size <= GAP] = 0.0
@@ -200,10 +200,10 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
             source=[str(source[row]) for row in tight[:10]],
         )
     which = np.repeat(np.arange(len(paths), dtype=np.int32), 2)
-    pair, rows = taken(paths, which)
+    pair, rows = select_paths(paths, which)
     owner = pair.path_of
     ahead, last = arc.tangents(pair.start, pair.end, pair.bulge)
-    ahead, last = left(unit(ahead)), left(unit(last))
+    ahead, last = left_normal(unit_vectors(ahead)), left_normal(unit_vectors(last))
     # At a joint the parallel lines meet on the mitre of both normals.
     before = np.roll(last, 1, axis=0)
     after = np.roll(ahead, -1, axis=0)

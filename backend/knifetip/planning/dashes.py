@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.geometry.azimuth import unit
-from knifetip.geometry.chain import nodes
+from knifetip.geometry.azimuth import unit_vectors
+from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I32, I64
-from knifetip.geometry.grid import touching
+from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
@@ -58,7 +58,7 @@ def merge_dashes(
     barred = np.ones((2, len(rows)), np.bool_)
     if cuts is not None:
         cut_ends, cut_bulge = cuts
-        barred = touching(
+        barred = points_on_segments(
             np.concatenate([near, far]),
             np.full(2 * len(rows), -1, np.int32),
             cut_ends[:, 0],
@@ -103,7 +103,7 @@ def merge_dashes(
 
 def _upward_directions(ends: F64) -> F64:
     """Return the unit direction of each line, reversed where it points downwards, (n, 2)."""
-    ahead = unit(ends[:, 1] - ends[:, 0])
+    ahead = unit_vectors(ends[:, 1] - ends[:, 0])
     # Directions very near due west become due east, so that one line has one direction.
     down = (ahead[:, 1] < -1e-4) | ((np.abs(ahead[:, 1]) <= 1e-4) & (ahead[:, 0] < 0.0))
     return np.where(down[:, None], -ahead, ahead)
@@ -120,7 +120,7 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
     bundle = _cluster(np.zeros(len(rows), np.int64), angle, COLLINEAR)
     size = np.bincount(bundle)
     mean = np.stack([np.bincount(bundle, part) for part in ahead.T], axis=1) / size[:, None]
-    common = unit(mean)[bundle] if len(rows) else ahead
+    common = unit_vectors(mean)[bundle] if len(rows) else ahead
     middle = ends[rows].mean(axis=1)
     offset = common[:, 0] * middle[:, 1] - common[:, 1] * middle[:, 0]
     line = _cluster(bundle, offset, JOIN)
@@ -153,7 +153,7 @@ def distinct_edges(ends: F64, bulge: F64) -> I32:
     """Return the rows of edges, (n, 2, 2) mm and (n,), without those that repeat an earlier one."""
     if len(ends) == 0:
         return np.zeros(0, np.int32)
-    node = nodes(ends.reshape(-1, 2)).reshape(-1, 2)
+    node = number_vertices(ends.reshape(-1, 2)).reshape(-1, 2)
     bent = np.round(np.where(node[:, 0] > node[:, 1], -bulge, bulge), 6)
     order = np.lexsort((bent, node.max(axis=1), node.min(axis=1)))
     key = np.column_stack([node.min(axis=1), node.max(axis=1), bent])[order]

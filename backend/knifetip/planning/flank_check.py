@@ -15,7 +15,7 @@ import numpy as np
 
 from knifetip.errors import FlankOutside
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE, GAP, POINT
@@ -121,11 +121,11 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     """Return the chords of the cuts near straight grooves, in coordinates along each groove."""
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
-    ahead = unit(finish - begin)
+    ahead = unit_vectors(finish - begin)
     # A cut this far beyond an end still counts as the cut on which the groove ends.
     first, last = begin - 2.0 * reach * ahead, finish + 2.0 * reach * ahead
     boxes = np.hstack([np.minimum(first, last), np.maximum(first, last)])
-    path, cut = box_pairs(boxes, arc.bounds(ends[:, 0], ends[:, 1], bulge), reach)
+    path, cut = box_pairs(boxes, arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), reach)
 
     whole = ends[cut, 0], ends[cut, 1], bulge[cut]
     bent = np.abs(bulge[cut]) >= BULGE
@@ -139,7 +139,7 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     for share in (piece / pieces[pair], (piece + 1) / pieces[pair]):
         off = arc.point_at(*whole, share) - begin[path[pair]]
         direction = ahead[path[pair]]
-        sides.append(((off * direction).sum(axis=1), (off * left(direction)).sum(axis=1)))
+        sides.append(((off * direction).sum(axis=1), (off * left_normal(direction)).sum(axis=1)))
     along, offset = (np.stack(column, axis=1) for column in zip(*sides, strict=True))
     count = len(pair)
     return _NearbyChords(

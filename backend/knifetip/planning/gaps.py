@@ -22,9 +22,9 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.chain import nodes
+from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64
-from knifetip.geometry.grid import touching
+from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
 from knifetip.planning.box_pairs import box_pairs
@@ -44,17 +44,19 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]
     own = np.repeat(np.arange(len(ends), dtype=np.int32), 2)
-    loose = ~touching(points, own, start, end, bulge, JOIN)
+    loose = ~points_on_segments(points, own, start, end, bulge, JOIN)
     tips = np.flatnonzero(loose)
     if len(tips) == 0:
         return np.zeros((0, 2, 2))
-    tip, row = box_pairs(np.tile(points[tips], 2), arc.bounds(start, end, bulge), CONTOUR_GAP)
-    share = arc.nearest(start[row], end[row], bulge[row], points[tips[tip]])
+    tip, row = box_pairs(
+        np.tile(points[tips], 2), arc.bounding_boxes(start, end, bulge), CONTOUR_GAP
+    )
+    share = arc.nearest_fraction(start[row], end[row], bulge[row], points[tips[tip]])
     target = arc.point_at(start[row], end[row], bulge[row], share)
     for side in range(2):
         there = np.hypot(*(target - ends[row, side]).T) <= JOIN
         target[there], share[there] = ends[row[there], side], float(side)
-    node = nodes(points).astype(np.int64)
+    node = number_vertices(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
     one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from knifetip.geometry.chain import chain, run_on
+from knifetip.geometry.chain import chain, continues_straight
 from knifetip.geometry.columns import I32
 from knifetip.geometry.tolerance import COLLINEAR
 from knifetip.model.dieline import Dieline, LineType
@@ -51,7 +51,11 @@ def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setu
     run_out = run_out.reshape(2, -1).T
     check_flanks(paths, source, reach, run_out, dieline)
     # From chord to chord the blade runs over into its own groove.
-    joined = run_on(points, inward, joint + COLLINEAR) if joint else np.zeros(len(own), np.bool_)
+    joined = (
+        continues_straight(points, inward, joint + COLLINEAR)
+        if joint
+        else np.zeros(len(own), np.bool_)
+    )
     kinds = np.where(on_edge, End.MEETS, np.where(joined, End.CONTINUED, End.FREE))
     start, finish = np.split(kinds.astype(np.uint8), 2)
     operation = setup.operation(LineType.V_GROOVE, paths, source, depth, (start, finish))

@@ -19,7 +19,7 @@ from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.chain import chain
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
-from knifetip.geometry.path import Paths, reversed_where, taken
+from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
@@ -74,14 +74,14 @@ def plan_milling(
     inside = paths.closed & (waste == 0)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
-    paths, order = reversed_where(paths, side < 0)
+    paths, order = reverse_paths(paths, side < 0)
     source = source[order]
     depth = cutter.passes(setup.through)
     operations = []
     turn = 2 * (number.max(initial=0) - number) + np.abs(side)
     for place in np.unique(turn):
         which = np.flatnonzero(turn == place).astype(np.int32)
-        some, kept = taken(paths, which)
+        some, kept = select_paths(paths, which)
         end = np.where(some.closed, End.CLOSED, End.FREE).astype(np.uint8)
         held = some.closed & (waste[which] != 0)
         bridges = _bridge_positions(some, held, board, cutter, source[kept], avoid)

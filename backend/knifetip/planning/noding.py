@@ -60,10 +60,10 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
-        np.hstack([points, points]), arc.bounds(ends[:, 0], ends[:, 1], bulge), JOIN
+        np.hstack([points, points]), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
     )
     whole = ends[row, 0], ends[row, 1], bulge[row]
-    share = arc.nearest(*whole, points[end])
+    share = arc.nearest_fraction(*whole, points[end])
     on = np.hypot(*(arc.point_at(*whole, share) - points[end]).T) <= JOIN
     for side in range(2):
         on &= np.hypot(*(points[end] - ends[row, side]).T) > JOIN
@@ -72,7 +72,7 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     """Return the points at which edges cross, once for each edge, as ``_end_contacts``."""
-    boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes, boxes, 0.0)
     if len(one) > 2 * _MOST_PAIRS:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.geometry.chain import chain, outward
+from knifetip.geometry.chain import chain, outward_directions
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.model.dieline import Dieline
@@ -44,7 +44,7 @@ def end_directions(paths: Paths) -> F64:
     _, segment = end_points(paths)
     side = np.repeat([0, 1], len(paths))
     segments = np.stack([paths.start, paths.end], axis=1)
-    directions: F64 = outward(segments, paths.bulge)[segment, side]
+    directions: F64 = outward_directions(segments, paths.bulge)[segment, side]
     return directions
 
 

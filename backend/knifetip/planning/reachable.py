@@ -55,7 +55,8 @@ def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
     whole = paths.start[segment], paths.end[segment], paths.bulge[segment]
     size = arc.length(*whole)
     begin, end = (
-        size * arc.nearest(*whole, points[row]) for points in (offset.paths.start, offset.paths.end)
+        size * arc.nearest_fraction(*whole, points[row])
+        for points in (offset.paths.start, offset.paths.end)
     )
     order = np.lexsort((begin, segment))
     return ReachableStretches(segment[order], begin[order], end[order])

@@ -1,1 +1,1 @@
-"""Post-processors: write tool paths as programs in the languages of controllers."""
+"""Post-processors: write programs from toolpaths, one emitter for each controller language."""

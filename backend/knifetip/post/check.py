@@ -1,7 +1,4 @@
-"""check: checks of a toolpath that hold for all controller languages.
-
-Toolpath -> nothing, or an error that reports the first wrong row
-"""
+"""check: check that a toolpath can be written as a program, for any controller language."""
 
 from __future__ import annotations
 
@@ -14,16 +11,16 @@ from knifetip.geometry.columns import Bool
 from knifetip.messages import Message
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Greatest coordinate; no table is larger (mm, degrees).
-FARTHEST: Final = 1e6
+#: Greatest coordinate of a pose (mm or degrees); no table is larger.
+MAX_COORDINATE: Final = 1e6
 #: Least feed (mm/min).
-SLOWEST: Final = 1e-3
+MIN_FEED: Final = 1e-3
 #: Greatest feed (mm/min, degrees/min).
-FASTEST: Final = 1e8
+MAX_FEED: Final = 1e8
 
 
 def describe_row(toolpath: Toolpath, row: int) -> Message:
-    """Return a message that names a row of a toolpath, its motion and its edge."""
+    """Return a message that names a row of a toolpath, its motion and its edge, if it has one."""
     edge = int(toolpath.source[row])
     motion = int(toolpath.motion[row])
     name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
@@ -33,7 +30,7 @@ def describe_row(toolpath: Toolpath, row: int) -> Message:
 
 
 def check_toolpath(toolpath: Toolpath) -> None:
-    """Raise an error if a toolpath cannot be written; it reports the first wrong row.
+    """Raise an error for the first row of a toolpath that cannot be written as a program.
 
     Raises
     ------
@@ -45,6 +42,7 @@ def check_toolpath(toolpath: Toolpath) -> None:
         raise ProgramError("toolpath.empty")
 
     def refuse(wrong: Bool, code: str, **measures: float) -> None:
+        """Raise ``ProgramError`` for the first row in the mask ``wrong``, if there is one."""
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])
@@ -63,11 +61,11 @@ def check_toolpath(toolpath: Toolpath) -> None:
     numbers: Bool = np.logical_and.reduce(np.isfinite(toolpath.pose), axis=1)
     finite = numbers[1:] & numbers[:-1] & np.isfinite(toolpath.bulge) & np.isfinite(toolpath.feed)
     refuse(~finite, "toolpath.not-finite")
-    far: Bool = np.logical_or.reduce(np.abs(toolpath.pose) > FARTHEST, axis=1)
-    refuse(far[1:] | far[:-1], "toolpath.too-far", limit=FARTHEST)
+    far: Bool = np.logical_or.reduce(np.abs(toolpath.pose) > MAX_COORDINATE, axis=1)
+    refuse(far[1:] | far[:-1], "toolpath.too-far", limit=MAX_COORDINATE)
     rapid = toolpath.motion == Motion.RAPID
     refuse(toolpath.motion > max(Motion), "toolpath.unknown-motion")
-    refuse(~rapid & (toolpath.feed < SLOWEST), "toolpath.no-feed")
-    refuse(toolpath.feed > FASTEST, "toolpath.feed-too-fast")
+    refuse(~rapid & (toolpath.feed < MIN_FEED), "toolpath.no-feed")
+    refuse(toolpath.feed > MAX_FEED, "toolpath.feed-too-fast")
     refuse(rapid & (np.abs(toolpath.bulge) > 0), "toolpath.rapid-arc")
     refuse(np.abs(toolpath.bulge) > 1.0 + 1e-6, "toolpath.arc-too-long")

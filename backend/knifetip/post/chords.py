@@ -9,16 +9,23 @@ from knifetip.geometry.columns import F64, I64
 
 
 def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
-    """Split moves; return the poses between the pieces, (m + 1, k), and the move of each, (m,).
+    """Split moves into equal pieces.
 
     Parameters
     ----------
     pose : (n + 1, k) float64
-        X and Y first, then axes that change linearly along each move.
+        Poses between the n moves: X and Y first, then axes that change linearly along each move.
     bulge : (n,) float64
         tan(sweep / 4) of each move in XY.
     pieces : (n,) int64
         Number of pieces of each move, at least 1.
+
+    Returns
+    -------
+    pose : (m + 1, k) float64
+        Poses between the m pieces.
+    move : (m,) int64
+        The move that each piece belongs to.
     """
     rows = np.repeat(np.arange(len(bulge)), pieces)
     if len(rows) == len(bulge):

@@ -1,7 +1,7 @@
 """digits: format numbers as columns of characters.
 
 The lines of a program are rows of a matrix of characters, so that all lines are formatted at once.
-Zeros stand for no character; the text is the matrix without them.
+A zero byte stands for no character; the text is the matrix without zero bytes.
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ Characters: TypeAlias = NDArray[np.uint8]
 
 
 def digit_columns(values: I64, decimals: int, *, brief: bool) -> Characters:
-    """Return the characters of numbers, (n, k), with a fixed number of decimals.
+    """Return the characters of numbers with a fixed number of decimals, (n, k) bytes, 0 for none.
 
     Parameters
     ----------
-    values : (n,)
+    values : (n,) int64
         Numbers in units of their last decimal place.
+    decimals
+        Number of decimals.
     brief
         Whether to leave out zeros at the end of the decimals.
     """

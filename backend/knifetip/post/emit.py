@@ -1,7 +1,4 @@
-"""emit: write the program of a toolpath in the language of the machine's controller.
-
-Toolpath, Machine -> Program
-"""
+"""emit: write the program of a toolpath in the language of the machine's controller."""
 
 from __future__ import annotations
 
@@ -16,14 +13,14 @@ from knifetip.post.check import check_toolpath
 
 
 class Emitter(Protocol):
-    """Writes programs in one language."""
+    """A function that writes programs in one controller language."""
 
     def __call__(
         self, toolpath: Toolpath, machine: Machine, *, tolerance: float, notes: Sequence[str]
     ) -> Program:
         """Return the program of a checked toolpath.
 
-        The same input gives the same bytes: no dates, no host names.
+        The same input gives the same bytes: a program contains no dates and no host names.
 
         Raises
         ------
@@ -41,18 +38,19 @@ def process(
     tolerance: float = 0.01,
     notes: Sequence[str] = (),
 ) -> Program:
-    """Return the program that moves the head along the toolpath.
+    """Return the program that moves the head along a toolpath, in a controller language.
 
     Parameters
     ----------
     toolpath : Toolpath
-        One chain of moves; each station's first move is a rapid.
+        One chain of moves; the first move of each station is a rapid.
     machine : Machine
-        Datums and outputs of its stations, and the travel height.
+        Gives the datums and outputs of the stations, and the travel height.
     dialect : str
-        Name of a controller language; if empty, that of the machine.
+        Name of a controller language; if empty, the language of the machine.
     tolerance : float, mm
-        Greatest deviation of the tip from the path, including that of the controller.
+        Greatest deviation of the tip from the path, including the deviation that the controller
+        adds.
     notes : sequence of str
         Comments at the top, if the language has comments.  One of them is ``placement X… Y…``, the
         shift of the drawing on the table.
@@ -60,9 +58,9 @@ def process(
     Raises
     ------
     LibraryError
-        There is no such language.
+        No controller language has the name.
     ProgramError
-        The toolpath cannot be written in this language.
+        The toolpath cannot be written in the language.
     """
     check_toolpath(toolpath)
     emitter: Emitter = find_language(dialect or machine.dialect).load_part("emitter")

@@ -1,8 +1,6 @@
-"""hpgl: programs for plotters and flat cutters.
+"""hpgl: write HPGL programs for plotters and flat cutters.
 
-    Toolpath, Machine -> Program
-
-One instruction to a line::
+Each line has one instruction::
 
     IN;PA;               initialise, absolute coordinates
     PU;SP1;FS30;VS40;    pen up; select a tool, its force and its speed
@@ -26,7 +24,7 @@ import numpy as np
 
 from knifetip.errors import ProgramError
 from knifetip.geometry.columns import I32, I64, U8, Bool
-from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Pen, Plotter, Work
+from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Pen, PenWork, Plotter
 from knifetip.model.machine import Machine
 from knifetip.model.program import Program
 from knifetip.model.tool import Engine, kind_of
@@ -36,39 +34,43 @@ from knifetip.post.chords import split_moves
 from knifetip.post.digits import Characters, digit_columns
 
 #: Fraction of the tolerance by which chords may deviate from their arc.
-CHORD: Final = 0.5
-#: Heights that differ by less are equal (mm).
-LEVEL: Final = 1e-6
+CHORD_FRACTION: Final = 0.5
+#: Largest difference of heights that count as equal (mm).
+HEIGHT_TOLERANCE: Final = 1e-6
 #: Greatest length of a comment (characters).
-COMMENT: Final = 66
+MAX_COMMENT: Final = 66
 #: Number of lines that are formatted together; it bounds the memory.
 BATCH: Final = 1 << 15
 
-#: Kinds of instructions: none, move with the tool up, move with the tool down, lower, lift.
-_NOTHING, _TRAVEL, _WORK, _DOWN, _UP = range(5)
+#: Kinds of instructions: none, move with the tool up, move with the tool down, lower the tool, lift
+#: it.
+_NONE, _TRAVEL, _WORK, _DOWN, _UP = range(5)
 _MNEMONICS: Final = np.frombuffer(b"\0\0PUPDPDPU", np.uint8).reshape(5, 2)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Moves:
-    """n moves between n + 1 points."""
+class _PlotterMoves:
+    """The moves of a program: n straight moves between n + 1 points."""
 
     point: I64  #: (n + 1, 2) plotter units
     kind: U8  #: (n,) kind of instruction of each move
-    speed: I64  #: (n,) cm/s of moves with the tool down, 0 for others
+    speed: I64  #: (n,) speed of moves with the tool down (cm/s), 0 for other moves
     pen: I64  #: (n,) index into the plotter's pens
-    row: I32  #: (n,) row in Toolpath
+    row: I32  #: (n,) row of each move in the Toolpath
 
 
 def emit(
     toolpath: Toolpath, machine: Machine, *, tolerance: float, notes: Sequence[str]
 ) -> Program:
-    """Return the program that moves the tools along the toolpath.
+    """Return the HPGL program of a toolpath.
 
     Parameters
     ----------
     tolerance : float, mm
-        Half of it is used for chords; the rounding to plotter units is not included.
+        Chords deviate from their arcs by at most half of it; rounding to plotter units adds to
+        this.
+    notes
+        Comments at the top, for devices that support the CO instruction.
 
     Raises
     ------
@@ -80,38 +82,38 @@ def emit(
     if not isinstance(plotter, Plotter):
         raise ProgramError("hpgl.no-device", machine=machine.title)
     _check_motions(toolpath)
-    moves = _moves(toolpath, machine, plotter, tolerance)
+    moves = _plotter_moves(toolpath, machine, plotter, tolerance)
     texts, sources = [], []
 
     def append_lines(lines: Sequence[str]) -> None:
         texts.append("".join(f"{line}\n" for line in lines).encode("ascii"))
         sources.append(np.full(len(lines), -1, np.int32))
 
-    comments = [_comment(note) for note in notes] if plotter.device.comments else []
+    comments = [_format_comment(note) for note in notes] if plotter.device.comments else []
     append_lines(["IN;", *comments, "PA;"])
     changes = np.flatnonzero(np.diff(moves.pen)) + 1
     for rows in np.split(np.arange(len(moves.pen)), changes):
-        append_lines(_select(plotter.pens[moves.pen[rows[0]]], moves.speed[rows], plotter))
+        append_lines(_select_pen(plotter.pens[moves.pen[rows[0]]], moves.speed[rows], plotter))
         with_speed = _speed_changes(moves.speed[rows])
         # After a tool change the first position is written even if the head is there already.
         moves.kind[rows[0]] = _TRAVEL
         for at in range(0, len(rows), BATCH):
             batch = slice(at, at + BATCH)
-            text, source = _lines(moves, rows[batch], with_speed[batch])
+            text, source = _format_moves(moves, rows[batch], with_speed[batch])
             texts.append(text)
             sources.append(source)
     append_lines(["PU;", "SP0;"])
     return Program(b"".join(texts), machine.dialect, np.concatenate(sources))
 
 
-def _comment(note: str) -> str:
-    """Return a note as a CO instruction, without characters that would end it."""
-    clean = " ".join(re.sub(r"[^ -~]|[\";]", " ", note).split())[:COMMENT].rstrip()
+def _format_comment(note: str) -> str:
+    """Return a note as a CO instruction, without characters that would end the instruction."""
+    clean = " ".join(re.sub(r"[^ -~]|[\";]", " ", note).split())[:MAX_COMMENT].rstrip()
     return f'CO"{clean}";'
 
 
-def _select(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
-    """Return the lines that select a pen for moves at these speeds, (n,) cm/s."""
+def _select_pen(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
+    """Return the lines that select a pen, its force and the first of the speeds, (n,) cm/s."""
     force = [f"FS{pen.force};"] if plotter.device.force else []
     working = speed[speed > 0]
     first = [f"VS{working[0]};"] if len(working) else []
@@ -119,7 +121,11 @@ def _select(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
 
 
 def _speed_changes(speed: I64) -> Bool:
-    """Return whether the speed changes before each move with the tool down, (n,)."""
+    """Return the mask of moves before which the speed must be set, (n,).
+
+    These are moves with the tool down whose speed differs from the previous move with the tool
+    down.
+    """
     working = np.flatnonzero(speed)
     result = np.zeros(len(speed), np.bool_)
     result[working[1:]] = np.diff(speed[working]) != 0
@@ -127,9 +133,9 @@ def _speed_changes(speed: I64) -> Bool:
 
 
 def _check_motions(toolpath: Toolpath) -> None:
-    """Raise ``ProgramError`` for the first row that HPGL cannot express."""
+    """Raise ``ProgramError`` for the first row of a toolpath that HPGL cannot express."""
     motion, change = toolpath.motion, np.diff(toolpath.pose, axis=0)
-    beside = np.hypot(change[:, 0], change[:, 1]) > LEVEL
+    beside = np.hypot(change[:, 0], change[:, 1]) > HEIGHT_TOLERANCE
     upright = np.isin(motion, (Motion.PLUNGE, Motion.LIFT))
     works = ~upright & (motion != Motion.RAPID)
     begins = np.ones(len(motion), np.bool_)
@@ -142,7 +148,7 @@ def _check_motions(toolpath: Toolpath) -> None:
             "hpgl.no-approach",
         ),
         (upright & beside, "hpgl.slanted-plunge"),
-        (works & (np.abs(change[:, 2]) > LEVEL), "hpgl.depth-change"),
+        (works & (np.abs(change[:, 2]) > HEIGHT_TOLERANCE), "hpgl.depth-change"),
         (
             (motion == Motion.SWIVEL) & beside,
             "hpgl.swivel",
@@ -161,13 +167,15 @@ def _check_motions(toolpath: Toolpath) -> None:
             )
 
 
-def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: float) -> _Moves:
-    """Return the moves in plotter units, with arcs as chords within the tolerance."""
+def _plotter_moves(
+    toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: float
+) -> _PlotterMoves:
+    """Return the moves of a toolpath in plotter units, with arcs as chords."""
     device = plotter.device
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
     # The sagitta of a part of an arc is proportional to the square of its length.
     bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
-    pieces = np.ceil(np.sqrt(bow / (CHORD * tolerance))).astype(np.int64).clip(1)
+    pieces = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
     pose, row = split_moves(toolpath.pose[:, :2], toolpath.bulge, pieces)
     point = np.rint((pose - device.zero) * device.units).astype(np.int64)
     moved: Bool = (point[1:] != point[:-1]).any(axis=1)
@@ -194,14 +202,14 @@ def _moves(toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: fl
                 step=CM_PER_SECOND,
             )
     pen = _pens_of_rows(toolpath, machine, plotter)[row]
-    return _Moves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
+    return _PlotterMoves(point, kind.astype(np.uint8), speed, pen, row.astype(np.int32))
 
 
 def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
-    """Return the pen of every row, (n,) indices into the plotter's pens.
+    """Return the pen of every row of a toolpath, (n,) indices into the pens of the plotter.
 
-    A pass on the board has the pen of its work.  The rapids before a pass have the same pen, so
-    that the tool is changed before the head travels there.
+    A pass in the board has the pen for its kind of work.  The rapids before a pass have the same
+    pen, so that the tool is changed before the head travels there.
     """
     rapid = toolpath.motion == Motion.RAPID
     new = np.concatenate([[False], rapid[1:] & ~rapid[:-1]])
@@ -210,7 +218,7 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
     plunge = np.flatnonzero(toolpath.motion == Motion.PLUNGE)
     if len(plunge) == 0:
         raise ProgramError("hpgl.never-down")
-    through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= LEVEL
+    through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= HEIGHT_TOLERANCE
     key = toolpath.tool[plunge].astype(np.int64) * 2 + through
     distinct_keys, which = np.unique(key, return_inverse=True)
     pens = np.array([_find_pen(int(one), machine, plotter) for one in distinct_keys])[which]
@@ -223,20 +231,26 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
 
 
 def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
-    """Return the index of the pen of a key: twice the station's number, plus 1 for through cuts."""
+    """Return the index of the pen for a station's kind of work.
+
+    ``key`` is twice the number of the station, plus 1 for through cuts.
+    """
     station = machine.station(key // 2)
-    work = Work.CUT if key % 2 else Work.HALF_CUT
+    work = PenWork.CUT if key % 2 else PenWork.HALF_CUT
     if kind_of(station.tool).engine is Engine.CREASE:
-        work = Work.CREASE
+        work = PenWork.CREASE
     for index, pen in enumerate(plotter.pens):
         if pen.station == station.number and pen.work is work:
             return index
     raise ProgramError("hpgl.no-pen", machine=machine.title, work=work, station=station.number)
 
 
-def _lines(moves: _Moves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
-    """Return the lines of some moves, with VS where ``with_speed``, and the row of each line."""
-    shown = moves.kind[rows] != _NOTHING
+def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
+    """Return the lines of the moves ``rows``, and the toolpath row of each line, -1 for VS lines.
+
+    The mask ``with_speed`` marks the moves that get a VS line before their own line.
+    """
+    shown = moves.kind[rows] != _NONE
     rows, with_speed = rows[shown], with_speed[shown]
     kind, speed = moves.kind[rows], moves.speed[rows]
     located = (kind == _TRAVEL) | (kind == _WORK)
@@ -257,6 +271,6 @@ def _lines(moves: _Moves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
 
 
 def _text_columns(text: bytes, where: Bool) -> Characters:
-    """Return the columns of a text in the rows given by a mask, (n, k)."""
+    """Return a text as columns of characters in the rows of a mask, zeros in other rows, (n, k)."""
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

@@ -25,7 +25,7 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
     TravelExceeded
         Reports the axis, the station, the excess and the edge.
     """
-    boxes = arc.bounds(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
+    boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
     high = np.maximum(toolpath.pose[:-1], toolpath.pose[1:])
     low[:, :2], high[:, :2] = boxes[:, :2], boxes[:, 2:]

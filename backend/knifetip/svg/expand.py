@@ -19,7 +19,7 @@ from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
-from knifetip.geometry.affine import Matrix, chained
+from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.svg import layers, shapes
@@ -266,7 +266,7 @@ class _Expansion:
         outer = context.matrix
         if (text := node.attributes.get("transform")) is not None:
             try:
-                outer = chained(outer, parse_transform(text))
+                outer = compose(outer, parse_transform(text))
             except ValueError as reason:
                 left_out = left_out or Message("import.bad-transform", reason=reason)
         inside = (*context.inside, node) if "id" in node.attributes else context.inside
@@ -295,11 +295,11 @@ class _Expansion:
             return context._replace(
                 left_out=context.left_out or Message("import.bad-window", reason=reason)
             )
-        inner = chained(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
+        inner = compose(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
         box = view_box(node)
         if box is None:
             return context._replace(matrix=inner, window=_window(wide, high))
-        inner = chained(inner, view_box_matrix(box, wide or None, high or None, node))
+        inner = compose(inner, view_box_matrix(box, wide or None, high or None, node))
         return context._replace(matrix=inner, window=_window(box[2], box[3]))
 
     def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
@@ -330,7 +330,7 @@ class _Expansion:
             self._omit(row, shapes.point_path_data, node, context)
             return None
         context = context._replace(
-            matrix=chained(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y)),
+            matrix=compose(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y)),
             layer=layers.layer_of_group(node, context.layer),
             path=f"{context.path}{handle}/",
             uses=context.uses + 1,

@@ -9,7 +9,7 @@ import math
 import re
 from typing import Final
 
-from knifetip.geometry.affine import IDENTITY, Matrix, chained
+from knifetip.geometry.affine import IDENTITY, Matrix, compose
 
 _CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _BETWEEN: Final = re.compile(r"[\s,]+")
@@ -46,7 +46,7 @@ def parse_transform(text: str) -> Matrix:
             if not text[at:].strip(" \t\r\n,"):
                 break
             raise ValueError(f"{text[at : at + 30].strip()!r} is not a transform")
-        found = chained(found, _matrix_of(call[1], parse_numbers(call[2])))
+        found = compose(found, _matrix_of(call[1], parse_numbers(call[2])))
         at = call.end()
     return found
 
@@ -66,7 +66,7 @@ def _matrix_of(name: str, given: list[float]) -> Matrix:
         if count == 1:
             return turn
         _, x, y = given
-        return chained((1.0, 0.0, 0.0, 1.0, x, y), chained(turn, (1.0, 0.0, 0.0, 1.0, -x, -y)))
+        return compose((1.0, 0.0, 0.0, 1.0, x, y), compose(turn, (1.0, 0.0, 0.0, 1.0, -x, -y)))
     if name == "skewX" and count == 1:
         return 1.0, 0.0, math.tan(math.radians(given[0])), 1.0, 0.0, 0.0
     if name == "skewY" and count == 1:

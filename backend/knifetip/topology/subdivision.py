@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.geometry.chain import nodes
+from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import JOIN
 from knifetip.topology.containment import enclosing_by_rays
@@ -59,7 +59,7 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
         none = np.zeros(0, np.int64)
         return Subdivision(none.reshape(0, 2), np.zeros(0, np.bool_), none, none, none)
     points = ends.reshape(-1, 2)
-    vertex = nodes(points)
+    vertex = number_vertices(points)
     position = np.empty((int(vertex.max()) + 1, 2))
     position[vertex[::-1]] = points[::-1]
     first, last = vertex[::2].copy(), vertex[1::2].copy()

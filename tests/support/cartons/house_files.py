@@ -142,7 +142,7 @@ def truth(drawing: Drawing, strokes: list[Stroke]) -> tuple[U8, list[str]]:
         bent = np.full(len(drawing), bend)
         away = np.zeros(len(drawing))
         for points in along:
-            share = arc.nearest(a, b, bent, points)
+            share = arc.nearest_fraction(a, b, bent, points)
             away = np.maximum(away, np.hypot(*(points - arc.point_at(a, b, bent, share)).T))
         # Of lines on each other it is the one as long as it is.
         away += 1e-3 * np.minimum(np.abs(long - float(size[row])), 10.0)
@@ -154,5 +154,5 @@ def truth(drawing: Drawing, strokes: list[Stroke]) -> tuple[U8, list[str]]:
 
 
 def _extent(ends: F64, bulge: F64) -> tuple[F64, F64]:
-    boxes = arc.bounds(ends[:, 0], ends[:, 1], bulge)
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     return boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)

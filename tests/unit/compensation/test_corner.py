@@ -10,9 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.corner import contact_time, corners, durations, lengths, turns
+from knifetip.compensation.corner import (
+    contact_time,
+    corner_durations,
+    corner_lengths,
+    select_corner_types,
+    turn_angles,
+)
 from knifetip.errors import CompensationError
-from knifetip.geometry.path import Paths, chained
+from knifetip.geometry.path import Paths, path_through
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Cutter
@@ -21,7 +27,7 @@ from knifetip.offset.transition import Corner
 ROUTER = Cutter(radius=2.0, feed=12000.0, plunge=3000.0, speed=18000.0)
 HALF = np.array([0.5])
 # A square travelled to the left; its edges begin at the corners (0, 0), (50, 0) …
-SQUARE = chained(np.array([[0, 0], [50, 0], [50, 50], [0, 50], [0, 0]], float), np.zeros(4))
+SQUARE = path_through(np.array([[0, 0], [50, 0], [50, 50], [0, 50], [0, 0]], float), np.zeros(4))
 
 
 def operation(paths: Paths = SQUARE, **changes: Any) -> Operation:
@@ -37,20 +43,20 @@ def operation(paths: Paths = SQUARE, **changes: Any) -> Operation:
 
 
 def test_corners_of_a_square_are_convex_from_outside_and_concave_from_inside() -> None:
-    np.testing.assert_allclose(np.degrees(turns(SQUARE, -1)), 90.0)
-    np.testing.assert_allclose(np.degrees(turns(SQUARE, 1)), -90.0)
+    np.testing.assert_allclose(np.degrees(turn_angles(SQUARE, -1)), 90.0)
+    np.testing.assert_allclose(np.degrees(turn_angles(SQUARE, 1)), -90.0)
 
 
 def test_an_open_path_has_no_corner_where_it_begins() -> None:
-    path = chained(np.array([[0, 0], [10, 0], [10, 10], [20, 20]], float), np.zeros(3))
-    np.testing.assert_allclose(np.degrees(turns(path, -1)), [0, 90, -45], atol=1e-9)
+    path = path_through(np.array([[0, 0], [10, 0], [10, 10], [20, 20]], float), np.zeros(3))
+    np.testing.assert_allclose(np.degrees(turn_angles(path, -1)), [0, 90, -45], atol=1e-9)
 
 
 def test_an_arc_enters_by_its_tangent() -> None:
     # East, then a quarter to the left from (10, 0) to (20, 10): no corner; then north again.
-    path = chained(np.array([[0, 0], [10, 0], [20, 10], [20, 20]], float),
+    path = path_through(np.array([[0, 0], [10, 0], [20, 10], [20, 20]], float),
                    np.array([0.0, np.tan(np.pi / 8), 0.0]))  # fmt: skip
-    np.testing.assert_allclose(turns(path, -1), 0.0, atol=1e-12)
+    np.testing.assert_allclose(turn_angles(path, -1), 0.0, atol=1e-12)
 
 
 def test_the_times_at_a_right_angle_worked_by_hand() -> None:
@@ -58,17 +64,17 @@ def test_the_times_at_a_right_angle_worked_by_hand() -> None:
     # slower by 73.51 twice: 73.51² / (8000 · 200) = 3.38 ms. C: 4 mm is 20 ms, a stop 25 ms.
     # D: 2 mm straight 10 ms, 1.5708 mm at √(8000 · 1) = 89.44 is 17.56 ms, and 110.56² / 1.6e6
     # = 7.64 ms.
-    took = durations(np.radians([90.0]), 2.0, HALF, 200.0, 8000.0)[0]
+    took = corner_durations(np.radians([90.0]), 2.0, HALF, 200.0, 8000.0)[0]
     np.testing.assert_allclose(1000 * took, [24.84 + 3.38, 45.0, 10.0 + 17.56 + 7.64], atol=0.01)
 
 
 def test_between_the_two_bends_of_a_c_type_the_head_goes_from_stop_to_stop() -> None:
     # φ 180°, r 2: 4 mm at full feed 20 ms, one stop 25 ms, and 4 mm from stop to stop, which is
     # short of v² / a = 5 mm: 2 √(4 / 8000) = 44.72 ms.
-    took = durations(np.radians([180.0]), 2.0, HALF, 200.0, 8000.0)[0]
+    took = corner_durations(np.radians([180.0]), 2.0, HALF, 200.0, 8000.0)[0]
     assert 1000 * took[1] == pytest.approx(20.0 + 25.0 + 44.72, abs=0.01)
     # At r 5 those 10 mm reach the feed: 50 ms and 25 ms for the change of speed.
-    took = durations(np.radians([180.0]), 5.0, HALF, 200.0, 8000.0)[0]
+    took = corner_durations(np.radians([180.0]), 5.0, HALF, 200.0, 8000.0)[0]
     assert 1000 * took[1] == pytest.approx(50.0 + 25.0 + 75.0, abs=0.01)
 
 
@@ -76,7 +82,9 @@ def test_without_limits_only_lengths_count() -> None:
     turn = np.radians([30.0, 90.0, 150.0])
     k = np.full(3, 0.5)
     np.testing.assert_allclose(
-        durations(turn, 3.0, k, 100.0, np.inf), lengths(turn, 3.0, k) / 100.0, rtol=1e-12
+        corner_durations(turn, 3.0, k, 100.0, np.inf),
+        corner_lengths(turn, 3.0, k) / 100.0,
+        rtol=1e-12,
     )
 
 
@@ -95,72 +103,76 @@ def test_a_b_type_touches_the_corner_for_its_whole_arc() -> None:
 def test_an_arc_is_never_slower_than_line_arc_line_but_by_a_thousandth(
     degrees: float, k: float, radius: float, feed: float, acceleration: float
 ) -> None:
-    b, _, d = durations(np.radians([degrees]), radius, np.array([k]), feed, acceleration)[0]
+    b, _, d = corner_durations(np.radians([degrees]), radius, np.array([k]), feed, acceleration)[0]
     # Beyond 115° and on slow machines the tighter arc of D may gain that little.
     assert b <= d * 1.001
 
 
 @pytest.mark.parametrize("word", ["B", "C", "D"])
 def test_a_named_type_is_taken_everywhere(word: str) -> None:
-    chosen, k = corners(operation(corner=word, k=0.3))
+    chosen, k = select_corner_types(operation(corner=word, k=0.3))
     assert set(chosen.tolist()) == {Corner[word]}
     assert set(k.tolist()) == {0.3}
 
 
 def test_auto_takes_the_soonest_and_another_where_that_would_burn() -> None:
     # B touches the right angle for 24.84 ms.
-    chosen, _ = corners(operation(corner="auto"))
+    chosen, _ = select_corner_types(operation(corner="auto"))
     assert set(chosen.tolist()) == {Corner.B}
-    chosen, _ = corners(operation(corner="auto", tool=replace(ROUTER, dwell=0.0249)))
+    chosen, _ = select_corner_types(operation(corner="auto", tool=replace(ROUTER, dwell=0.0249)))
     assert set(chosen.tolist()) == {Corner.B}
-    chosen, _ = corners(operation(corner="auto", tool=replace(ROUTER, dwell=0.0248)))
+    chosen, _ = select_corner_types(operation(corner="auto", tool=replace(ROUTER, dwell=0.0248)))
     assert set(chosen.tolist()) == {Corner.D}
 
 
 def test_auto_decides_corner_by_corner() -> None:
     # 150° at (60, 0) touches for 5.24 mm, 30° at (0, 0) for 1.05 mm, at 126.49 mm/s.
     slope = np.tan(np.radians(30.0)) * 60.0
-    path = chained(np.array([[0, 0], [60, 0], [0, slope], [0, 0]], float), np.zeros(3))
-    found = np.degrees(turns(path, -1))
+    path = path_through(np.array([[0, 0], [60, 0], [0, slope], [0, 0]], float), np.zeros(3))
+    found = np.degrees(turn_angles(path, -1))
     np.testing.assert_allclose(found, [90.0, 150.0, 120.0])
-    chosen, _ = corners(operation(path, corner="auto", tool=replace(ROUTER, dwell=0.030)))
+    chosen, _ = select_corner_types(
+        operation(path, corner="auto", tool=replace(ROUTER, dwell=0.030))
+    )
     assert chosen.tolist() == [Corner.B, Corner.D, Corner.D]
 
 
 def test_auto_keeps_the_feed_on_a_d_type_where_it_can() -> None:
     # v² / (a r) = 100² / (8000 · 2) = 0.625, so k 0.375 leaves r′ = 1.25 and √(8000 · 1.25) = 100.
-    _, k = corners(operation(corner="auto", feed=6000.0))
+    _, k = select_corner_types(operation(corner="auto", feed=6000.0))
     np.testing.assert_allclose(k, 0.375)
-    _, k = corners(operation(corner="auto", feed=6000.0, k=0.2))
+    _, k = select_corner_types(operation(corner="auto", feed=6000.0, k=0.2))
     np.testing.assert_allclose(k, 0.2)
     # At 200 mm/s no arc within r keeps it.
-    _, k = corners(operation(corner="auto"))
+    _, k = select_corner_types(operation(corner="auto"))
     np.testing.assert_allclose(k, 0.5)
 
 
 def test_each_corner_may_have_a_knob_of_its_own() -> None:
-    _, k = corners(operation(corner="D", k_at=[np.nan, 0.2, np.nan, 0.9]))
+    _, k = select_corner_types(operation(corner="D", k_at=[np.nan, 0.2, np.nan, 0.9]))
     np.testing.assert_array_equal(k, [0.5, 0.2, 0.5, 0.9])
 
 
 def test_a_wrong_policy_or_knob_is_refused_with_its_place() -> None:
     with pytest.raises(CompensationError, match="no corner type 'E'"):
-        corners(operation(corner="E"))
+        select_corner_types(operation(corner="E"))
     with pytest.raises(CompensationError, match=r"edge 2 begins is 1\.5"):
-        corners(operation(corner="D", k_at=[0.5, 0.5, 1.5, 0.5]))
+        select_corner_types(operation(corner="D", k_at=[0.5, 0.5, 1.5, 0.5]))
     with pytest.raises(CompensationError, match="is nan"):
-        corners(operation(corner="D", k=np.nan))
+        select_corner_types(operation(corner="D", k=np.nan))
 
 
 def test_a_corner_may_be_of_another_type_than_the_rest() -> None:
-    kind, _ = corners(operation(corner="D", corner_at=np.array([255, 0, 1, 3], np.uint8)))
+    kind, _ = select_corner_types(
+        operation(corner="D", corner_at=np.array([255, 0, 1, 3], np.uint8))
+    )
     assert list(kind[:3]) == [Corner.D, Corner.B, Corner.C]
     # 3 leaves the corner to the machine: as the same corner where all are.
-    assert kind[3] == corners(operation(corner="auto"))[0][3]
+    assert kind[3] == select_corner_types(operation(corner="auto"))[0][3]
 
 
 def test_a_chosen_d_keeps_its_knob_beside_corners_that_are_left_to_the_machine() -> None:
     types = np.array([2, 255, 255, 255], np.uint8)
     # At 50 mm/s auto goes no further than k = 1 - 50² / (8000 · 2) = 0.844.
-    _, k = corners(operation(corner="auto", k=0.9, corner_at=types, feed=3000.0))
+    _, k = select_corner_types(operation(corner="auto", k=0.9, corner_at=types, feed=3000.0))
     np.testing.assert_allclose(k, [0.9, 0.84375, 0.84375, 0.84375])

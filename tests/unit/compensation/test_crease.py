@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip.compensation.crease import crease, depth_that_fits, setback
+from knifetip.compensation.crease import crease_toolpath, depth_at_contact, half_contact_length
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
@@ -26,16 +26,16 @@ def planned(ends: F64, bulge: dict[int, float] | None = None, board: Board = BOA
 
 def test_the_wheel_touches_3_44_mm_at_radius_15_and_depth_0_4() -> None:
     # √(0.4 · 29.6) = √11.84
-    assert setback(np.array([0.4]), WHEEL)[0] == pytest.approx(3.44093)
+    assert half_contact_length(np.array([0.4]), WHEEL)[0] == pytest.approx(3.44093)
 
 
 def test_the_depth_that_fits_touches_as_far_as_asked() -> None:
     depth = np.array([0.05, 0.4, 1.2])
-    np.testing.assert_allclose(depth_that_fits(setback(depth, WHEEL), WHEEL), depth)
+    np.testing.assert_allclose(depth_at_contact(half_contact_length(depth, WHEEL), WHEEL), depth)
 
 
 def test_a_crease_is_set_back_at_both_free_ends() -> None:
-    path = crease(planned(ALONG))
+    path = crease_toolpath(planned(ALONG))
     fed = np.flatnonzero(path.motion == Motion.FEED)
     back = np.sqrt(11.84) + 0.2
     np.testing.assert_allclose(path.pose[fed[0]], [0, back, 1.6, 90])
@@ -44,12 +44,12 @@ def test_a_crease_is_set_back_at_both_free_ends() -> None:
 
 def test_an_end_that_goes_on_is_not_set_back() -> None:
     operation = replace(planned(ALONG), start=np.array([End.CONTINUED]))
-    path = crease(operation)
+    path = crease_toolpath(operation)
     np.testing.assert_allclose(path.pose[1, :2], [0, 0])
 
 
 def test_a_short_crease_is_pressed_in_its_middle_as_deep_as_it_fits() -> None:
-    path = crease(planned(edges(((0, 0), (0, 4.4)))))
+    path = crease_toolpath(planned(edges(((0, 0), (0, 4.4)))))
     # Half of 4.4 less 0.2 is 2.0; 15 - √(225 - 4) = 0.13393.
     assert path.motion.tolist() == [Motion.PLUNGE, Motion.LIFT]
     np.testing.assert_allclose(path.pose[1], [0, 2.2, 2 - 0.1339308, 90], atol=1e-6)
@@ -58,37 +58,37 @@ def test_a_short_crease_is_pressed_in_its_middle_as_deep_as_it_fits() -> None:
 
 def test_a_short_crease_that_goes_on_is_pressed_at_its_joint() -> None:
     operation = replace(planned(edges(((0, 0), (0, 2.2)))), start=np.array([End.CONTINUED]))
-    path = crease(operation)
+    path = crease_toolpath(operation)
     np.testing.assert_allclose(path.pose[1], [0, 0, 2 - 0.1339308, 90], atol=1e-6)
 
 
 def test_a_board_may_refuse_short_creases() -> None:
     operation = planned(edges(((0, 0), (0, 4.4))), board=replace(BOARD, short_crease="refuse"))
     with pytest.raises(EdgeTooShort, match=r"4\.40 mm long"):
-        crease(operation)
+        crease_toolpath(operation)
 
 
 def test_a_crease_shorter_than_its_clearances_is_refused() -> None:
     with pytest.raises(EdgeTooShort, match=r"0\.40 mm long"):
-        crease(planned(edges(((0, 0), (0, 0.4)))))
+        crease_toolpath(planned(edges(((0, 0), (0, 0.4)))))
 
 
 def test_the_wheel_turns_with_an_arc() -> None:
     # A quarter turn to the left of radius 100, from due east to due north.
     operation = planned(edges(((0, 0), (100, 100))), bulge={0: np.tan(np.pi / 8)})
-    path = crease(operation)
+    path = crease_toolpath(operation)
     back = np.degrees((np.sqrt(0.5 * 29.5) + 0.2) / 100)
     np.testing.assert_allclose(path.pose[1:3, 3], [back, 90 - back])
 
 
 def test_long_and_short_creases_keep_their_drawing_order() -> None:
-    path = crease(planned(edges(((0, 0), (0, 4)), ((9, 0), (9, 99)), ((20, 0), (20, 4)))))
+    path = crease_toolpath(planned(edges(((0, 0), (0, 4)), ((9, 0), (9, 99)), ((20, 0), (20, 4)))))
     assert path.source[path.motion == Motion.LIFT].tolist() == [0, 1, 2]
     assert path.track[path.motion == Motion.LIFT].tolist() == [0, 1, 2]
 
 
 def test_a_crease_that_bends_by_less_than_a_degree_turns_in_the_board() -> None:
-    path = crease(planned(edges(((0, 0), (0, 50)), ((0, 50), (0.5, 100)))))
+    path = crease_toolpath(planned(edges(((0, 0), (0, 50)), ((0, 50), (0.5, 100)))))
     assert path.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.PLUNGE, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
     ]  # fmt: skip

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from knifetip.compensation.deflection import fit_deflection, shift_centres
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
-from knifetip.geometry.path import Paths, chained
+from knifetip.geometry.path import Paths, path_through
 
 QUARTER = np.tan(np.pi / 8)
 angles = st.floats(0.0, 360.0)
@@ -19,20 +19,20 @@ given_way = st.floats(0.0, 0.3)
 
 def square(size: float) -> Paths:
     corners = np.array([[0, 0], [size, 0], [size, size], [0, size], [0, 0]], float)
-    return chained(corners, np.zeros(4))
+    return path_through(corners, np.zeros(4))
 
 
 def rounded(size: float, radius: float) -> Paths:
     """A square to the left with round corners, 8 segments, as a B type leaves it."""
     s, r = size, radius
     corners = [(r, 0), (s - r, 0), (s, r), (s, s - r), (s - r, s), (r, s), (0, s - r), (0, r)]
-    return chained(np.array([*corners, corners[0]], float), np.array([0, QUARTER] * 4))
+    return path_through(np.array([*corners, corners[0]], float), np.array([0, QUARTER] * 4))
 
 
 def test_a_line_moves_into_the_board_by_the_deflection_square_to_it() -> None:
     # East with the tool on the left: the board is below, so down by δy.
     path, rows = shift_centres(
-        chained(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05
+        path_through(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05
     )
     np.testing.assert_allclose([path.start[0], path.end[0]], [[0, 2.95], [50, 2.95]], atol=1e-12)
     assert rows.tolist() == [0]
@@ -92,7 +92,7 @@ def test_no_deflection_is_the_identity_to_the_bit() -> None:
 def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
     x: float, y: float, bulge: float
 ) -> None:
-    paths = chained(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
+    paths = path_through(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
                     np.array([0.0, bulge, 0.0, 0.0]))  # fmt: skip
     path, rows = shift_centres(paths, -1, x, y)
     np.testing.assert_allclose(path.end, np.roll(path.start, -1, axis=0), atol=1e-9)
@@ -120,7 +120,7 @@ def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, 
 
 def test_an_open_path_keeps_its_loose_ends() -> None:
     path, _ = shift_centres(
-        chained(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1
+        path_through(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1
     )
     np.testing.assert_allclose(path.start, [[0, -0.1], [10.2, -0.1]], atol=1e-12)
     np.testing.assert_allclose(path.end[-1], [10.2, 10], atol=1e-12)
@@ -135,7 +135,7 @@ def test_a_step_shorter_than_the_deflection_is_refused() -> None:
     # Out 0.1 mm and on: the two long sides move towards each other's end.
     xy = np.array([[0, 0], [50, 0], [50.05, 0.05], [50, 0.1], [0, 0.1]], float)
     with pytest.raises(CompensationError, match="too short"):
-        shift_centres(chained(xy, np.zeros(4)), -1, 0.3, 0.3)
+        shift_centres(path_through(xy, np.zeros(4)), -1, 0.3, 0.3)
 
 
 @given(side=st.sampled_from([1, -1]), x=given_way, y=given_way,

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from knifetip.compensation.knife import knife
+from knifetip.compensation.knife import knife_toolpath
 from knifetip.errors import EdgeTooShort
 from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
@@ -28,20 +28,20 @@ def planned(
 
 def test_an_end_inside_the_panel_stops_where_the_top_face_ends() -> None:
     # 45° over 2.3 mm: the top face is cut 2.3 mm ahead of the tip.
-    path = knife(planned(edges(((0, 0), (50, 0)))))
+    path = knife_toolpath(planned(edges(((0, 0), (50, 0)))))
     np.testing.assert_allclose(path.pose[1], [0, 0, -0.3, 0])
     np.testing.assert_allclose(path.pose[2], [47.7, 0, -0.3, 0])
 
 
 def test_an_end_that_meets_another_cut_runs_over() -> None:
     operation = replace(planned(edges(((0, 0), (50, 0)))), finish=np.array([End.MEETS]))
-    path = knife(operation)
+    path = knife_toolpath(operation)
     # The bottom face ends 2.0 tan 45° behind the top.
     np.testing.assert_allclose(path.pose[-2, :2], [52.0, 0.0])
 
 
 def test_a_closed_contour_runs_over_its_own_start() -> None:
-    path = knife(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
+    path = knife_toolpath(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
     np.testing.assert_allclose(path.pose[1, :2], [50, 0])
     np.testing.assert_allclose(path.pose[-2, :2], [52, 0])
     fed = path.motion == Motion.FEED
@@ -49,19 +49,19 @@ def test_a_closed_contour_runs_over_its_own_start() -> None:
 
 
 def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth() -> None:
-    path = knife(planned(edges(((0, 0), (50, 0))), kind=LineType.HALF_CUT))
+    path = knife_toolpath(planned(edges(((0, 0), (50, 0))), kind=LineType.HALF_CUT))
     np.testing.assert_allclose(path.pose[2, :3], [49.2, 0, 1.2])
 
 
 def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board() -> None:
-    sharp = knife(planned(edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))))
+    sharp = knife_toolpath(planned(edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))))
     assert sharp.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.LIFT, Motion.RAPID, Motion.PLUNGE, Motion.FEED,
         Motion.LIFT,
     ]  # fmt: skip
     np.testing.assert_allclose(sharp.pose[3:5, 2], 4.0)
     np.testing.assert_allclose(sharp.pose[3:5, 3], [0.0, 90.0])
-    gentle = knife(planned(edges(((0, 0), (50, 0)), ((50, 0), (100, 10)))))
+    gentle = knife_toolpath(planned(edges(((0, 0), (50, 0)), ((50, 0), (100, 10)))))
     assert gentle.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
     ]  # fmt: skip
@@ -70,13 +70,15 @@ def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board() -> 
 def test_c_follows_an_arc_without_a_jump() -> None:
     # Round a corner of radius 10: the line due east runs into the arc and that into due north.
     ends = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)), ((60, 10), (60, 50)))
-    path = knife(planned(ends, bulge={1: QUARTER}))
+    path = knife_toolpath(planned(ends, bulge={1: QUARTER}))
     np.testing.assert_allclose(path.pose[:, 3], [0, 0, 0, 90, 90, 90])
     assert path.bulge[2] == QUARTER
 
 
 def test_c_is_unwrapped_round_a_circle() -> None:
-    path = knife(planned(edges(((0, 0), (20, 0)), ((20, 0), (0, 0))), bulge={0: 1.0, 1: 1.0}))
+    path = knife_toolpath(
+        planned(edges(((0, 0), (20, 0)), ((20, 0), (0, 0))), bulge={0: 1.0, 1: 1.0})
+    )
     fed = np.flatnonzero(path.motion == Motion.FEED)
     turned = path.pose[fed[-1] + 1, 3] - path.pose[fed[0], 3]
     # Once round, and over the start by 2 mm at radius 10.
@@ -85,13 +87,13 @@ def test_c_is_unwrapped_round_a_circle() -> None:
 
 def test_a_cut_shorter_than_the_lead_is_refused() -> None:
     with pytest.raises(EdgeTooShort, match=r"2\.30 mm"):
-        knife(planned(edges(((0, 0), (2.2, 0)))))
+        knife_toolpath(planned(edges(((0, 0), (2.2, 0)))))
 
 
 def led(ends: F64, **leads: Any) -> Toolpath:
     blade = replace(KNIFE, **leads)
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
-    return knife(plan(dieline((LineType.CUT, ends)), machine, BOARD)[-1])
+    return knife_toolpath(plan(dieline((LineType.CUT, ends)), machine, BOARD)[-1])
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -117,15 +119,15 @@ def test_holes_and_slits_have_no_leads() -> None:
     machine = replace(MACHINE, stations=(replace(MACHINE.stations[0], tool=blade),))
     outline = closed((0, 0), (100, 0), (100, 50), (0, 50))
     inner, outer = plan(dieline((LineType.CUT, outline), (LineType.CUT, hole)), machine, BOARD)
-    assert Motion.LEAD_IN not in knife(inner).motion
-    assert Motion.LEAD_IN in knife(outer).motion
+    assert Motion.LEAD_IN not in knife_toolpath(inner).motion
+    assert Motion.LEAD_IN in knife_toolpath(outer).motion
 
 
 def test_a_drag_knife_trails_its_head_and_swings_round_its_tip() -> None:
     drag = replace(KNIFE, blade_angle=0.0, trail=2.0)
     ends = edges(((0, 0), (50, 0)), ((50, 0), (50 + 40, 10)))
     operation = replace(planned(ends), tool=drag)
-    path = knife(operation)
+    path = knife_toolpath(operation)
     assert path.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
     ]  # fmt: skip

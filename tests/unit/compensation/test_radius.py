@@ -15,7 +15,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from knifetip.compensation.compensate import compensate
-from knifetip.compensation.radius import centres, radius, set_up
+from knifetip.compensation.radius import centre_paths, radius_toolpath, set_up_offset
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, Bool
@@ -146,7 +146,7 @@ def test_the_disc_touches_the_part_and_never_enters_it(
 ) -> None:
     points = star(radii)
     operation = contour(*points, side=-1 if outside else 1, r=r, corner=corner)
-    path = radius(operation)
+    path = radius_toolpath(operation)
     way = sampled(path)
     away = distance(way, operation.paths)
     assert away.min() >= r - 1e-9
@@ -169,7 +169,7 @@ def test_with_arcs_too_the_disc_never_enters_the_part(
     )
     angle = np.unwrap(np.arctan2(flat[:, :-1, 1].ravel(), flat[:, :-1, 0].ravel()))
     assume((np.diff(angle) > 0.0).all())
-    path = radius(operation)
+    path = radius_toolpath(operation)
     away = distance(sampled(path), operation.paths)
     assert away.min() >= r - 1e-9
     assert distance(sampled(path, [Motion.FEED]), operation.paths).min() <= r + 1e-9
@@ -181,8 +181,8 @@ def test_the_centre_turns_with_the_board(
     radii: list[float], corner: str, r: float, degrees: float
 ) -> None:
     turn = rotation(degrees)
-    before = centres(contour(*star(radii), r=r, corner=corner)).paths
-    after = centres(contour(*(star(radii) @ turn.T), r=r, corner=corner)).paths
+    before = centre_paths(contour(*star(radii), r=r, corner=corner)).paths
+    after = centre_paths(contour(*(star(radii) @ turn.T), r=r, corner=corner)).paths
     np.testing.assert_allclose(after.lengths, before.lengths, atol=1e-7)
     points = arc.points_along(after.start, after.end, after.bulge, 5).reshape(-1, 2)
     assert distance(points @ turn, before).max() < 1e-7
@@ -195,12 +195,12 @@ def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(
     radii: list[float], corner: str, r: float, shift: int
 ) -> None:
     points = star(radii)
-    there = centres(contour(*points, r=r, corner=corner)).paths
+    there = centre_paths(contour(*points, r=r, corner=corner)).paths
     for other in (
         contour(*points[::-1], side=1, r=r, corner=corner),
         contour(*np.roll(points, shift, axis=0), r=r, corner=corner),
     ):
-        paths = centres(other).paths
+        paths = centre_paths(other).paths
         np.testing.assert_allclose(paths.lengths, there.lengths, atol=1e-7)
         places = arc.points_along(paths.start, paths.end, paths.bulge, 5).reshape(-1, 2)
         assert distance(places, there).max() < 1e-7
@@ -208,7 +208,7 @@ def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(
 
 def test_a_radius_of_zero_is_the_line_itself() -> None:
     points = star([50.0, 30.0, 60.0, 40.0])
-    paths = centres(contour(*points, r=0.0)).paths
+    paths = centre_paths(contour(*points, r=0.0)).paths
     assert distance(points, paths).max() == 0.0
     assert distance(paths.start, contour(*points).paths).max() < 1e-12
 
@@ -282,14 +282,14 @@ def test_set_up_to_the_perpendicular_and_round_the_outside(side: int) -> None:
     start, ahead = np.array([[10.0, 0.0]]), np.array([[1.0, 0.0]])
     flip = np.array([1.0, side])
     # Type A, square on from the tool's side, r 3 and a block of 5.
-    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, 90.0)
+    begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, 90.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[10, 5], [10, 3]], atol=1e-12)
     assert bulge[0] == 0.0
     # In line: from (5, 0) aslant to (10, 3).
-    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, 0.0)
+    begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, 0.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[5, 0], [10, 3]], atol=1e-12)
     # Type B, from the far side up to the corner: beside it to (7, 0), and a quarter to (10, 3).
-    begin, arrived, bulge = set_up(start, ahead, side, 3.0, 5.0, -90.0)
+    begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, -90.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[7, -5], [7, 0]], atol=1e-12)
     assert bulge[0] == pytest.approx(-side * QUARTER)
 
@@ -316,9 +316,9 @@ def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out() -> 
 
 def test_what_the_cutter_cannot_reach_is_told_in_square_millimetres() -> None:
     # A square hole keeps a fillet in each corner: (1 − π/4) r² each.
-    way = centres(contour((0, 0), (50, 0), (50, 50), (0, 50), side=1))
+    way = centre_paths(contour((0, 0), (50, 0), (50, 50), (0, 50), side=1))
     np.testing.assert_allclose(way.unreached, 4 * (1 - np.pi / 4) * 9.0, rtol=1e-9)
-    assert centres(contour((0, 0), (50, 0), (50, 50), (0, 50))).unreached.sum() < 1e-9
+    assert centre_paths(contour((0, 0), (50, 0), (50, 50), (0, 50))).unreached.sum() < 1e-9
 
 
 def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
@@ -331,7 +331,7 @@ def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
     path = compensate(operation)
     assert path.track.max() == 1
     assert distance(sampled(path), operation.paths).min() >= 3.0 - 1e-9
-    assert centres(operation).unreached.sum() > 20 * 4
+    assert centre_paths(operation).unreached.sum() > 20 * 4
     with pytest.raises(CompensationError, match=r"At edge .* would cut"):
         compensate(replace(operation, interference="refuse"))
 
@@ -352,7 +352,7 @@ def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other() -> None:
     (operation,) = plan(line, ROUTED, BOARD)
     path = compensate(operation)
     assert distance(sampled(path), operation.paths).min() >= 3.0 - 1e-9
-    assert centres(operation).unreached.sum() > 4 * 48
+    assert centre_paths(operation).unreached.sum() > 4 * 48
 
 
 def test_a_lead_no_longer_than_the_radius_is_refused() -> None:
@@ -406,7 +406,7 @@ def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(
         bridges=[[1, 30.0], [3, 60.0]], bridge_width=0.8,
         depth=np.tile(np.linspace(2.3 / passes, 2.3, passes), (4, 1)),
     )  # fmt: skip
-    path = radius(square)
+    path = radius_toolpath(square)
     # Nothing leads in or out: the tool goes down on its way, once for each piece and pass.
     assert not np.isin(path.motion, (Motion.LEAD_IN, Motion.LEAD_OUT)).any()
     assert (path.motion == Motion.PLUNGE).sum() == 2 * passes
@@ -425,4 +425,4 @@ def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused() -> 
         side=1, bridges=[[1, 20.0], [2, 35.0]], bridge_width=0.8,
     )  # fmt: skip
     with pytest.raises(CompensationError, match=r"edge 2 where a bridge is needed, 35\.0 mm along"):
-        radius(slotted)
+        radius_toolpath(slotted)

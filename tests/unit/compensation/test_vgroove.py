@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from knifetip.compensation.vgroove import head_offset, section, vgroove
+from knifetip.compensation.vgroove import groove_section, head_offset, vgroove_toolpath
 from knifetip.errors import CurvedGroove, EdgeTooShort, GrooveTooDeep
 from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
@@ -22,7 +22,7 @@ EAST = edges(((0, 0), (100, 0)))
 
 def grooved(ends: F64, **changes: Any) -> Toolpath:
     operation = plan(dieline((LineType.V_GROOVE, ends)), MACHINE, BOARD)[0]
-    return vgroove(replace(operation, **changes))
+    return vgroove_toolpath(replace(operation, **changes))
 
 
 def test_offset_due_east_is_right_and_ahead() -> None:
@@ -92,7 +92,7 @@ def test_a_groove_of_two_pieces_on_either_side_of_due_east_keeps_its_heading() -
 
 def test_the_section_of_a_groove_is_its_angle_its_width_and_what_it_leaves() -> None:
     # 1.3 deep in 2.0 at 30°: 2 · 1.3 · tan 30° = 1.5011 wide.
-    cut = section(1.3, 2.0, replace(CUTTER, tilt=30.0))
+    cut = groove_section(1.3, 2.0, replace(CUTTER, tilt=30.0))
     assert (cut.included, cut.web) == (60.0, 0.7)
     assert cut.width == pytest.approx(1.50111, abs=1e-5)
 
@@ -107,7 +107,7 @@ def test_a_groove_in_two_pieces_is_cut_in_one_go() -> None:
 def test_an_arc_is_refused() -> None:
     line = dieline((LineType.V_GROOVE, EAST), bulge={0: 0.1})
     with pytest.raises(CurvedGroove, match="1 V-groove edge is an arc"):
-        vgroove(plan(line, MACHINE, BOARD)[0])
+        vgroove_toolpath(plan(line, MACHINE, BOARD)[0])
 
 
 def test_a_groove_shorter_than_the_blade_is_refused() -> None:

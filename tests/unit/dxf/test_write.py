@@ -12,7 +12,7 @@ from ezdxf import path as vector_path
 
 from knifetip.dxf.samples.write import Layer, drawn
 from knifetip.errors import GeometryError
-from knifetip.geometry.path import Paths, chained
+from knifetip.geometry.path import Paths, path_through
 
 CUT = Layer("CUT", 1)
 FOLD = Layer("FALZ ü 刀", 5, "DASHED")
@@ -23,7 +23,7 @@ def entities(data: bytes) -> list[Any]:
 
 
 def one(start: tuple[float, float], end: tuple[float, float], bulge: float = 0.0) -> Paths:
-    return chained(np.array([start, end], np.float64), np.array([bulge]))
+    return path_through(np.array([start, end], np.float64), np.array([bulge]))
 
 
 def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
@@ -86,7 +86,7 @@ def test_one_round_segment_is_a_counter_clockwise_arc(
 
 def test_more_segments_are_a_polyline_with_bulges() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 6.0]])
-    (chain,) = entities(drawn([(CUT, chained(xy, np.array([0.0, 1.0])))]))
+    (chain,) = entities(drawn([(CUT, path_through(xy, np.array([0.0, 1.0])))]))
     assert chain.dxftype() == "LWPOLYLINE"
     assert not chain.closed
     assert list(chain.get_points("xyb")) == [(0.0, 0.0, 0.0), (10.0, 0.0, 1.0), (10.0, 6.0, 0.0)]
@@ -98,7 +98,7 @@ def test_more_segments_are_a_polyline_with_bulges() -> None:
 
 def test_a_path_that_ends_where_it_began_is_closed_without_a_second_vertex() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [0.0, 6.0], [0.0, 0.0]])
-    (chain,) = entities(drawn([(CUT, chained(xy, np.array([0.0, 0.0, 0.5])))]))
+    (chain,) = entities(drawn([(CUT, path_through(xy, np.array([0.0, 0.0, 0.5])))]))
     assert chain.closed
     assert list(chain.get_points("xyb")) == [(0.0, 0.0, 0.0), (10.0, 0.0, 0.0), (0.0, 6.0, 0.5)]
 

@@ -55,7 +55,7 @@ def test_middle_of_a_half_turn_is_its_top() -> None:
 
 
 def test_part_of_a_half_turn_lies_on_the_same_circle() -> None:
-    start, end, bulge = arc.part(*HALF, np.array([0.25]), np.array([0.75]))
+    start, end, bulge = arc.sub_arc(*HALF, np.array([0.25]), np.array([0.75]))
     root = 10.0 * np.sqrt(0.5)
     assert_allclose(start, [[root, root]], atol=1e-13)
     assert_allclose(end, [[-root, root]], atol=1e-13)
@@ -75,24 +75,26 @@ def test_part_of_more_than_half_a_turn_halves_it() -> None:
 
 
 def test_box_of_a_half_turn_holds_its_belly() -> None:
-    assert_allclose(arc.bounds(*HALF), [[-10.0, 0.0, 10.0, 10.0]], atol=1e-13)
+    assert_allclose(arc.bounding_boxes(*HALF), [[-10.0, 0.0, 10.0, 10.0]], atol=1e-13)
 
 
 def test_box_of_a_half_turn_to_the_right_hangs_below() -> None:
     start, end, bulge = HALF
-    assert_allclose(arc.bounds(start, end, -bulge), [[-10.0, -10.0, 10.0, 0.0]], atol=1e-13)
+    assert_allclose(arc.bounding_boxes(start, end, -bulge), [[-10.0, -10.0, 10.0, 0.0]], atol=1e-13)
 
 
 def test_lines_and_arcs_mix_in_one_call() -> None:
     start, end, bulge = (np.concatenate(pair) for pair in zip(QUARTER, LINE, strict=True))
     assert_allclose(arc.length(start, end, bulge), [5.0 * np.pi, 5.0])
-    assert_allclose(arc.bounds(start, end, bulge), [[0, 0, 10, 10], [1, 2, 4, 6]], atol=1e-13)
+    assert_allclose(
+        arc.bounding_boxes(start, end, bulge), [[0, 0, 10, 10], [1, 2, 4, 6]], atol=1e-13
+    )
 
 
 def test_no_segments_give_no_answers() -> None:
     nothing = (np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0))
     assert arc.length(*nothing).shape == (0,)
-    assert arc.bounds(*nothing).shape == (0, 4)
+    assert arc.bounding_boxes(*nothing).shape == (0, 4)
     assert arc.centre(*nothing).shape == (0, 2)
 
 
@@ -104,7 +106,7 @@ def test_points_along_an_arc_are_in_its_box_and_add_up_to_its_length(
     walk = np.concatenate(
         [arc.point_at(start, end, b, np.array([f])) for f in np.linspace(0.0, 1.0, 201)]
     )
-    low_x, low_y, high_x, high_y = arc.bounds(start, end, b)[0]
+    low_x, low_y, high_x, high_y = arc.bounding_boxes(start, end, b)[0]
     assert (walk >= [low_x - 1e-6, low_y - 1e-6]).all()
     assert (walk <= [high_x + 1e-6, high_y + 1e-6]).all()
     # And the box is tight: some point of the walk is near each side.
@@ -124,4 +126,6 @@ def test_walking_back_is_the_same_arc(
     assert_allclose(
         arc.point_at(start, end, b, third), arc.point_at(end, start, -b, 1.0 - third), atol=1e-9
     )
-    assert_allclose(arc.bounds(start, end, b), arc.bounds(end, start, -b), atol=1e-6)
+    assert_allclose(
+        arc.bounding_boxes(start, end, b), arc.bounding_boxes(end, start, -b), atol=1e-6
+    )

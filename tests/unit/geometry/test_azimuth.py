@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from knifetip.errors import ZeroLengthEdge
-from knifetip.geometry.azimuth import azimuth, left, right, turn, unit, unwrap
+from knifetip.geometry.azimuth import (
+    azimuth,
+    left_normal,
+    right_normal,
+    turn_angle,
+    unit_vectors,
+    unwrap,
+)
 
 
 def test_just_below_due_east_is_zero_and_not_a_full_turn() -> None:
@@ -14,19 +21,19 @@ def test_just_below_due_east_is_zero_and_not_a_full_turn() -> None:
 
 
 def test_unit_vectors_have_length_one() -> None:
-    np.testing.assert_allclose(unit(np.array([[3.0, 4.0]])), [[0.6, 0.8]])
+    np.testing.assert_allclose(unit_vectors(np.array([[3.0, 4.0]])), [[0.6, 0.8]])
 
 
 @pytest.mark.parametrize("length", [0.0, 1e-7, np.nan])
 def test_an_edge_without_length_has_no_direction(length: float) -> None:
     with pytest.raises(ZeroLengthEdge, match="Edge 1 has no length"):
-        unit(np.array([[1.0, 0.0], [length, 0.0]]))
+        unit_vectors(np.array([[1.0, 0.0], [length, 0.0]]))
 
 
 def test_right_of_north_is_east_and_left_is_west() -> None:
     north = np.array([[0.0, 1.0]])
-    np.testing.assert_array_equal(right(north), [[1.0, 0.0]])
-    np.testing.assert_array_equal(left(north), [[-1.0, 0.0]])
+    np.testing.assert_array_equal(right_normal(north), [[1.0, 0.0]])
+    np.testing.assert_array_equal(left_normal(north), [[-1.0, 0.0]])
 
 
 @pytest.mark.parametrize(
@@ -34,7 +41,7 @@ def test_right_of_north_is_east_and_left_is_west() -> None:
     [(350.0, 10.0, 20.0), (10.0, 350.0, -20.0), (0.0, 180.0, 180.0), (90.0, 90.0, 0.0)],
 )
 def test_the_smaller_turn_is_taken(before: float, after: float, expected: float) -> None:
-    assert turn(np.array([before]), np.array([after]))[0] == expected
+    assert turn_angle(np.array([before]), np.array([after]))[0] == expected
 
 
 def test_headings_are_unwrapped() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.geometry.chain import Chains, chain, nodes, run_on
+from knifetip.geometry.chain import Chains, chain, continues_straight, number_vertices
 from knifetip.geometry.tolerance import ANGLE
 from tests.support.shapes import closed, edges
 
@@ -74,14 +74,14 @@ def test_places_are_those_of_an_exhaustive_search(seed: int, gap: float) -> None
     points = np.random.default_rng(seed).uniform(-10, 10, (60, 2))
     near = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1)) <= gap
     reach = np.linalg.matrix_power(near.astype(float), 60) > 0
-    found = nodes(points, gap)
+    found = number_vertices(points, gap)
     np.testing.assert_array_equal(found[:, None] == found[None], reach)
 
 
 def test_a_crease_is_continued_by_another_that_leaves_straight_on() -> None:
     points = np.array([[0.0, 0.0], [0.01, 0.0], [50.0, 0.0]])
     directions = np.array([[1.0, 0.0], [-1.0, 0.0], [1.0, 0.0]])
-    assert run_on(points, directions).tolist() == [True, True, False]
+    assert continues_straight(points, directions).tolist() == [True, True, False]
 
 
 def test_nothing_chains_to_nothing() -> None:

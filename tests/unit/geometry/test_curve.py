@@ -13,13 +13,15 @@ from numpy.testing import assert_allclose, assert_array_equal
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc, curve
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.curve import Spline
+from knifetip.geometry.ellipse import Ellipse
+from knifetip.geometry.spline import Spline
+from knifetip.geometry.tolerance import CURVE
 
 #: The walk's own chords stand off an arc by this much at most (mm).
 SAGITTA = 1e-5
 
 
-def walked(segments: tuple[F64, F64, F64]) -> F64:
+def sample_points(segments: tuple[F64, F64, F64]) -> F64:
     """Points along the segments, so dense that their chords are off by SAGITTA at most."""
     walk = []
     for start, end, bulge in zip(*segments, strict=True):
@@ -35,7 +37,7 @@ def walked(segments: tuple[F64, F64, F64]) -> F64:
 
 def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
     """The farthest that points of a true curve are from the segments, by brute force."""
-    walk = walked(segments)
+    walk = sample_points(segments)
     pieces = np.stack([walk[:-1], walk[1:]], axis=1)
     chord = pieces[:, 1] - pieces[:, 0]
     square = np.maximum((chord**2).sum(axis=1), 1e-300)
@@ -47,7 +49,7 @@ def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
     return worst
 
 
-def chained(segments: tuple[F64, F64, F64]) -> bool:
+def is_connected(segments: tuple[F64, F64, F64]) -> bool:
     start, end, _ = segments
     return np.array_equal(start[1:], end[:-1])
 
@@ -59,6 +61,20 @@ def corners(segments: tuple[F64, F64, F64]) -> F64:
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     turn: F64 = np.degrees(np.abs(np.arctan2(cross, (before * after).sum(axis=1))))
     return turn
+
+
+def fit_ellipse(
+    centre: Sequence[float],
+    major: Sequence[float],
+    ratio: float,
+    first: float = 0.0,
+    last: float = 2.0 * np.pi,
+    tolerance: float = CURVE,
+) -> tuple[F64, F64, F64]:
+    """Fit an elliptic arc, given one half axis and the ratio of the other one to it."""
+    u = np.array(major, np.float64)
+    v = np.array([-u[1], u[0]]) * ratio
+    return Ellipse(np.array(centre, np.float64), u, v, first, last).to_segments(tolerance)
 
 
 def on_ellipse(
@@ -75,42 +91,42 @@ def on_ellipse(
 def test_ellipse_stays_within_tolerance_with_few_arcs(
     major: float, minor: float, tolerance: float, most: int
 ) -> None:
-    fit = curve.ellipse((0.0, 0.0), (major, 0.0), minor / major, tolerance=tolerance)
+    fit = fit_ellipse((0.0, 0.0), (major, 0.0), minor / major, tolerance=tolerance)
     assert deviation(fit, on_ellipse(major, minor)) <= tolerance
     assert len(fit[2]) <= most
-    assert chained(fit)
+    assert is_connected(fit)
     assert_array_equal(fit[0][0], fit[1][-1])
     assert corners(fit).max() < 1e-5
 
 
 def test_points_of_the_fit_are_as_near_to_the_ellipse_as_its_points_to_the_fit() -> None:
-    fit = curve.ellipse((0.0, 0.0), (50.0, 0.0), 0.5)
+    fit = fit_ellipse((0.0, 0.0), (50.0, 0.0), 0.5)
     t = np.linspace(0.0, 2.0 * np.pi, 40_000)
     true = np.stack([50.0 * np.cos(t), 25.0 * np.sin(t)], axis=1)
-    walk = walked(fit)[::20]
+    walk = sample_points(fit)[::20]
     far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
     assert far <= 0.0105
 
 
 def test_circle_is_two_exact_half_turns() -> None:
-    start, end, bulge = curve.ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
+    start, end, bulge = fit_ellipse((5.0, 6.0), (10.0, 0.0), 1.0)
     assert_allclose(start, [[15.0, 6.0], [-5.0, 6.0]], atol=1e-14)
     assert_allclose(end, [[-5.0, 6.0], [15.0, 6.0]], atol=1e-14)
     assert_allclose(bulge, [1.0, 1.0])
 
 
 def test_clockwise_circle_has_negative_bulges() -> None:
-    assert_allclose(curve.ellipse((0.0, 0.0), (10.0, 0.0), -1.0)[2], [-1.0, -1.0])
+    assert_allclose(fit_ellipse((0.0, 0.0), (10.0, 0.0), -1.0)[2], [-1.0, -1.0])
 
 
 def test_nearly_round_ellipse_takes_at_most_16_arcs() -> None:
-    fit = curve.ellipse((0.0, 0.0), (100.0, 0.0), 0.999)
+    fit = fit_ellipse((0.0, 0.0), (100.0, 0.0), 0.999)
     assert len(fit[2]) <= 16
     assert deviation(fit, on_ellipse(100.0, 99.9)) <= 0.01
 
 
 def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
-    start, end, bulge = curve.ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
+    start, end, bulge = fit_ellipse((1.0, 2.0), (0.0, 40.0), 0.25, 0.3, 4.0)
 
     def at(t: float) -> list[float]:
         return [1.0 - 10.0 * np.sin(t), 2.0 + 40.0 * np.cos(t)]
@@ -122,14 +138,14 @@ def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
 
 def test_conjugate_radii_need_not_be_square() -> None:
     # A circle of radius 10 sheared by x += y: u = (10, 0), v = (10, 10).
-    shape = curve.Ellipse(np.zeros(2), np.array([10.0, 0.0]), np.array([10.0, 10.0]), 0.0, 6.0)
+    shape = Ellipse(np.zeros(2), np.array([10.0, 0.0]), np.array([10.0, 10.0]), 0.0, 6.0)
     t = np.linspace(0.0, 6.0, 1500)
     true = np.stack([10.0 * np.cos(t) + 10.0 * np.sin(t), 10.0 * np.sin(t)], axis=1)
-    assert deviation(shape.fitted(0.01), true) <= 0.01
+    assert deviation(shape.to_segments(0.01), true) <= 0.01
 
 
 def test_ellipse_without_width_is_a_line_there_and_back() -> None:
-    start, end, bulge = curve.ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
+    start, end, bulge = fit_ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
     assert_array_equal(bulge, np.zeros(len(bulge)))
     assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
 
@@ -144,18 +160,16 @@ def test_ellipse_without_width_is_a_line_there_and_back() -> None:
 def test_any_elliptic_arc_stays_within_a_hundredth(
     major: float, ratio: float, first: float, turn: float
 ) -> None:
-    fit = curve.ellipse((0.0, 0.0), (major, 0.0), ratio, first, first + turn)
+    fit = fit_ellipse((0.0, 0.0), (major, 0.0), ratio, first, first + turn)
     true = on_ellipse(major, major * ratio, first, first + turn, 400)
     assert deviation(fit, true) <= 0.01 + SAGITTA
-    assert chained(fit)
+    assert is_connected(fit)
     assert_allclose(fit[0][0], true[0], atol=1e-10)
     assert_allclose(fit[1][-1], true[-1], atol=1e-10)
 
 
 def bezier(*control: tuple[float, float]) -> Spline:
-    return curve.Spline(
-        np.array(control, dtype=float), np.ones(4), np.array([0.0] * 4 + [1.0] * 4), 3
-    )
+    return Spline(np.array(control, dtype=float), np.ones(4), np.array([0.0] * 4 + [1.0] * 4), 3)
 
 
 def bernstein(
@@ -182,16 +196,16 @@ def bernstein(
 def test_cubic_stays_within_tolerance(
     control: tuple[tuple[int, int], tuple[int, int], tuple[int, float], tuple[int, float]],
 ) -> None:
-    fit = bezier(*control).fitted(0.01)
+    fit = bezier(*control).to_segments(0.01)
     assert deviation(fit, bernstein(control)) <= 0.01
-    assert chained(fit)
+    assert is_connected(fit)
     assert_array_equal(fit[0][0], control[0])
     assert_allclose(fit[1][-1], control[3], atol=1e-13)
     assert len(fit[2]) < 120
 
 
 def test_straight_cubic_is_one_line() -> None:
-    start, end, bulge = bezier((0, 0), (10, 10), (20, 20), (30, 30)).fitted()
+    start, end, bulge = bezier((0, 0), (10, 10), (20, 20), (30, 30)).to_segments()
     assert_allclose(np.hstack([start, end]), [[0.0, 0.0, 30.0, 30.0]], atol=1e-12)
     assert_array_equal(bulge, [0.0])
 
@@ -200,10 +214,10 @@ def test_rational_quadratic_draws_a_true_quarter_circle() -> None:
     # Weights 1, cos 45°, 1 over a right angle: a circle of radius 10.
     control = np.array([[10.0, 0.0], [10.0, 10.0], [0.0, 10.0]])
     weights = np.array([1.0, np.sqrt(0.5), 1.0])
-    spline = curve.Spline(control, weights, np.array([0.0, 0, 0, 1, 1, 1]), 2)
+    spline = Spline(control, weights, np.array([0.0, 0, 0, 1, 1, 1]), 2)
     points = spline.point(np.linspace(0.0, 1.0, 50))
     assert_allclose(np.hypot(*points.T), 10.0)
-    start, end, bulge = spline.fitted()
+    start, end, bulge = spline.to_segments()
     assert_allclose(arc.length(start, end, bulge).sum(), 5.0 * np.pi, rtol=1e-9)
     assert len(bulge) <= 2
 
@@ -212,7 +226,7 @@ def test_spline_with_a_corner_keeps_it() -> None:
     # Degree 2 with a double knot in the middle: two straight legs that meet at (10, 0).
     control = np.array([[0.0, 0], [5, 0], [10, 0], [10, 5], [10, 10]])
     knots = np.array([0.0, 0, 0, 1, 1, 2, 2, 2])
-    start, end, bulge = curve.Spline(control, np.ones(5), knots, 2).fitted()
+    start, end, bulge = Spline(control, np.ones(5), knots, 2).to_segments()
     assert_allclose(end[0], [10.0, 0.0], atol=1e-12)
     assert_allclose(np.hstack([start, end]), [[0, 0, 10, 0], [10, 0, 10, 10]], atol=1e-12)
     assert_array_equal(bulge, [0.0, 0.0])
@@ -224,8 +238,8 @@ def test_corner_between_curved_legs_costs_no_extra_arcs() -> None:
     second = [(100, 0), (100, 50), (200, 50), (200, 0)]
     knots = np.array([0.0] * 4 + [1.0] * 3 + [2.0] * 4)
     control = np.array(first + second[1:], dtype=float)
-    both = curve.Spline(control, np.ones(7), knots, 3).fitted()
-    apart = [bezier(*leg).fitted() for leg in (first, second)]
+    both = Spline(control, np.ones(7), knots, 3).to_segments()
+    apart = [bezier(*leg).to_segments() for leg in (first, second)]
     assert len(both[2]) == len(apart[0][2]) + len(apart[1][2])
     assert deviation(both, np.concatenate([bernstein(first, 400), bernstein(second, 400)])) <= 0.01
     assert corners(both).max() == pytest.approx(180.0, abs=1e-3)
@@ -234,9 +248,9 @@ def test_corner_between_curved_legs_costs_no_extra_arcs() -> None:
 def test_unclamped_spline_lives_between_its_inner_knots() -> None:
     # A uniform quadratic: at the ends of its domain it is midway between control points.
     control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])
-    spline = curve.Spline(control, np.ones(4), np.arange(7.0), 2)
+    spline = Spline(control, np.ones(4), np.arange(7.0), 2)
     assert_array_equal(spline.breaks, [2.0, 3.0, 4.0])
-    start, end, _ = spline.fitted()
+    start, end, _ = spline.to_segments()
     assert_allclose(start[0], [5.0, 0.0])
     assert_allclose(end[-1], [5.0, 10.0])
 
@@ -262,13 +276,13 @@ def test_damaged_spline_is_refused(
     control: list[list[float]], knots: list[float], degree: int
 ) -> None:
     with pytest.raises(GeometryError):
-        curve.Spline(np.array(control), np.ones(len(control)), np.array(knots), degree)
+        Spline(np.array(control), np.ones(len(control)), np.array(knots), degree)
 
 
 @pytest.mark.parametrize("size", [(np.nan, 0.0), (np.inf, 0.0)], ids=["not a number", "endless"])
 def test_ellipse_without_a_size_is_refused(size: tuple[float, float]) -> None:
     with pytest.raises(GeometryError):
-        curve.ellipse((0.0, 0.0), size, 0.5)
+        fit_ellipse((0.0, 0.0), size, 0.5)
 
 
 def test_parameters_that_do_not_increase_are_refused() -> None:
@@ -304,7 +318,7 @@ def cubics(control: F64) -> tuple[Cubics, Cubics]:
 def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other() -> None:
     control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
     point, tangent = cubics(control)
-    start, end, bulge, which = curve.each(point, tangent, len(control), 0.01)
+    start, end, bulge, which = curve.fit_many(point, tangent, len(control), 0.01)
     assert np.unique(which).tolist() == list(range(300))
     for k in range(300):
         own = which == k
@@ -316,7 +330,7 @@ def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other() -> 
         off = np.full(40, np.inf)
         for first, last, one in zip(a, b, turn, strict=True):
             ends = np.broadcast_to(first, (40, 2)), np.broadcast_to(last, (40, 2))
-            share = arc.nearest(*ends, np.full(40, one), true)
+            share = arc.nearest_fraction(*ends, np.full(40, one), true)
             near = arc.point_at(*ends, np.full(40, one), share)
             off = np.minimum(off, np.hypot(*(near - true).T))
         assert off.max() <= 0.0101
@@ -327,11 +341,11 @@ def test_a_curve_without_length_among_others_has_no_segment() -> None:
         [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
     )
     point, tangent = cubics(control.astype(float))
-    _, _, bulge, which = curve.each(point, tangent, 3, 0.01)
+    _, _, bulge, which = curve.fit_many(point, tangent, 3, 0.01)
     assert set(which.tolist()) == {0, 2}
     assert (bulge[which == 2] == 0.0).all()
 
 
 def test_no_curves_are_no_segments() -> None:
     point, tangent = cubics(np.zeros((0, 4, 2)))
-    assert [len(column) for column in curve.each(point, tangent, 0)] == [0] * 4
+    assert [len(column) for column in curve.fit_many(point, tangent, 0)] == [0] * 4

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, Point
 
-from knifetip.geometry.grid import touching
+from knifetip.geometry.grid import points_on_segments
 from tests.support.shapes import edges
 
 NONE = np.array([-1], np.int32)
@@ -17,16 +17,16 @@ def test_a_point_on_the_belly_of_an_arc_touches_it() -> None:
     half = edges(((0, 0), (20, 0)))
     on, off = np.array([[10.0, -10.02]]), np.array([[10.0, 10.0]])
     for points, expected in ((on, True), (off, False)):
-        assert touching(points, NONE, half[:, 0], half[:, 1], np.ones(1), 0.05).tolist() == [
-            expected
-        ]
+        assert points_on_segments(
+            points, NONE, half[:, 0], half[:, 1], np.ones(1), 0.05
+        ).tolist() == [expected]
 
 
 def test_the_segment_that_a_point_belongs_to_does_not_count() -> None:
     line = edges(((0, 0), (20, 0)))
     args = (line[:, 0], line[:, 1], np.zeros(1), 0.05)
-    assert not touching(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
-    assert touching(np.zeros((1, 2)), NONE, *args)[0]
+    assert not points_on_segments(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
+    assert points_on_segments(np.zeros((1, 2)), NONE, *args)[0]
 
 
 @given(seed=st.integers(0, 1000))

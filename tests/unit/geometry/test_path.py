@@ -9,17 +9,17 @@ from hypothesis import strategies as st
 
 from knifetip.geometry.path import (
     Paths,
-    begun_in_middle,
-    chained,
+    path_through,
     point_along,
-    reversed_where,
-    taken,
-    trimmed,
+    reverse_paths,
+    select_paths,
+    start_in_middle,
+    trim_ends,
 )
 
 QUARTER = np.tan(np.pi / 8)
 #: 30 mm east, a quarter turn to the left of radius 10, 40 mm north.
-HOOK = chained(
+HOOK = path_through(
     np.array([[0.0, 0.0], [30.0, 0.0], [40.0, 10.0], [40.0, 50.0]]),
     np.array([0.0, QUARTER, 0.0]),
 )
@@ -30,7 +30,7 @@ def test_the_length_counts_arcs_along_the_arc() -> None:
 
 
 def test_a_trimmed_path_ends_inside_its_arc() -> None:
-    short, rows = trimmed(HOOK, np.array([0.0]), np.array([40.0 + 2.5 * np.pi]))
+    short, rows = trim_ends(HOOK, np.array([0.0]), np.array([40.0 + 2.5 * np.pi]))
     assert rows.tolist() == [0, 1]
     eighth = 10.0 * np.sin(np.pi / 4)
     np.testing.assert_allclose(short.end[-1], [30.0 + eighth, 10.0 - eighth])
@@ -39,18 +39,18 @@ def test_a_trimmed_path_ends_inside_its_arc() -> None:
 
 @given(a=st.floats(0, 40), b=st.floats(0, 40))
 def test_what_is_trimmed_is_what_is_missing(a: float, b: float) -> None:
-    short, _ = trimmed(HOOK, np.array([a]), np.array([b]))
+    short, _ = trim_ends(HOOK, np.array([a]), np.array([b]))
     assert short.lengths[0] == pytest.approx(HOOK.lengths[0] - a - b, abs=1e-5)
 
 
 def test_nothing_trimmed_is_the_same_to_the_last_bit() -> None:
-    same, _ = trimmed(HOOK, np.zeros(1), np.zeros(1))
+    same, _ = trim_ends(HOOK, np.zeros(1), np.zeros(1))
     np.testing.assert_array_equal(same.end, HOOK.end)
     np.testing.assert_array_equal(same.bulge, HOOK.bulge)
 
 
 def test_a_reversed_path_bends_the_other_way() -> None:
-    back, rows = reversed_where(HOOK, np.array([True]))
+    back, rows = reverse_paths(HOOK, np.array([True]))
     assert rows.tolist() == [2, 1, 0]
     np.testing.assert_array_equal(back.start[0], [40.0, 50.0])
     assert back.bulge[1] == -QUARTER
@@ -64,7 +64,7 @@ def test_a_closed_path_begins_in_the_middle_of_its_longest_line() -> None:
         np.concatenate([np.zeros(4), HOOK.bulge]),
         np.array([0, 4, 7]),
     )
-    moved, rows = begun_in_middle(both, both.closed)
+    moved, rows = start_in_middle(both, both.closed)
     np.testing.assert_array_equal(moved.start[0], [10.0, 20.0])
     np.testing.assert_array_equal(moved.end[4], [10.0, 20.0])
     assert rows.tolist() == [1, 2, 3, 0, 1, 4, 5, 6]
@@ -72,8 +72,8 @@ def test_a_closed_path_begins_in_the_middle_of_its_longest_line() -> None:
 
 
 def test_a_circle_begins_in_the_middle_of_an_arc() -> None:
-    circle = chained(np.array([[0.0, 0.0], [20.0, 0.0], [0.0, 0.0]]), np.ones(2))
-    moved, _ = begun_in_middle(circle, circle.closed)
+    circle = path_through(np.array([[0.0, 0.0], [20.0, 0.0], [0.0, 0.0]]), np.ones(2))
+    moved, _ = start_in_middle(circle, circle.closed)
     np.testing.assert_allclose(moved.start[0], [10.0, -10.0], atol=1e-12)
     np.testing.assert_allclose(moved.bulge, [QUARTER, 1.0, QUARTER])
 
@@ -87,6 +87,6 @@ def test_a_point_along_a_path_knows_its_heading() -> None:
 
 
 def test_a_path_may_be_taken_twice() -> None:
-    twice, rows = taken(HOOK, np.array([0, 0], np.int32))
+    twice, rows = select_paths(HOOK, np.array([0, 0], np.int32))
     assert len(twice) == 2
     assert rows.tolist() == [0, 1, 2, 0, 1, 2]

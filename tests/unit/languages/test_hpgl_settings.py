@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from knifetip.errors import ControllerError, LibraryError
-from knifetip.languages.hpgl.plotter import Plotter, Work
+from knifetip.languages.hpgl.plotter import PenWork, Plotter
 from knifetip.languages.registry import find_language, with_language
 from knifetip.library import load
 from knifetip.model.machine import Machine
@@ -27,9 +27,9 @@ def test_the_shipped_machine() -> None:
     assert isinstance(plotter, Plotter)
     assert plotter.device.units == 40.0
     assert [(pen.number, pen.station, pen.work) for pen in plotter.pens] == [
-        (1, 1, Work.CUT),
-        (2, 2, Work.CREASE),
-        (3, 1, Work.HALF_CUT),
+        (1, 1, PenWork.CUT),
+        (2, 2, PenWork.CREASE),
+        (3, 1, PenWork.HALF_CUT),
     ]
 
 

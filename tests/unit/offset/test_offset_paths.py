@@ -15,7 +15,7 @@ from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import crossings
-from knifetip.geometry.path import Paths, reversed_where, taken
+from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.offset.offset_paths import NEARER, OffsetPaths, offset_paths
 from knifetip.offset.transition import Corner
 from tests.support.shapes import paths as paths_of
@@ -76,7 +76,7 @@ def simple(paths: Paths) -> Paths:
         found = crossings(start[one], end[one], bulge[one], start[two], end[two], bulge[two])
         neighbours = (two - one == 1) | (two - one == high - low - 1)
         good.append((found.count == neighbours).all())
-    return taken(paths, np.flatnonzero(good).astype(np.int32))[0]
+    return select_paths(paths, np.flatnonzero(good).astype(np.int32))[0]
 
 
 def flattened(paths: Paths, pieces: int) -> list[F64]:
@@ -453,7 +453,7 @@ def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
     flip = np.array([-1.0, 1.0])
     mirrored = Paths(paths.start * flip, paths.end * flip, -paths.bulge, paths.first)
     alike(described(offset_paths(mirrored, radius, -side, corner=kind)), plain)
-    back, _ = reversed_where(paths, np.array([True]))
+    back, _ = reverse_paths(paths, np.array([True]))
     alike(described(offset_paths(back, radius, -side, corner=kind)), plain)
     rows = np.roll(np.arange(11), shift)
     begun = Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first)

@@ -42,7 +42,7 @@ def off(one: Drawing, other: Drawing) -> float:
     farthest = 0.0
     for point in points:
         many = np.broadcast_to(point, start.shape)
-        share = arc.nearest(start, end, other.bulge, many)
+        share = arc.nearest_fraction(start, end, other.bulge, many)
         near = arc.point_at(start, end, other.bulge, share)
         farthest = max(farthest, float(np.hypot(*(near - many).T).min()))
     return farthest
@@ -213,7 +213,7 @@ def test_a_curve_is_approximated_within_a_hundredth(control: list[tuple[float, f
     away = np.full(len(true), np.inf)
     for (start, end), bulge in zip(drawing.ends, drawing.bulge, strict=True):
         many = np.broadcast_to(start, true.shape), np.broadcast_to(end, true.shape)
-        near = arc.nearest(*many, np.full(len(true), bulge), true)
+        near = arc.nearest_fraction(*many, np.full(len(true), bulge), true)
         at = arc.point_at(*many, np.full(len(true), bulge), near)
         away = np.minimum(away, np.hypot(*(at - true).T))
     assert away.max() <= 0.0101

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.vgroove import vgroove
+from knifetip.compensation.vgroove import vgroove_toolpath
 from knifetip.errors import CurvedGroove
 from knifetip.model.dieline import LineType
 from knifetip.model.operation import End, Operation
@@ -24,7 +24,7 @@ def grooved(bulge: float, span: float, error: float) -> Operation:
 
 def test_a_board_without_groove_curve_refuses_arcs() -> None:
     with pytest.raises(CurvedGroove, match="straight blade"):
-        vgroove(grooved(0.1, 400.0, 0.0))
+        vgroove_toolpath(grooved(0.1, 400.0, 0.0))
 
 
 def test_an_arc_too_tight_for_the_blade_is_refused() -> None:

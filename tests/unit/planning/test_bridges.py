@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.compensation.knife import knife
+from knifetip.compensation.knife import knife_toolpath
 from knifetip.errors import NoRoomForBridges
 from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
@@ -60,7 +60,7 @@ def test_a_bridge_on_a_corner_is_moved_five_millimetres_away() -> None:
 
 
 def test_the_top_face_ends_at_the_bridge() -> None:
-    path = knife(cut(OUTLINE))
+    path = knife_toolpath(cut(OUTLINE))
     lifted = np.flatnonzero(path.motion == Motion.LIFT)
     middle, _ = gaps(cut(OUTLINE))
     # 45° over 2.3 mm: the tip stops that much before the bridge.

@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.errors import NoRoomForBridges, NoToolForLineType, PlanError
 from knifetip.geometry.columns import F64
-from knifetip.geometry.path import Paths, taken
+from knifetip.geometry.path import Paths, select_paths
 from knifetip.model.board import Deflection
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Station
@@ -89,7 +89,7 @@ def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned: int) 
         1,
     )
     # Clockwise, both of them: 50² and 40².
-    assert [area(taken(operation.paths, np.array([path]))[0]) for path in range(2)] == [
+    assert [area(select_paths(operation.paths, np.array([path]))[0]) for path in range(2)] == [
         -2500,
         -1600,
     ]

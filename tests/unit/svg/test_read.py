@@ -132,7 +132,7 @@ def test_a_curve_is_approximated_within_a_hundredth(control: list[tuple[float, f
     off = np.full(len(true), np.inf)
     for (start, end), bulge in zip(drawing.ends, drawing.bulge, strict=True):
         many = np.broadcast_to(start, true.shape), np.broadcast_to(end, true.shape)
-        near = arc.nearest(*many, np.full(len(true), bulge), true)
+        near = arc.nearest_fraction(*many, np.full(len(true), bulge), true)
         at = arc.point_at(*many, np.full(len(true), bulge), near)
         off = np.minimum(off, np.hypot(*(at - true).T))
     assert off.max() <= 0.0101
@@ -473,7 +473,7 @@ def off(one: Drawing, other: Drawing) -> np.ndarray:
     farthest = []
     for point in points:
         many = np.broadcast_to(point, start.shape)
-        share = arc.nearest(start, end, other.bulge, many)
+        share = arc.nearest_fraction(start, end, other.bulge, many)
         near = arc.point_at(start, end, other.bulge, share)
         farthest.append(np.hypot(*(near - many).T).min())
     found: F64 = np.array(farthest).reshape(len(one), -1).max(axis=1)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from knifetip.geometry.affine import IDENTITY, chained
+from knifetip.geometry.affine import IDENTITY, compose
 from knifetip.svg.transform import parse_transform
 
 
@@ -108,4 +108,4 @@ def test_a_list_is_the_product_of_its_matrices(listed: list[tuple[str, list[floa
 
 def test_blanks_do_not_change_a_matrix() -> None:
     one = parse_transform("rotate(30) translate(4 5)")
-    assert chained(IDENTITY, one) == one == chained(one, IDENTITY)
+    assert compose(IDENTITY, one) == one == compose(one, IDENTITY)

@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from knifetip import compensate, plan, process, sequence
-from knifetip.compensation.radius import centres
+from knifetip.compensation.radius import centre_paths
 from knifetip.geometry.columns import F64
 from knifetip.library import load
 from knifetip.model.board import Board, Deflection
@@ -43,7 +43,7 @@ def verdict_of(
 
 
 def by_engine(work: list[Operation]) -> float:
-    return sum(float(centres(one).unreached.sum()) for one in work if one.side != 0)
+    return sum(float(centre_paths(one).unreached.sum()) for one in work if one.side != 0)
 
 
 def by_shapely(*waste: shapely.Polygon) -> float:

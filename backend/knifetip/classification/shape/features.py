@@ -187,7 +187,7 @@ class _Extraction(NamedTuple):
         count, unit, touch = len(self.bulge), self.unit, GAP * self.unit
         (length, boxes), faces = parallel_pair(
             lambda: (
-                arc.over(graph.chords(), graph.bulge),
+                arc.length_from_chord(graph.chords(), graph.bulge),
                 ComponentBoxes.measure(graph, unit),
             ),
             lambda: trace_faces(graph, self.ends, self.bulge, touch),

@@ -27,11 +27,11 @@ from knifetip.dxf.location_boxes import through
 from knifetip.dxf.shapes import moved, turning
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
-from knifetip.geometry.columns import F64, frozen
+from knifetip.geometry.columns import F64, freeze
 from knifetip.messages import Message
 
 #: Linear map of entities outside of blocks: the identity.
-ON_SHEET: Final[F64] = frozen(np.eye(2)[None], np.float64, 1, 2, 2)
+ON_SHEET: Final[F64] = freeze(np.eye(2)[None], np.float64, 1, 2, 2)
 
 #: Reason for entities in paper space.
 IN_PAPER_SPACE: Final = Message("import.paper-space")

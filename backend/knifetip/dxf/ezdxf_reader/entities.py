@@ -27,7 +27,8 @@ from knifetip.dxf.shapes import (
 )
 from knifetip.formats.limits import REACH
 from knifetip.geometry.columns import F64
-from knifetip.geometry.curve import Ellipse, Spline
+from knifetip.geometry.ellipse import Ellipse
+from knifetip.geometry.spline import Spline
 from knifetip.messages import Message
 
 

@@ -28,7 +28,9 @@ from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.curve import Ellipse, Segments, Spline
+from knifetip.geometry.curve import Segments
+from knifetip.geometry.ellipse import Ellipse
+from knifetip.geometry.spline import Spline
 from knifetip.geometry.tolerance import BULGE, CURVE
 from knifetip.geometry.unique_rows import unique_rows
 
@@ -153,7 +155,7 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
     if isinstance(shape, Lines) and not shape.bulge.any():
         low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
     elif isinstance(shape, Lines):
-        boxes = arc.bounds(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
+        boxes = arc.bounding_boxes(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
         low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
     elif isinstance(shape, Ellipse):
         half = np.abs(shape.u) + np.abs(shape.v)
@@ -206,11 +208,11 @@ def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
     if isinstance(shape, Ellipse):
         return Ellipse(
             linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last
-        ).fitted(tolerance)
+        ).to_segments(tolerance)
     if isinstance(shape, Spline):
-        return Spline(shape.control @ linear.T, shape.weights, shape.knots, shape.degree).fitted(
-            tolerance
-        )
+        return Spline(
+            shape.control @ linear.T, shape.weights, shape.knots, shape.degree
+        ).to_segments(tolerance)
     pieces: list[Segments] = []
     middle = arc.centre(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
     for (start, end), bulge, centre in zip(shape.ends, shape.bulge, middle, strict=True):
@@ -220,7 +222,7 @@ def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
         u = start - centre
         v = np.array([-u[1], u[0]]) * np.sign(bulge)
         turn = 4.0 * float(np.arctan(abs(bulge)))
-        fit = Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn).fitted(tolerance)
+        fit = Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn).to_segments(tolerance)
         # Exact ends, so that the next segment begins where this one ends.
         fit[0][0], fit[1][-1] = linear @ start, linear @ end
         pieces.append(fit)

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.dxf.samples.write import Layer, drawn
-from knifetip.geometry.azimuth import left, unit
+from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64
-from knifetip.geometry.path import Paths, chained
+from knifetip.geometry.path import Paths, path_through
 
 CUT = Layer("CUT", 1)
 CREASE = Layer("CREASE", 5, "DASHED")
@@ -251,7 +251,7 @@ def _contour(*parts: ArrayLike) -> Paths:
     again = np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T) < 1e-9
     corners = corners[~again]
     at, radius, bulge = corners[:, :2], corners[:, 2], corners[:, 3]
-    into = unit(at - np.roll(at, 1, axis=0))
+    into = unit_vectors(at - np.roll(at, 1, axis=0))
     away = np.roll(into, -1, axis=0)
     turn = np.arctan2(into[:, 0] * away[:, 1] - into[:, 1] * away[:, 0], (into * away).sum(axis=1))
     back = (radius * np.tan(np.abs(turn) / 2.0))[:, None]
@@ -260,7 +260,7 @@ def _contour(*parts: ArrayLike) -> Paths:
     bulges = np.stack([np.where(round_, np.tan(turn / 4.0), bulge), bulge], axis=1)
     kept = np.stack([np.ones_like(round_), round_], axis=1)
     xy = vertices[kept]
-    return chained(np.vstack([xy, xy[:1]]), bulges[kept])
+    return path_through(np.vstack([xy, xy[:1]]), bulges[kept])
 
 
 def _notch(radius: float, depth: float, lead: float) -> F64:
@@ -287,7 +287,7 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
 def _placed(corners: F64, at: tuple[float, float], along: tuple[float, float]) -> F64:
     """Return corners, given as u along an edge and v to its left, in sheet coordinates."""
     u = np.array(along)
-    xy = at + corners[:, :1] * u + corners[:, 1:2] * left(u)
+    xy = at + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
     return np.hstack([xy, corners[:, 2:]])
 
 
@@ -315,12 +315,12 @@ def _oblong(centre: tuple[float, float], length: float, radius: float) -> Paths:
             (x + radius, y - straight),
         ]
     )
-    return chained(xy, np.array([0.0, 1.0, 0.0, 1.0]))
+    return path_through(xy, np.array([0.0, 1.0, 0.0, 1.0]))
 
 
 def _rectangle(x: float, y: float, width: float, height: float) -> Paths:
     corners = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)])
-    return chained(corners * (width / 2.0, height / 2.0) + np.array([x, y]), np.zeros(4))
+    return path_through(corners * (width / 2.0, height / 2.0) + np.array([x, y]), np.zeros(4))
 
 
 def _lines(rows: ArrayLike) -> Paths:

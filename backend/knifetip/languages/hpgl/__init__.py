@@ -1,4 +1,4 @@
-"""hpgl: Hewlett-Packard's plotter language, for flat cutters with pen-like tools."""
+"""hpgl: record of Hewlett-Packard's plotter language, for flat cutters with pen-like tools."""
 
 from knifetip.languages.language import Language
 

@@ -1,8 +1,6 @@
-"""plotter: the settings of an HPGL device and its pens in a machine's file.
+"""plotter: the settings of an HPGL device and its pens, read from a machine's TOML file.
 
-    [controller] of a machine's TOML -> Plotter
-
-It contains data only: emitter and verifier's reader share no computation.
+The module contains data only: the emitter and the verifier's reader share no computation.
 """
 
 from __future__ import annotations
@@ -18,12 +16,12 @@ from typing import Any, Final
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Engine, Knife, kind_of
 
-#: A speed of 1 cm/s (mm/min).
+#: Number of mm/min in 1 cm/s.
 CM_PER_SECOND: Final = 600.0
 
 
-class Work(StrEnum):
-    """Kind of work of a pen; its force is set at the device or by FS."""
+class PenWork(StrEnum):
+    """Kind of work that a pen does in the board; its force is set at the device or by FS."""
 
     CUT = "cut"  #: through the board
     HALF_CUT = "half-cut"
@@ -32,38 +30,38 @@ class Work(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """A type of plotter or cutter."""
+    """Type of plotter or flat cutter."""
 
     title: str
     units: float  #: plotter units per millimetre
     area: tuple[int, int, int, int]  #: x0 y0 x1 y1 of the reachable area (plotter units)
     zero: tuple[float, float]  #: position of unit 0, 0 on the table (mm)
     pens: int  #: number of pens that SP can select
-    speed: tuple[int, int] | None  #: least and greatest VS (cm/s); None if it lacks VS
-    force: tuple[int, int] | None  #: least and greatest FS; None if it lacks FS
-    comments: bool  #: whether it supports CO
+    speed: tuple[int, int] | None  #: least and greatest VS (cm/s); None without VS
+    force: tuple[int, int] | None  #: least and greatest FS; None without FS
+    comments: bool  #: whether the device supports the comment instruction CO
 
 
 @dataclass(frozen=True, slots=True)
 class Pen:
-    """A tool of the device for one kind of work."""
+    """A tool of the device as HPGL selects it, for one kind of work."""
 
     number: int  #: argument of SP
     station: int  #: number of the machine's station
-    work: Work
+    work: PenWork
     force: int  #: argument of FS; 0 if the device lacks FS
 
 
 @dataclass(frozen=True, slots=True)
 class Plotter:
-    """The settings of an HPGL machine."""
+    """Settings of an HPGL machine: its device and its pens."""
 
     device: Device
     pens: tuple[Pen, ...]
 
 
 def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
-    """Return the settings of a machine.
+    """Return the HPGL settings in ``[controller]`` of a machine's TOML file.
 
     Raises
     ------
@@ -98,13 +96,16 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
 
 @cache
 def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
-    """Return the shipped devices by name."""
+    """Return the fields of the shipped devices, by the name of the device."""
     text = (resources.files(__package__) / "devices.toml").read_text("utf-8")
     return tomllib.loads(text)
 
 
 def _read_device(value: Any, machine: Machine) -> Device:
-    """Return the device of a name or of a table; raise ``ValueError`` if it is invalid."""
+    """Return the device that a machine's settings name, or describe as a table of fields.
+
+    Raises ``ValueError`` if there is no such device or a field is invalid.
+    """
     if not isinstance(value, Mapping):
         if value not in _shipped_devices():
             known = ", ".join(sorted(_shipped_devices()))
@@ -133,7 +134,7 @@ def _read_device(value: Any, machine: Machine) -> Device:
 
 
 def _read_range(value: Any, name: str) -> tuple[int, int] | None:
-    """Return the least and greatest value of a setting, None if it is absent."""
+    """Return the least and greatest value of a device's setting, None if the setting is absent."""
     if value is None:
         return None
     least, greatest = int(value[0]), int(value[1])
@@ -143,7 +144,7 @@ def _read_range(value: Any, name: str) -> tuple[int, int] | None:
 
 
 def _read_pen(row: Mapping[str, Any], device: Device) -> Pen:
-    """Return the pen of one row of the table; raise ``ValueError`` if it is invalid."""
+    """Return the pen of one row of the table ``pens``; raise ``ValueError`` if it is invalid."""
     number, force = int(row["number"]), int(row.get("force", 0))
     if not 1 <= number <= device.pens:
         raise ValueError(f"pen {number}: {device.title} has pens 1 to {device.pens}")
@@ -154,9 +155,9 @@ def _read_pen(row: Mapping[str, Any], device: Device) -> Pen:
             f"pen {number}: force is {force}, and must be {device.force[0]} to {device.force[1]}"
         )
     try:
-        work = Work(row["work"])
+        work = PenWork(row["work"])
     except ValueError:
-        known = ", ".join(Work)
+        known = ", ".join(PenWork)
         raise ValueError(f"pen {number}: work is {row['work']!r}: it is one of {known}") from None
     return Pen(number, int(row["station"]), work, force)
 
@@ -183,10 +184,10 @@ def _check_station(station: Station, device: Device) -> None:
 
 
 def _check_pen(pen: Pen, machine: Machine) -> None:
-    """Raise ``ValueError`` if the station of a pen does not exist or cannot do its work."""
+    """Raise ``ValueError`` if the station of a pen does not exist or cannot do the pen's work."""
     try:
         tool = machine.station(pen.station).tool
     except KeyError:
         raise ValueError(f"pen {pen.number} is in station {pen.station}, which is none") from None
-    if (kind_of(tool).engine is Engine.CREASE) is not (pen.work is Work.CREASE):
+    if (kind_of(tool).engine is Engine.CREASE) is not (pen.work is PenWork.CREASE):
         raise ValueError(f"pen {pen.number}: the tool of station {pen.station} cannot {pen.work}")

@@ -1,1 +1,1 @@
-"""Programs in RS274/NGC, as LinuxCNC and grblHAL read it."""
+"""Emitter for RS274/NGC, the G-code of LinuxCNC and grblHAL."""

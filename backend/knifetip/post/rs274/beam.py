@@ -1,6 +1,4 @@
-"""beam: switch a beam (laser, plasma) on only while it cuts.
-
-    lines of a station's moves -> the same lines with the beam on for every cut, off for rapids
+"""beam: add lines to a program that switch a beam (laser, plasma) on only while it cuts.
 
 Before the first move of a cut the beam is switched on and the head dwells until the board is
 pierced; after the last move the beam is switched off.  M3 and M5 wait until the head is at rest.
@@ -24,12 +22,16 @@ from knifetip.post.rs274 import gcode
 def switch_beam(
     text: bytes, source: I32, toolpath: Toolpath, tool: Tool, height: float
 ) -> tuple[bytes, I32]:
-    """Return the text with lines that switch the beam, and the row of each line.
+    """Return program text with lines that switch the beam, and the toolpath row of each line.
 
     Parameters
     ----------
+    text
+        Lines of the moves of one station.
     source : (n,)
-        Row of the toolpath for each line, -1 for none.
+        Row of the toolpath for each line of the text, -1 for none.
+    tool
+        Laser or plasma torch, with its power and pierce time.
     height : mm
         Offset that the program adds to the tip's Z.
     """
@@ -54,5 +56,5 @@ def switch_beam(
 
 
 def _encode(lines: list[str]) -> bytes:
-    """Return lines as ASCII bytes."""
+    """Return lines as ASCII bytes, each with a newline."""
     return "".join(f"{line}\n" for line in lines).encode("ascii")

@@ -1,7 +1,7 @@
 """controller: differences between controllers that read RS274/NGC.
 
-Source: ``docs.linuxcnc.org`` (G-code reference), and grbl 1.1's and grblHAL's own documentation;
-each line for LinuxCNC is read back by its interpreter in ``tests/controllers``.
+Source: ``docs.linuxcnc.org`` (G-code reference), and the documentation of grbl 1.1 and grblHAL;
+``tests/controllers`` reads each line for LinuxCNC back with its interpreter.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """The variant of RS274/NGC that one controller reads."""
+    """Variant of RS274/NGC that one controller reads."""
 
-    name: str
-    decimals: int  #: decimals of X Y Z C I J
-    rotary: str  #: letter of the axis that turns the tool; some builds of grbl use A
-    tool_table: bool  #: Tn M6 G43 adds the station's datum; otherwise the numbers include it
-    blending: bool  #: supports G64 P Q
-    inverse_arcs: bool  #: treats degrees as mm in G94, so an arc with C needs G93
-    eager_outputs: bool  #: executes M64, M65 when it reads them, while earlier moves still run
-    comments: bool  #: comments name the stations; notes are always written at the top
-    radius: float  #: arcs larger than this are sent as chords (mm)
-    line_limit: int  #: longest line, without its newline (bytes)
+    name: str  #: name of the controller language
+    decimals: int  #: number of decimals of X Y Z C I J
+    rotary: str  #: letter of the axis that turns the tool, C by default; some builds of grbl use A
+    tool_table: bool  #: whether Tn M6 G43 adds the datum; else numbers include it
+    blending: bool  #: whether the controller supports G64 P Q
+    inverse_arcs: bool  #: whether G94 counts degrees as mm, so that an arc with C needs G93
+    eager_outputs: bool  #: whether M64 and M65 are executed while earlier moves still run
+    comments: bool  #: whether comments name the stations; notes are always written
+    radius: float  #: largest radius of an arc; larger arcs are written as chords (mm)
+    line_limit: int  #: length of the longest line, without its newline (bytes)
     end: str  #: word that ends a program

@@ -1,6 +1,4 @@
-"""gcode: format the lines of a run of moves.
-
-    Toolpath, rows of one station  ->  bytes, one line per move, and the row of each line
+"""gcode: format the moves of one station as lines of G-code.
 
 All lines are formatted at once, as the rows of a matrix of characters.  Each word is a block of
 columns; 0 stands for no character.  Positions are rounded, not distances, so that errors do not
@@ -27,68 +25,68 @@ from knifetip.post.digits import Characters, digit_columns
 from knifetip.post.rs274.controller import Dialect
 
 #: An arc with a smaller sagitta is written as a line (mm).
-FLAT: Final = 0.0005
+MIN_SAGITTA: Final = 0.0005
 #: An arc with a smaller radius is written as a line: LinuxCNC refuses radii up to 0.00127 mm (mm).
-SMALL: Final = 0.002
+MIN_RADIUS: Final = 0.002
 #: Greatest deviation of the chords of an arc that is too large for the controller (mm).
-CHORD: Final = 0.001
+CHORD_DEVIATION: Final = 0.001
 #: Least time of a move in G93 (minutes).
-SHORTEST: Final = 1e-4 / 60.0
+MIN_MINUTES: Final = 1e-4 / 60.0
 #: Greatest number of decimals of a feed; zeros at the end are left out.
 FEED_DECIMALS: Final = 9
-#: End of a line after which the machine must come to rest: a dwell of zero seconds.
+#: End of a line after which the machine must come to rest; the dwell of zero seconds waits for it.
 EXACT_STOP: Final = b"\nG4 P0\n"
 #: Greatest length of a comment; with parentheses it is below the 70 bytes of every buffer.
-COMMENT: Final = 66
+MAX_COMMENT: Final = 66
 #: Number of lines that are formatted together; it bounds the memory.
 BATCH: Final = 1 << 15
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """n moves between n + 1 poses, with arcs that the controller can follow."""
+    """Moves that the controller can follow: n moves between n + 1 poses."""
 
     pose: F64  #: (n + 1, 4) mm and degrees, including the datum if the numbers need it
     bulge: F64  #: (n,)
-    motion: U8  #: (n,) Motion
+    motion: U8  #: (n,) Motion of each move
     feed: F64  #: (n,) mm/min; degrees/min for a SWIVEL
-    row: I32  #: (n,) row in Toolpath
+    row: I32  #: (n,) row of each move in the Toolpath
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _LineWords:
-    """The words of n lines; numbers are in units of the last printed decimal place."""
+    """The words of n program lines; numbers are in units of the last printed decimal place."""
 
     code: U8  #: (n,) number of the G word, 0 … 3
-    inverse: Bool  #: (n,) the line uses G93 (inverse time)
-    ends_inverse: Bool  #: (n,) the line returns to G94
-    axes: I64  #: (n, 4) X Y Z C
-    emit: Bool  #: (n, 4) whether each of them is written
-    centre: I64  #: (n, 2) I J, written if code is 2 or 3
-    feed: I64  #: (n,) F
-    emit_feed: Bool  #: (n,) whether F is written
-    exact_stop: Bool  #: (n,) the move must end before the next one begins
+    inverse: Bool  #: (n,) whether the line uses G93 (inverse time)
+    ends_inverse: Bool  #: (n,) whether the line returns to G94
+    axes: I64  #: (n, 4) values of the words X Y Z C
+    emit: Bool  #: (n, 4) whether each axis word is written
+    centre: I64  #: (n, 2) values of the words I J, written if code is 2 or 3
+    feed: I64  #: (n,) value of the F word
+    emit_feed: Bool  #: (n,) whether the F word is written
+    exact_stop: Bool  #: (n,) whether the move must end before the next one begins
     row: I32  #: (n,)
 
 
 def format_comment(text: str) -> str:
-    """Return a text as a comment that no controller executes; "" if nothing is left of it.
+    """Return a text as a comment that no controller executes; "" if no characters remain.
 
     LinuxCNC executes comments with a comma: ``(PY,…)`` runs Python, ``(LOGOPEN,…)`` writes files.
     grbl executes ``!``, ``~`` and ``?`` everywhere, also within comments.
     """
-    clean = " ".join(re.sub(r"[^ -~]|[(),;!~?%$]", " ", text).split())[:COMMENT].rstrip()
+    clean = " ".join(re.sub(r"[^ -~]|[(),;!~?%$]", " ", text).split())[:MAX_COMMENT].rstrip()
     return f"({clean})" if clean else ""
 
 
 def format_number(value: float) -> str:
-    """Return a number with 4 decimals; zero has no sign."""
+    """Return a number as text with 4 decimals; zero has no sign."""
     # Adding zero turns -0.0 into 0.0.
     return f"{round(value, 4) + 0.0:.4f}"
 
 
 def dwell_line(seconds: float) -> str:
-    """Return the line of a dwell."""
+    """Return the program line of a dwell, without a newline."""
     return f"G4 P{format_number(seconds)}".rstrip("0").rstrip(".")
 
 
@@ -101,18 +99,19 @@ def format_lines(
     dialect: Dialect,
     blending: float,
 ) -> tuple[bytes, I32]:
-    """Return the text of rows ``first … last - 1``, all of one station, and the row of each line.
+    """Return the program text of rows ``first … last - 1`` of a toolpath, and the row of each line.
 
-    The first line has words for all axes: with a new datum from the tool table, an axis without a
-    word would keep its *joint* position, which is another position of the tool.  A move that rounds
-    to nothing gets no line; an arc too large for the controller gets several.
+    All rows belong to one station.  The first line has words for all axes: with a new datum from
+    the tool table, an axis without a word would keep its *joint* position, which is another
+    position of the tool.  A move that rounds to zero length and turn gets no line; an arc too large
+    for the controller gets several.  Lines that belong to no row have -1.
 
     Parameters
     ----------
     datum : (4,) float64, mm and degrees
         Added to the numbers; zeros if the controller's tool table adds it.
     machine : Machine
-        Velocities and accelerations of its axes.
+        Gives the velocities and accelerations of the axes.
     blending : float, mm
         Greatest deviation that the controller may make between two moves.
 
@@ -136,16 +135,19 @@ def format_lines(
 def _convert_arcs(
     toolpath: Toolpath, first: int, last: int, datum: F64, dialect: Dialect
 ) -> _Moves:
-    """Return the moves, with flat and tiny arcs as lines and too large arcs as chords."""
+    """Return the moves of rows ``first … last - 1``, with arcs that the controller can follow.
+
+    Flat and tiny arcs become lines, too large arcs become chords.
+    """
     pose = toolpath.pose[first : last + 1] + datum
     bulge = np.array(toolpath.bulge[first:last])
     start, end = pose[:-1, :2], pose[1:, :2]
     bow = np.abs(bulge) * np.hypot(*(end - start).T) / 2.0
     radius = arc.radius(start, end, bulge)
     large = radius > dialect.radius
-    straight = large | (bow < FLAT) | (radius < SMALL)
+    straight = large | (bow < MIN_SAGITTA) | (radius < MIN_RADIUS)
     # The sagitta of a part of an arc is proportional to the square of its length.
-    pieces = np.where(large, np.ceil(np.sqrt(bow / CHORD)), 1.0).astype(np.int64).clip(1)
+    pieces = np.where(large, np.ceil(np.sqrt(bow / CHORD_DEVIATION)), 1.0).astype(np.int64).clip(1)
     pose, rows = split_moves(pose, bulge, pieces)
     bulge[straight] = 0.0
     picked = rows + first
@@ -161,7 +163,7 @@ def _convert_arcs(
 def _compose_words(
     moves: _Moves, machine: Machine, dialect: Dialect, blending: float
 ) -> _LineWords:
-    """Return the words of the lines; moves that round to nothing get no line."""
+    """Return the words of the lines; moves that round to zero length and turn get no line."""
     scale = 10.0**dialect.decimals
     units = np.rint(moves.pose * scale).astype(np.int64)
     emit = units[1:] != units[:-1]
@@ -191,7 +193,7 @@ def _compose_words(
     feed_of_move = np.where(rapid, 1.0, moves.feed)
     minutes = np.where(swivel, degrees, travel) / feed_of_move
     minutes = np.maximum(minutes, degrees / (60.0 * machine.c.velocity))
-    minutes = np.maximum(minutes, SHORTEST)
+    minutes = np.maximum(minutes, MIN_MINUTES)
     feed = np.where(inverse, 1.0 / minutes, moves.feed)
 
     keep = np.flatnonzero(printed)
@@ -219,11 +221,12 @@ def _compose_words(
 def _exact_stops(
     turn: F64, travel: F64, minutes: F64, rapid: Bool, machine: Machine, blending: float
 ) -> Bool:
-    """Return which moves must end at rest, since LinuxCNC would leave the path otherwise, (n,).
+    """Return the mask of moves that must end at rest because LinuxCNC would leave the path, (n,).
 
-    Where C starts or ends to turn, its planner overlaps the two moves for the time that the slower
-    axis needs to change its speed, whatever the P of G64 is.  If the moves bend differently, the
-    corner is cut.  With t the time of the change, the tip then leaves the path by up to::
+    If C starts or stops turning between two moves, LinuxCNC's planner overlaps the moves for the
+    time that the slower axis needs to change its speed, whatever the P of G64 is.  If the moves
+    bend differently, the corner is cut.  With t the time of the change, the tip then leaves the
+    path by up to::
 
         Δκ (v t)² / 2        t = max(v / a, v Δκ / α)        κ = turn of C per mm
 
@@ -233,10 +236,15 @@ def _exact_stops(
     Parameters
     ----------
     turn : (n,) float64, radians
+        Turn of C in each move.
     travel : (n,) float64, mm
-        Turn of C and length of each move.
+        Length of each move.
     minutes : (n,) float64
         Time of each move; ignored for rapids.
+    rapid : (n,)
+        Mask of the rapids.
+    blending : float, mm
+        Largest deviation that is acceptable without a stop.
     """
     alone = (travel == 0.0) & (turn != 0.0)
     bend = np.divide(turn, travel, out=np.zeros_like(turn), where=travel > 0.0)
@@ -247,7 +255,7 @@ def _exact_stops(
     twist = np.radians(machine.c.acceleration)
     time = np.maximum(fastest / thrust, fastest * change / twist)
     deviation = change * (fastest * time) ** 2 / 2.0
-    # In the air deviations do not matter, but a tool must be turned before it goes down.
+    # Above the board deviations do not matter, but a tool must be turned before it plunges.
     air = rapid[1:] | rapid[:-1]
     both = rapid[1:] & rapid[:-1]
     result = np.zeros(len(turn), np.bool_)
@@ -256,7 +264,7 @@ def _exact_stops(
 
 
 def _feed_units(feed: F64) -> I64:
-    """Return feeds, rounded to six significant digits, in units of 10^-FEED_DECIMALS."""
+    """Return feeds, rounded to six significant digits, (n,) in units of 10^-FEED_DECIMALS."""
     safe = np.maximum(feed, 1e-3)
     decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
     whole = np.rint(safe * 10.0**decimals).astype(np.int64)
@@ -265,9 +273,16 @@ def _feed_units(feed: F64) -> I64:
 
 
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
-    """Return which lines need an F word, (n,).
+    """Return the mask of lines that need an F word, (n,).
 
     In G93 every line needs one, and so does the first line after returning to G94.
+
+    Parameters
+    ----------
+    feed : (n,)
+        Feed of each line, in units of its last decimal.
+    inverse, rapid : (n,)
+        Masks of the lines in G93 and of the rapids.
     """
     working = np.flatnonzero(~rapid)
     modal_feed = np.where(inverse, -1, feed)[working]
@@ -279,7 +294,13 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
 
 
 def _render(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
-    """Return the text of some lines."""
+    """Return the text of the lines in a slice of the words.
+
+    Raises
+    ------
+    ProgramError
+        A line is longer than the controller can read.
+    """
     code = words.code[rows]
     curved = code >= 2
     blocks = [
@@ -316,7 +337,10 @@ def _render(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
 
 
 def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the columns of G93 and G94, where a line needs one."""
+    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without one.
+
+    The masks ``inverse`` and ``ends_inverse``, (n,), mark the lines with G93 and with G94.
+    """
     modes = np.frombuffer(b"\0\0\0\0G93 G94 ", np.uint8).reshape(3, 4)
     return modes[inverse + 2 * ends_inverse]
 

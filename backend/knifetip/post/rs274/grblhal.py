@@ -1,4 +1,4 @@
-"""grblhal: programs for grblHAL and grbl 1.1."""
+"""grblhal: write programs for grblHAL and grbl 1.1."""
 
 from __future__ import annotations
 

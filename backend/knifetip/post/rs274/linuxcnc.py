@@ -1,4 +1,4 @@
-"""linuxcnc: programs for LinuxCNC."""
+"""linuxcnc: write programs for LinuxCNC."""
 
 from __future__ import annotations
 

@@ -1,11 +1,9 @@
 """program: write the RS274/NGC program of a toolpath.
 
-    Toolpath, Machine, Dialect -> Program
-
-A program has a header, for each station a tool change and its moves, and a footer.  Numbers are X,
-Y and C of the head and Z of the tip.  The station's datum comes from the controller's tool table;
-if there is none, the numbers include it.  The same input gives the same bytes: no dates or host
-names.
+A program has a header, for each station a tool change and its moves, and a footer.  X, Y and C are
+the position and heading of the head, Z is the height of the tip.  The controller's tool table adds
+the datum of the station; if there is no tool table, the numbers include it.  The same input gives
+the same bytes: a program contains no dates or host names.
 
 A cancelled job may have left a station lowered, its tool in the board and the spindle on.  Every
 program therefore starts and ends with the same steps: lift straight up, wait until the head is at
@@ -31,12 +29,13 @@ from knifetip.post.rs274 import gcode
 from knifetip.post.rs274.beam import switch_beam
 from knifetip.post.rs274.controller import Dialect
 
-#: mm, absolute, arc centres relative to the start, XY plane, no tool compensation, mm/min.
+#: Modes of a program: mm, absolute positions, arc centres relative to the start, XY plane, no tool
+#: compensation, feeds in mm/min.
 HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54"
-#: Wait until the machine is at rest: a dwell of zero seconds.
+#: A dwell of zero seconds, which waits until the machine is at rest.
 WAIT_FOR_REST: Final = "G4 P0"
-#: The controller may round corners by half the tolerance, and at most by half of this (mm).
-MOST_BLENDING: Final = 0.01
+#: Largest tolerance from which the permitted blending is computed (mm).
+MAX_BLENDING: Final = 0.01
 
 
 def write_program(
@@ -47,18 +46,18 @@ def write_program(
     tolerance: float = 0.01,
     notes: Sequence[str] = (),
 ) -> Program:
-    """Return the program that moves the head along the toolpath.
+    """Return the RS274/NGC program that moves the head along a toolpath.
 
     Parameters
     ----------
     toolpath : Toolpath
-        One chain of moves; each station's first move is a rapid.
+        One chain of moves; the first move of each station is a rapid.
     machine : Machine
-        Datums and outputs of its stations, and the travel height.
+        Gives the datums and outputs of the stations, and the travel height.
     dialect : Dialect
         Variant of RS274/NGC that the controller reads.
     tolerance : float, mm
-        Greatest deviation of the tip from the path; the controller's blending gets half of it.
+        Greatest deviation of the tip from the path; blending by the controller may use half of it.
     notes : sequence of str
         Comments at the top.  One of them is ``placement X… Y…``, the shift of the drawing on the
         table.
@@ -100,8 +99,14 @@ def write_program(
 
 
 def _blending(tolerance: float) -> float:
-    """Return the deviation that the controller may add by blending (mm)."""
-    half = min(tolerance, MOST_BLENDING) / 2.0
+    """Return the deviation that the controller may add by rounding corners (mm).
+
+    Raises
+    ------
+    ProgramError
+        The tolerance (mm) is too small for the controller.
+    """
+    half = min(tolerance, MAX_BLENDING) / 2.0
     # LinuxCNC reads P0 as no limit.
     if not half >= 0.5e-3:
         raise ProgramError("program.bad-tolerance", tolerance=tolerance)
@@ -111,7 +116,7 @@ def _blending(tolerance: float) -> float:
 def _header(
     machine: Machine, dialect: Dialect, blending: float, notes: Sequence[str]
 ) -> Iterator[str]:
-    """Yield the lines before the first station: notes, modes, and the way to a safe state."""
+    """Yield the lines before the first station: notes, modes, and the steps to a safe state."""
     for note in notes:
         if comment := gcode.format_comment(note):
             yield comment
@@ -128,7 +133,7 @@ def _header(
 
 
 def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
-    """Release every output of the machine and stop the spindle; the head has been lifted."""
+    """Yield the lines that release all outputs and stop the spindle, after the head has lifted."""
     if dialect.eager_outputs:
         yield WAIT_FOR_REST
     for output in machine.outputs:
@@ -139,7 +144,7 @@ def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
 def _station_change(
     previous: Station | None, station: Station, machine: Machine, dialect: Dialect
 ) -> Iterator[str]:
-    """Yield the lines that release the previous station and prepare the next."""
+    """Yield the lines that release the previous station, if any, and prepare the next station."""
     if dialect.comments:
         yield gcode.format_comment(f"station {station.number} {station.name}")
     if previous is not None:
@@ -165,7 +170,7 @@ def _station_change(
 
 
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
-    """Yield the lines after the last station: lift, release outputs, end."""
+    """Yield the lines after the last station: lift, release all outputs, end the program."""
     up = machine.travel_z + _datum(station, dialect)[2]
     yield f"G0 Z{gcode.format_number(up)}"
     yield from _release_outputs(machine, dialect)
@@ -174,13 +179,22 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
 
 
 def _datum(station: Station, dialect: Dialect) -> F64:
-    """Return the datum that the numbers include, (4,): zeros if the tool table has it."""
+    """Return the datum that the numbers of a program include, (4,) mm and degrees.
+
+    It is zero if the controller's tool table contains the datum.
+    """
     datum = (station.x, station.y, station.z, station.c)
     return np.zeros(4) if dialect.tool_table else np.array(datum)
 
 
 def _station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
-    """Return the station of a row; raise ``ProgramError`` if it cannot start there."""
+    """Return the station of row ``first`` of a toolpath, at which the station starts.
+
+    Raises
+    ------
+    ProgramError
+        The machine has no such station, its tool lacks a spindle speed, or the row is not a rapid.
+    """
     number = int(toolpath.tool[first])
     try:
         station = machine.station(number)

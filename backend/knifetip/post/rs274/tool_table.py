@@ -1,8 +1,7 @@
-"""tool_table: write the stations of a machine as LinuxCNC's tool table.
+"""tool_table: write the stations of a machine as LinuxCNC's file tool.tbl.
 
-    Machine -> text of tool.tbl, which ``Tn M6 G43`` reads
-
-While G43 is active, LinuxCNC adds X Y Z C to the programmed position: joint = programmed + datum.
+The word ``Tn M6 G43`` of a program reads the table.  While G43 is active, LinuxCNC adds X Y Z C of
+the table to the programmed position: joint = programmed + datum.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from knifetip.post.rs274 import gcode
 
 def tool_table(machine: Machine) -> str:
     """Return LinuxCNC's tool table of a machine, one line per station (mm and degrees)."""
-    # D is information for the operator: programs never use cutter compensation of LinuxCNC.
+    # D is for the operator only: programs never use cutter compensation of LinuxCNC.
     return "".join(
         f"T{station.number} P{station.number}"
         f" X{gcode.format_number(station.x)} Y{gcode.format_number(station.y)}"

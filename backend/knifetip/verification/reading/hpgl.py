@@ -22,7 +22,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
-from knifetip.languages.hpgl.plotter import Device, Pen, Plotter, Work
+from knifetip.languages.hpgl.plotter import Device, Pen, PenWork, Plotter
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
@@ -351,9 +351,9 @@ def _make_moves(
 
 def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
     """Return the height of the tip of a lowered pen (mm)."""
-    if pen.work is Work.CUT:
+    if pen.work is PenWork.CUT:
         return -machine.into_mat
-    if pen.work is Work.HALF_CUT:
+    if pen.work is PenWork.HALF_CUT:
         return board.caliper - board.half_cut_depth
     return board.caliper - board.crease_along
 

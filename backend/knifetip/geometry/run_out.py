@@ -13,14 +13,14 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import CompensationError
-from knifetip.geometry.azimuth import left
+from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64
 
 #: Largest angle between a track and the normal of the edge (degrees): beyond it the tool stays.
-_FLATTEST: Final = 89.0
+_MAX_ANGLE: Final = 89.0
 
 
-def run_out(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
+def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
     """Return the additional length of a track until both corners of its tool are off the board.
 
     With u the direction of travel, n its left normal and m the outward normal of the edge, the
@@ -50,10 +50,10 @@ def run_out(travel: F64, outward: F64, width: float | F64, short: float | F64 = 
         A track that runs along the edge, or inwards, never leaves the board.
     """
     leaves = np.sum(travel * outward, axis=1)
-    never = np.flatnonzero(~(leaves > math.cos(math.radians(_FLATTEST))))
+    never = np.flatnonzero(~(leaves > math.cos(math.radians(_MAX_ANGLE))))
     if len(never):
         angle = math.degrees(math.acos(min(max(float(leaves[never[0]]), -1.0), 1.0)))
-        raise CompensationError("track.too-flat", track=never[0], angle=angle, limit=_FLATTEST)
-    beside = width / 2.0 * np.sum(left(travel) * outward, axis=1)
+        raise CompensationError("track.too-flat", track=never[0], angle=angle, limit=_MAX_ANGLE)
+    beside = width / 2.0 * np.sum(left_normal(travel) * outward, axis=1)
     further: F64 = np.column_stack([short - beside, short + beside]) / leaves[:, None]
     return further

@@ -1,0 +1,76 @@
+"""ellipse: ellipses and elliptic arcs, approximated by lines and arcs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from knifetip.errors import GeometryError
+from knifetip.geometry.columns import F64
+from knifetip.geometry.curve import Segments, fit
+from knifetip.geometry.tolerance import CURVE
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Ellipse:
+    """c + u cos t + v sin t for t from ``first`` to ``last``; u and v need not be perpendicular."""
+
+    centre: F64  #: (2,) mm
+    u: F64  #: (2,) from the centre to t = 0 (mm)
+    v: F64  #: (2,) from the centre to t = π/2 (mm)
+    first: float  #: radians
+    last: float  #: radians, > first, at most a full turn after it
+
+    def point(self, t: F64) -> F64:
+        """Return the points at parameters (m,), (m, 2) mm."""
+        result: F64 = self.centre + np.cos(t)[:, None] * self.u + np.sin(t)[:, None] * self.v
+        return result
+
+    def tangent(self, t: F64) -> F64:
+        """Return the derivatives at parameters (m,), (m, 2)."""
+        result: F64 = np.cos(t)[:, None] * self.v - np.sin(t)[:, None] * self.u
+        return result
+
+    def to_segments(self, tolerance: float = CURVE) -> Segments:
+        """Return lines and arcs within a tolerance (mm) of the ellipse.
+
+        Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  An
+        ellipse without width gives a line in both directions.
+
+        Raises
+        ------
+        GeometryError
+            A size is not a number, or the parameters do not increase.
+        """
+        turn = self.last - self.first
+        shape = np.concatenate([self.centre, self.u, self.v, [self.first, self.last]])
+        if not np.isfinite(shape).all() or not 0.0 < turn <= 2.0 * np.pi + 1e-9:
+            raise GeometryError("curve.bad-ellipse")
+        # The axes: where u cos t + v sin t is longest, tan 2t = 2 u·v / (u² - v²).
+        uu, vv, uv = float(self.u @ self.u), float(self.v @ self.v), float(self.u @ self.v)
+        cross = float(self.u[0] * self.v[1] - self.u[1] * self.v[0])
+        if abs(uu - vv) <= 1e-12 * uu and abs(uv) <= 1e-12 * uu:
+            rows = max(1, int(np.ceil(turn / np.pi - 1e-9)))
+            t = np.linspace(self.first, self.last, rows + 1)
+            corners = self.point(t)
+            if abs(turn - 2.0 * np.pi) <= 1e-9:
+                corners[-1] = corners[0]
+            side = 1.0 if cross > 0.0 else -1.0
+            bulge = np.full(rows, side * min(np.tan(turn / rows / 4.0), 1.0))
+            return corners[:-1], corners[1:], bulge
+        axis = 0.5 * np.arctan2(2.0 * uv, uu - vv)
+        quarter = np.pi / 2.0
+        number = np.arange(
+            np.floor((self.first - axis) / quarter), np.ceil((self.last - axis) / quarter) + 1.0
+        )
+        inner = axis + number * quarter
+        inner = inner[(inner > self.first + 1e-9) & (inner < self.last - 1e-9)]
+        breaks = np.concatenate([[self.first], inner, [self.last]])
+        if abs(cross) <= 1e-12 * max(uu, vv):
+            corners = self.point(breaks)
+            return corners[:-1], corners[1:], np.zeros(len(corners) - 1)
+        start, end, bulge = fit(self.point, self.tangent, breaks, tolerance)
+        if abs(turn - 2.0 * np.pi) <= 1e-9:
+            end[-1] = start[0]
+        return start, end, bulge

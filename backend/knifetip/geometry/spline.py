@@ -1,0 +1,102 @@
+"""spline: rational B-splines, approximated by lines and arcs.
+
+Source: de Boor's recurrence, "A Practical Guide to Splines" (1978).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from knifetip.errors import GeometryError
+from knifetip.geometry.columns import F64
+from knifetip.geometry.curve import Segments, fit
+from knifetip.geometry.tolerance import CURVE
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Spline:
+    """A rational B-spline; all weights are 1 if it is not rational."""
+
+    control: F64  #: (k, 2) mm
+    weights: F64  #: (k,) > 0
+    knots: F64  #: (k + degree + 1,) never decreasing
+    degree: int
+
+    def __post_init__(self) -> None:
+        count = len(self.control)
+        numbers = np.concatenate([self.control.reshape(-1), self.weights, self.knots])
+        if (
+            self.degree < 1
+            or count <= self.degree
+            or len(self.weights) != count
+            or len(self.knots) != count + self.degree + 1
+            or not np.isfinite(numbers).all()
+            or not (np.diff(self.knots) >= 0.0).all()
+            or not (self.weights > 0.0).all()
+            or not self.knots[count] > self.knots[self.degree]
+        ):
+            raise GeometryError(
+                "curve.bad-spline", degree=self.degree, points=count, knots=len(self.knots)
+            )
+
+    @property
+    def breaks(self) -> F64:
+        """Parameters between which the spline is smooth."""
+        inside = self.knots[self.degree : len(self.control) + 1]
+        return np.unique(inside)
+
+    def _evaluated(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
+        """Return a polynomial B-spline (m, columns) at t by de Boor's recurrence."""
+        count = len(rows)
+        span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
+        # Empty spans have no points; use the span that ends there.
+        filled = np.flatnonzero(knots[degree:count] < knots[degree + 1 : count + 1]) + degree
+        span = filled[np.searchsorted(filled, span, side="right") - 1]
+        d = rows[span[:, None] - degree + np.arange(degree + 1)]
+        for level in range(1, degree + 1):
+            for j in range(degree, level - 1, -1):
+                low = knots[span - degree + j]
+                high = knots[span + 1 + j - level]
+                wide = high - low
+                share = np.where(wide > 0.0, (t - low) / np.where(wide > 0.0, wide, 1.0), 0.0)
+                d[:, j] = (1.0 - share)[:, None] * d[:, j - 1] + share[:, None] * d[:, j]
+        result: F64 = d[:, degree]
+        return result
+
+    def _homogeneous(self) -> F64:
+        return np.hstack([self.control * self.weights[:, None], self.weights[:, None]])
+
+    def point(self, t: F64) -> F64:
+        """Return the points at parameters (m,), (m, 2) mm."""
+        value = self._evaluated(t, self._homogeneous(), self.knots, self.degree)
+        result: F64 = value[:, :2] / value[:, 2:]
+        return result
+
+    def tangent(self, t: F64) -> F64:
+        """Return the derivatives at parameters (m,), (m, 2); at a corner, that after it."""
+        p = self.degree
+        rows = self._homogeneous()
+        value = self._evaluated(t, rows, self.knots, p)
+        wide = self.knots[p + 1 : len(rows) + p] - self.knots[1 : len(rows)]
+        slope = p * np.diff(rows, axis=0) / np.where(wide > 0.0, wide, 1.0)[:, None]
+        rate = self._evaluated(t, slope, self.knots[1:-1], p - 1)
+        # (A / w)′ = (A′ - (A / w) w′) / w, and w > 0 changes no direction.
+        result: F64 = rate[:, :2] - value[:, :2] / value[:, 2:] * rate[:, 2:]
+        return result
+
+    def to_segments(self, tolerance: float = CURVE) -> Segments:
+        """Return lines and arcs within a tolerance (mm) of the spline.
+
+        Raises
+        ------
+        GeometryError
+            It cannot be fitted, or needs more than 100,000 pieces.
+        """
+        breaks = self.breaks
+        if self.degree == 1:
+            corners = self.point(breaks)
+            some = np.any(corners[:-1] != corners[1:], axis=1)
+            return corners[:-1][some], corners[1:][some], np.zeros(int(some.sum()))
+        return fit(self.point, self.tangent, breaks, tolerance)
