@@ -35,6 +35,8 @@ def test_shapely_agrees_about_lines(seed: int) -> None:
     ends = random.uniform(0, 100, (30, 2, 2))
     points = random.uniform(-10, 110, (40, 2))
     gap = 2.0
-    found = touching(points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap)
+    found = points_on_segments(
+        points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap
+    )
     expected = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
     assert found.tolist() == expected
