@@ -1,1 +1,1 @@
-"""Plane geometry on NumPy columns: lines, arcs, paths.  No state, no I/O, nothing about cartons."""
+"""Geometry of lines and arcs, in arrays with one row per segment."""

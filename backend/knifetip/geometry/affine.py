@@ -1,4 +1,4 @@
-"""affine: affine matrices of six numbers.
+"""affine: affine transforms as matrices of six numbers.
 
 (a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
 """
@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from typing import Final, TypeAlias
 
-#: a, b, c, d, e, f in the order of SVG and PDF.
+#: The numbers a, b, c, d, e, f of an affine transform, in the order of SVG and PDF.
 Matrix: TypeAlias = tuple[float, float, float, float, float, float]
 
 IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
 
 def compose(outer: Matrix, inner: Matrix) -> Matrix:
-    """Return the product that applies ``inner`` first, then ``outer``."""
+    """Return the matrix that applies ``inner`` first, then ``outer``."""
     a, b, c, d, e, f = outer
     g, h, i, j, k, m = inner
     return (

@@ -1,6 +1,8 @@
-"""arc: arcs as a chord and a bulge = tan(sweep / 4), positive to the left, 0 for a line.
+"""arc: lengths, tangents, points and boxes of segments, which are lines or arcs.
 
-All functions take columns, lines and arcs mixed: ``start`` and ``end`` (n, 2) mm, ``bulge`` (n,).
+An arc is stored as its chord and a bulge = tan(sweep / 4), positive to the left, 0 for a line.  The
+functions take columns of n segments, lines and arcs mixed: ``start`` and ``end`` (n, 2) mm and
+``bulge`` (n,).
 """
 
 from __future__ import annotations
@@ -13,13 +15,13 @@ from knifetip.geometry.tolerance import BULGE
 
 
 def sweep(bulge: F64) -> F64:
-    """Return the signed angle of travel (radians), counter-clockwise positive; 0 for a line."""
+    """Return the angle by which each segment turns, (n,) radians, > 0 to the left, 0 for a line."""
     angle: F64 = 4.0 * np.arctan(bulge)
     return angle
 
 
 def centre(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the centres, (n, 2); NaN for lines."""
+    """Return the centre of each arc, (n, 2) mm; NaN for lines."""
     straight = np.abs(bulge) < BULGE
     safe = np.where(straight, 1.0, bulge)
     middle = (start + end) / 2.0
@@ -32,7 +34,7 @@ def centre(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def radius(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the radii (mm); infinite for lines."""
+    """Return the radius of each arc, (n,) mm; infinite for lines."""
     chord = np.hypot(*(end - start).T)
     size = np.abs(bulge)
     straight = size < BULGE
@@ -42,37 +44,41 @@ def radius(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def length(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the lengths of lines and arcs (mm).  The squares of coordinates must be finite."""
-    # Column by column: operations on rows of two are slow.
+    """Return the length of each line or arc, (n,) mm; the squares of coordinates must be finite."""
+    # Computed by column, since operations on rows of two numbers are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
     return length_from_chord(np.sqrt(x * x + y * y), bulge)
 
 
 def length_from_chord(chord: F64, bulge: F64) -> F64:
-    """Return the lengths of lines and arcs with given chord lengths, (n,) mm."""
+    """Return the length of each line or arc, (n,) mm, given the length of its chord, (n,) mm."""
     result = chord.copy()
     curved = np.flatnonzero(bulge != 0.0)
     size = np.abs(bulge[curved])
-    # Half the sweep by its sine, which is 2b / (1 + b²) where half of it is atan b.
+    # Half the sweep, 2 atan b, divided by its sine, 2b / (1 + b²).
     result[curved] *= np.arctan(size) * (1.0 + size * size) / size
     return result
 
 
 def _rotate(vectors: F64, angle: F64) -> F64:
+    """Return vectors, (n, 2), rotated counter-clockwise by angles, (n,) radians."""
     cos, sin = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
     return np.stack([x * cos - y * sin, x * sin + y * cos], axis=-1)
 
 
 def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
-    """Return the tangents at start and end, (n, 2) each, with the length of the chord."""
+    """Return the tangents at the start and at the end of each segment, (n, 2) each.
+
+    They point in the direction of travel; each has the length of the chord.
+    """
     half = sweep(bulge) / 2.0
     chord = end - start
     return _rotate(chord, -half), _rotate(chord, half)
 
 
 def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the points at a fraction of the length, (n, 2)."""
+    """Return the point of each segment at a fraction (n,) of its length, (n, 2) mm."""
     theta = sweep(bulge)
     # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
     half = theta / 2.0
@@ -82,12 +88,18 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the tangents at a fraction of the length, (n, 2), with the length of the chord."""
+    """Return the tangent of each segment at a fraction of its length, (n, 2), for fractions (n,).
+
+    Each tangent has the length of the chord.
+    """
     return _rotate(end - start, sweep(bulge) * (fraction - 0.5))
 
 
 def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
-    """Return the fraction of each segment's length nearest to a point (n, 2) mm, (n,)."""
+    """Return the fraction of each segment's length that is nearest to a point, (n,), in 0 … 1.
+
+    ``point`` has one point for each segment, (n, 2) mm.
+    """
     chord = end - start
     along: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
     straight = np.abs(bulge) < BULGE
@@ -97,14 +109,14 @@ def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
         turned = np.arctan2(
             first[:, 0] * spoke[:, 1] - first[:, 1] * spoke[:, 0], (first * spoke).sum(axis=1)
         )
-        # Measured from the middle of the arc, so that points beyond an end map to that end.
+        # Measured from the middle of the arc, so that points beyond an end get that end's fraction.
         turned = (turned - theta / 2.0 + np.pi) % (2.0 * np.pi) - np.pi
         along = np.where(straight, along, 0.5 + turned / np.where(straight, 1.0, theta))
     return np.clip(along, 0.0, 1.0)
 
 
 def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
-    """Return ``count`` equidistant points of each segment, including both ends, (n, count, 2)."""
+    """Return ``count`` equidistant points of each segment, both ends included, (n, count, 2) mm."""
     share = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
     points = point_at(
         np.repeat(start, count, axis=0),
@@ -116,7 +128,10 @@ def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
 
 
 def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
-    """Return start, end and bulge of the pieces between two fractions of the length."""
+    """Return the part of each segment between two fractions of its length, (n,) each.
+
+    The result is the start (n, 2), end (n, 2) and bulge (n,) of the parts.
+    """
     return (
         point_at(start, end, bulge, first),
         point_at(start, end, bulge, last),
@@ -125,7 +140,7 @@ def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F6
 
 
 def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the bounding boxes of lines and arcs, (n, 4): x min, y min, x max, y max."""
+    """Return the bounding box of each line or arc, (n, 4) mm: x min, y min, x max, y max."""
     low = np.minimum(start, end)
     high = np.maximum(start, end)
     round_ = np.abs(bulge) >= BULGE

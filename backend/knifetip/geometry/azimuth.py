@@ -1,4 +1,6 @@
-"""azimuth: directions in degrees, counter-clockwise from +x.
+"""azimuth: directions of vectors as unit vectors and as angles.
+
+An azimuth is in degrees, counter-clockwise from +x.
 
 Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", 4.1:
 five cases of arctan, which are equal to one arctan2.
@@ -14,7 +16,7 @@ from knifetip.geometry.tolerance import POINT
 
 
 def unit_vectors(vectors: F64) -> F64:
-    """Return the unit vectors, (n, 2), of vectors given in mm.
+    """Return vectors, (n, 2) mm, scaled to length 1.
 
     Raises
     ------
@@ -30,7 +32,7 @@ def unit_vectors(vectors: F64) -> F64:
 
 
 def azimuth(vectors: F64) -> F64:
-    """Return the azimuth, (n,), in [0, 360) degrees, of vectors (n, 2)."""
+    """Return the azimuth of each vector, (n,), in [0, 360) degrees, for vectors (n, 2)."""
     degrees = np.degrees(np.arctan2(vectors[..., 1], vectors[..., 0])) % 360.0
     # Just below the x axis the remainder may round up to 360.0.
     folded: F64 = np.where(degrees >= 360.0, 0.0, degrees)
@@ -38,24 +40,25 @@ def azimuth(vectors: F64) -> F64:
 
 
 def right_normal(vectors: F64) -> F64:
-    """Return the vectors turned by -90 degrees: the normal to the right of travel."""
+    """Return vectors, (n, 2), rotated by -90 degrees: normals to the right of travel."""
     return np.stack([vectors[..., 1], -vectors[..., 0]], axis=-1)
 
 
 def left_normal(vectors: F64) -> F64:
-    """Return the vectors turned by +90 degrees: the normal to the left of travel."""
+    """Return vectors, (n, 2), rotated by +90 degrees: normals to the left of travel."""
     return np.stack([-vectors[..., 1], vectors[..., 0]], axis=-1)
 
 
 def turn_angle(before: F64, after: F64) -> F64:
-    """Return the signed smaller angle from one azimuth to the next, in (-180, 180] degrees."""
+    """Return the turn from one azimuth to another, (n,) in (-180, 180] degrees, > 0 to the left."""
     folded: F64 = 180.0 - (180.0 - (after - before)) % 360.0
     return folded
 
 
 def unwrap(azimuths: F64, period: float = 360.0) -> F64:
-    """Return the azimuths without jumps: each is the one nearest to its predecessor.
+    """Return a sequence of azimuths without jumps: each is as near as possible to its predecessor.
 
-    ``period`` is 180 for a tool that is the same from both sides, such as a crease wheel.
+    Multiples of ``period`` degrees are added: 360, or 180 for a tool that is the same from both
+    sides, such as a crease wheel.
     """
     return np.unwrap(azimuths, period=period)

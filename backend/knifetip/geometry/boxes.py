@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.geometry.intersect import TOUCH, crossing
+from knifetip.geometry.intersect import TOUCH, intersect_rows
 from knifetip.kernels import (
     F64_1,
     F64_2,
@@ -214,7 +214,7 @@ def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch
         return False
     pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
     pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
-    return bool(crossing(pair, 0, pair, 1, TOUCH, scratch.found) > 0)
+    return bool(intersect_rows(pair, 0, pair, 1, TOUCH, scratch.found) > 0)
 
 
 @kernel(allocates=False)

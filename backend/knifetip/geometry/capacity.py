@@ -1,8 +1,6 @@
-"""capacity: room for more rows in arrays that kernels append to.
+"""capacity: enlarge arrays to which kernels append rows.
 
-    column of n rows -> a copy with room for 2 n + 16
-
-One kernel for each type, since a kernel has one signature.
+There is one kernel for each array type, since a kernel has one signature.
 """
 
 from __future__ import annotations
@@ -15,7 +13,7 @@ from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, OutI64_2, ker
 
 @kernel
 def double_f64(column: F64_1) -> F64:
-    """Return a column with room for twice as many numbers."""
+    """Return a copy of a column of n numbers with capacity for 2 n + 16."""
     more = np.empty(2 * len(column) + 16)
     more[: len(column)] = column
     return more
@@ -23,7 +21,7 @@ def double_f64(column: F64_1) -> F64:
 
 @kernel
 def double_i32(column: I32_1) -> I32:
-    """Return a column with room for twice as many rows or indices."""
+    """Return a copy of a column of n row numbers with capacity for 2 n + 16."""
     more = np.empty(2 * len(column) + 16, np.int32)
     more[: len(column)] = column
     return more
@@ -31,7 +29,7 @@ def double_i32(column: I32_1) -> I32:
 
 @kernel
 def double_f64_2(table: F64_2) -> F64:
-    """Return a table of numbers with room for twice as many rows."""
+    """Return a copy of a table of n rows of numbers with capacity for 2 n + 16 rows."""
     more = np.empty((2 * len(table) + 16, table.shape[1]))
     more[: len(table)] = table
     return more
@@ -39,7 +37,7 @@ def double_f64_2(table: F64_2) -> F64:
 
 @kernel
 def double_i32_2(table: I32_2) -> I32:
-    """Return a table of indices with room for twice as many rows."""
+    """Return a copy of a table of n rows of row numbers with capacity for 2 n + 16 rows."""
     more = np.empty((2 * len(table) + 16, table.shape[1]), np.int32)
     more[: len(table)] = table
     return more
@@ -47,7 +45,10 @@ def double_i32_2(table: I32_2) -> I32:
 
 @kernel
 def reserve_f64_2(table: OutF64_2, rows: int) -> F64:
-    """Return a table of numbers with room for so many rows, a copy where it had less."""
+    """Return a table of numbers with capacity for at least ``rows`` rows.
+
+    It is the same table if it has the capacity, otherwise a copy.
+    """
     if rows <= len(table):
         return table
     more = np.empty((2 * rows, table.shape[1]))
@@ -57,7 +58,10 @@ def reserve_f64_2(table: OutF64_2, rows: int) -> F64:
 
 @kernel
 def reserve_i64_2(table: OutI64_2, rows: int) -> I64:
-    """Return a table of indices with room for so many rows, a copy where it had less."""
+    """Return a table of integers with capacity for at least ``rows`` rows.
+
+    It is the same table if it has the capacity, otherwise a copy.
+    """
     if rows <= len(table):
         return table
     more = np.empty((2 * rows, table.shape[1]), np.int64)

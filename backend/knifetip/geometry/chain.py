@@ -1,10 +1,8 @@
 """chain: connect edges into paths.
 
-    ends, bulge -> which edge follows which, and which of them are reversed
-
-Ends that meet are connected.  Where three or more ends meet, only those that continue each other
-straight are connected, and only if neither has a second candidate: an open end is better than a
-wrong connection.
+Edges whose ends meet are connected.  If three or more ends meet at a point, only ends that continue
+each other straight are connected, and only if neither has a second candidate: an open end is better
+than a wrong connection.
 """
 
 from __future__ import annotations
@@ -25,14 +23,22 @@ from knifetip.kernels import F64_2, I64_1, I64_2, OutI64_1, kernel
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Chains:
-    """n edges in the order of their paths."""
+    """Result of chaining n edges into p paths: order, direction and path of the edges."""
 
-    order: I32  #: (n,) rows of the edges
-    flipped: Bool  #: (n,) whether the edge is traversed from its end to its start
+    order: I32  #: (n,) rows of the edges, path by path
+    flipped: Bool  #: (n,) whether each edge in ``order`` is traversed backwards
     first: I32  #: (p + 1,) start of each path in ``order``, and n
 
     def paths(self, ends: F64, bulge: F64) -> Paths:
-        """Return the edges, ends (m, 2, 2) mm and bulge (m,) as they were chained, as paths."""
+        """Return the chained edges as paths.
+
+        Parameters
+        ----------
+        ends : (m, 2, 2) mm
+            Start and end points of the edges from which the chains were made.
+        bulge : (m,)
+            Bulges of these edges.
+        """
         ordered = ends[self.order]
         turned = np.where(self.flipped[:, None, None], ordered[:, ::-1], ordered)
         bent = np.where(self.flipped, -bulge[self.order], bulge[self.order])
@@ -40,7 +46,13 @@ class Chains:
 
 
 def outward_directions(ends: F64, bulge: F64) -> F64:
-    """Return the unit directions in which each edge leaves its two ends, (n, 2, 2).
+    """Return the unit directions from both ends of each edge into the edge, (n, 2, 2).
+
+    Parameters
+    ----------
+    ends : (n, 2, 2) mm
+        Start and end points of the edges.
+    bulge : (n,)
 
     Raises
     ------
@@ -52,7 +64,10 @@ def outward_directions(ends: F64, bulge: F64) -> F64:
 
 
 def number_vertices(points: F64, gap: float = JOIN) -> I32:
-    """Return the vertex number of each point, (n,), for points (n, 2) mm."""
+    """Return the number of the vertex that each point, (n, 2) mm, belongs to, (n,), from 0.
+
+    Points nearer than ``gap`` mm are one vertex, also indirectly through points between them.
+    """
     if len(points) == 0:
         return np.zeros(0, np.int32)
     cell = np.floor((points - points.min(axis=0)) / gap).astype(np.int64)
@@ -62,19 +77,21 @@ def number_vertices(points: F64, gap: float = JOIN) -> I32:
 
 
 def chain(
-    ends: F64, bulge: F64, kink: float = 180.0, gap: float = JOIN, group: I64 | None = None
+    ends: F64, bulge: F64, max_turn: float = 180.0, gap: float = JOIN, group: I64 | None = None
 ) -> Chains:
-    """Join edges into paths.
+    """Connect edges whose ends meet into paths.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-    kink : degrees
-        Edges that meet in a sharper corner are not joined: 180 joins all, ``ANGLE`` the smooth.
+        Start and end points and bulges of the edges.
+    max_turn : degrees
+        Edges that meet in a sharper corner are not connected: 180 connects all, ``ANGLE`` only
+        smooth joints.
     gap : mm
-        Ends nearer than this are joined.
+        Ends nearer than this are connected.
     group : (n,)
-        Edges of different groups are not joined, wherever they meet; None for one group.
+        Edges of different groups are not connected; None for one group.
 
     Returns
     -------
@@ -99,8 +116,8 @@ def chain(
         outward_directions(ends, bulge).reshape(-1, 2),
         by_node,
         bounds,
-        np.cos(np.radians(kink)) - 1e-12,
-        np.cos(np.radians(min(kink, ANGLE))) - 1e-12,
+        np.cos(np.radians(max_turn)) - 1e-12,
+        np.cos(np.radians(min(max_turn, ANGLE))) - 1e-12,
     )
     order, flipped, first, _ = follow_links(link)
     return Chains(order, flipped, first)
@@ -109,18 +126,18 @@ def chain(
 def continues_straight(
     points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP
 ) -> Bool:
-    """Return for ends of paths whether another path continues straight from the same point.
+    """Return the mask of path ends at which another path continues straight, (m,).
 
     Parameters
     ----------
     points : (m, 2) mm
-        The ends.
+        The ends of all paths.
     directions : (m, 2)
-        Unit directions in which each path leaves its end.
+        Unit directions from each end into its path.
     angle : degrees
-        Largest angle that counts as straight.
+        Largest turn that counts as straight.
     gap : mm
-        Largest distance of ends at the same point.
+        Largest distance of ends that are the same point.
     """
     if len(points) == 0:
         return np.zeros(0, np.bool_)
@@ -135,7 +152,20 @@ def continues_straight(
 
 @kernel
 def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
-    """Merge near points by union-find over a grid; cells, sorted, are found by bisection."""
+    """Return the least index among all points of the same vertex, (n,), for each point.
+
+    Near points are merged by union-find over a grid of cells, found by bisection.
+
+    Parameters
+    ----------
+    points : (n, 2) mm
+    cell : (n, 2)
+        Column and row of the grid cell of each point; cells are ``gap`` mm wide.
+    order : (n,)
+        Points sorted by cell.
+    gap : mm
+        Largest distance of points that are merged.
+    """
     n = len(points)
     parent = np.arange(n)
     column = cell[order, 0]
@@ -143,7 +173,8 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
     for place in range(n):
         i = order[place]
         for dx in range(2):
-            # Own and next column; in the own column later cells only, so each pair is tested once.
+            # Cells of the same column that come later, and of the next column: each pair is tested
+            # once.
             wanted = cell[i, 0] + dx
             low = place + 1
             if dx == 1:
@@ -163,10 +194,21 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
 
 @kernel
 def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
-    """Return the end connected to each end, -1 for open ends.
+    """Return the end connected to each end, (2n,), -1 for open ends.
 
     Two ends continue each other if their outward directions are opposite: the cosine of the turn is
-    minus their product.
+    minus their scalar product.
+
+    Parameters
+    ----------
+    out : (2n, 2)
+        Unit directions from the ends into the edges; end 2i is the start of edge i.
+    by_node : (2n,)
+        The ends, sorted by vertex.
+    bounds : (v + 1,)
+        First end of each vertex in ``by_node``.
+    any_turn, straight
+        Least cosine of the turn if two ends meet, and if more meet.
     """
     link = np.full(len(out), -1, np.int64)
     for node in range(len(bounds) - 1):
@@ -201,6 +243,10 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
 
 @kernel
 def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
+    """Return the mask of ends from whose vertex another edge continues straight.
+
+    The arguments are as for ``_link_ends``.
+    """
     found = np.zeros(len(out), np.bool_)
     for node in range(len(bounds) - 1):
         for p in range(bounds[node], bounds[node + 1]):
@@ -214,7 +260,7 @@ def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: flo
 
 @kernel
 def follow_links(link: I64_1) -> Any:
-    """Follow links from end to end, and return runs of edges.
+    """Return runs of edges that are linked end to end.
 
     Parameters
     ----------
@@ -226,10 +272,11 @@ def follow_links(link: I64_1) -> Any:
     order : (k,)
         The edges, run after run; runs are in the order of their first edges.
     flipped : (k,)
-        Whether each edge is traversed backwards.
+        Whether each edge in ``order`` is traversed backwards.
     first : (r + 1,)
-        Start of each run.
+        Position in ``order`` at which each run starts, and k.
     closed : (r,)
+        Whether each run is closed.
     """
     count = len(link) // 2
     order = np.empty(count, np.int32)

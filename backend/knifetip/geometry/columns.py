@@ -1,4 +1,4 @@
-"""columns: array types of the columns of records, checked and frozen on creation.
+"""columns: array types of the columns of records, and a function that freezes columns.
 
 A record owns its arrays: writable input is copied, and the result is read-only.
 """
@@ -19,22 +19,22 @@ Bool: TypeAlias = NDArray[np.bool_]
 
 
 def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
-    """Return the values as a contiguous read-only array of a type and shape.
+    """Return values as a contiguous read-only array of the given type and shape.
 
     -1 in ``shape`` matches any length.  An empty input gets the shape with 0 for -1.
 
     Raises
     ------
     ValueError
-        The values do not fit the shape.
+        The values do not have the shape.
     """
     array = np.ascontiguousarray(values, dtype=dtype)
     if array.size == 0:
         array = array.reshape([max(side, 0) for side in shape])
     if array.ndim != len(shape) or any(
-        want not in (-1, have) for want, have in zip(shape, array.shape, strict=True)
+        expected not in (-1, actual) for expected, actual in zip(shape, array.shape, strict=True)
     ):
-        raise ValueError(f"shape {array.shape} where {shape} is wanted")
+        raise ValueError(f"shape {array.shape} instead of {shape}")
     if array.flags.writeable:
         array = array.copy()
         array.flags.writeable = False

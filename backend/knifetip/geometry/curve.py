@@ -1,15 +1,13 @@
-"""curve: approximate ellipses and splines by lines and arcs within a tolerance.
+"""curve: approximate parametric curves by lines and arcs within a tolerance.
 
-    point(t), tangent(t), breakpoints -> start (n, 2), end (n, 2), bulge (n,)
-
-Each piece is a biarc: two tangent arcs with the curve's points and directions at its ends, so a
-smooth curve gives a smooth result.  The deviation of a biarc of length h grows with |κ′| h³, so
-pieces are distributed with a density of |κ′|^⅓.  Every piece is then measured against the curve,
-and halved if it deviates too much.
+Each piece of a curve becomes a biarc: two tangent arcs with the curve's points and directions at
+the ends of the piece, so a smooth curve gives a smooth result.  The deviation of a biarc of length
+h grows with |κ′| h³, so pieces are distributed with a density of |κ′|^⅓.  Every biarc is then
+measured against the curve, and its piece is halved if the deviation is too large.
 
 Source: biarc with equal tangent lengths, Bolton, "Biarc curves", Computer-Aided Design 7 (1975);
 order of its error, Meek & Walton, "Approximating smooth planar curves by arc splines", J. Comput.
-Appl. Math. 59 (1995); B-splines by de Boor's recurrence, "A Practical Guide to Splines" (1978).
+Appl. Math. 59 (1995).
 """
 
 from __future__ import annotations
@@ -24,43 +22,43 @@ from knifetip.errors import GeometryError
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE, CURVE
 
-#: Parameters (m,) -> points or directions (m, 2).
+#: Function from parameters (m,) to points or directions (m, 2).
 Evaluate: TypeAlias = Callable[[F64], F64]
-#: Numbers of curves (m,), parameters on them (m,) -> points or directions (m, 2).
+#: Function from numbers of curves (m,) and their parameters (m,) to points or directions (m, 2).
 EvaluateEach: TypeAlias = Callable[[I64, F64], F64]
-#: Segments: start (n, 2), end (n, 2), bulge (n,).
+#: Start (n, 2), end (n, 2) and bulge (n,) of n segments.
 Segments: TypeAlias = tuple[F64, F64, F64]
 
-#: Number of points of the curve, evenly spaced in a piece, at which its biarc is measured.
+#: Parameters of the points of a piece, 0 … 1, at which its biarc is measured.
 _PROBE_FRACTIONS: Final = np.linspace(0.0, 1.0, 26)[1:-1]
-#: Largest relative error of the measured maximum, which may lie between probes.
+#: Fraction of the tolerance that a measured deviation may use; the maximum may be between probes.
 _MARGIN: Final = 0.97
-#: The deviation of a biarc is |κ′| h³ divided by this; measured on ellipses 1 : 1.01 to 1 : 100.
+#: The deviation of a biarc is |κ′| h³ / this; measured on ellipses with axes 1 : 1.01 to 1 : 100.
 _BIARC_ERROR: Final = 150.0
-#: Largest bulge of a piece (an arc of 106°); longer pieces are not measured reliably.
+#: Largest bulge of an arc (106°); longer arcs are not measured reliably.
 _MAX_BULGE: Final = 0.5
 #: Largest number of halvings of a piece.
 _MAX_HALVINGS: Final = 40
 #: Largest number of pieces of a fit.
 _MAX_PIECES: Final = 100_000
-#: Pieces or spans processed at once, to limit the memory for long curves.
+#: Number of pieces or spans that are processed at once, to limit the memory for long curves.
 _BATCH: Final = 4096
 
 
 def fit(
     point: Evaluate, tangent: Evaluate, breaks: ArrayLike, tolerance: float = CURVE
 ) -> Segments:
-    """Fit arcs and lines to a parametric curve.
+    """Return lines and arcs that approximate a parametric curve within a tolerance.
 
     Parameters
     ----------
     point, tangent
-        Map parameters (m,) to points (m, 2), and to the derivative there (any length).
+        Functions from parameters (m,) to points (m, 2) and to derivatives (m, 2) of any length.
     breaks : (k,), increasing
         Parameters at which the curve may have a corner or jump in curvature, both ends included.
         Segments meet there exactly on the curve, unless they are one straight line.
     tolerance : float, mm
-        No point of the curve is farther than this from the segments.
+        Largest distance of a point of the curve from the segments.
 
     Returns
     -------
@@ -93,15 +91,17 @@ def fit(
 def fit_many(
     point: EvaluateEach, tangent: EvaluateEach, count: int, tolerance: float = CURVE
 ) -> tuple[F64, F64, F64, I64]:
-    """Fit arcs and lines to many smooth curves at once.
+    """Return lines and arcs that approximate many smooth curves within a tolerance.
 
     Parameters
     ----------
     point, tangent
-        Map the number of a curve (m,), 0 … ``count`` - 1, and a parameter (m,), 0 … 1, to
-        points (m, 2), and to the derivative there (any length).
+        Functions from the numbers of curves (m,), 0 … ``count`` - 1, and parameters on them (m,),
+        0 … 1, to points (m, 2) and to derivatives (m, 2) of any length.
+    count
+        Number of curves.
     tolerance : float, mm
-        No point of a curve is farther than this from its segments.
+        Largest distance of a point of a curve from the segments of the curve.
 
     Returns
     -------
@@ -113,7 +113,7 @@ def fit_many(
     Raises
     ------
     GeometryError
-        One of them has no finite points, or cannot be followed.
+        A curve has no finite points, or needs too many pieces.
     """
     parts = [
         _fit_block(point, tangent, low, min(_BATCH, count - low), tolerance)
@@ -128,27 +128,31 @@ def fit_many(
 def _fit_block(
     point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Fit the curves from ``low`` on as one curve, with parameters 2k to 2k + 1 for curve k."""
+    """Return the segments of ``count`` curves from number ``low`` on, as ``fit_many`` does.
 
-    def apart(t: F64) -> tuple[I64, F64]:
+    The curves are fitted as one curve, with parameters 2k to 2k + 1 for curve k.
+    """
+
+    def curve_and_parameter(t: F64) -> tuple[I64, F64]:
+        """Return curve numbers and parameters, (m,) each, for parameters of the one curve."""
         k = np.minimum(t // 2.0, count - 1.0)
         return k.astype(np.int64) + low, np.clip(t - 2.0 * k, 0.0, 1.0)
 
-    def on(t: F64) -> F64:
-        return point(*apart(t))
+    def point_at(t: F64) -> F64:
+        return point(*curve_and_parameter(t))
 
-    def along(t: F64) -> F64:
-        return tangent(*apart(t))
+    def tangent_at(t: F64) -> F64:
+        return tangent(*curve_and_parameter(t))
 
     with np.errstate(all="ignore"):
-        edges = _spread_breaks(on, along, np.arange(2.0 * count), tolerance)
+        edges = _spread_breaks(point_at, tangent_at, np.arange(2.0 * count), tolerance)
         first, last = edges[:-1], edges[1:]
         drawn = first // 1.0 % 2.0 == 0.0
         begin, finish, joints, bulges = _halve_until_fitted(
-            on, along, first[drawn], last[drawn], tolerance
+            point_at, tangent_at, first[drawn], last[drawn], tolerance
         )
-    start = np.stack([on(begin), joints], axis=1).reshape(-1, 2)
-    end = np.stack([joints, on(finish)], axis=1).reshape(-1, 2)
+    start = np.stack([point_at(begin), joints], axis=1).reshape(-1, 2)
+    end = np.stack([joints, point_at(finish)], axis=1).reshape(-1, 2)
     which = np.repeat((begin // 2.0).astype(np.int64), 2) + low
     return _merge_collinear(start, end, bulges.reshape(-1), which, 1e-6 * tolerance)
 
@@ -156,14 +160,29 @@ def _fit_block(
 def _halve_until_fitted(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, F64, F64]:
-    """Halve pieces until each is within tolerance of its biarc.
+    """Return pieces of a curve, halved until the biarc of each is within the tolerance.
+
+    Parameters
+    ----------
+    point, tangent
+        Functions of the curve, as for ``fit``.
+    first, last : (k,)
+        Parameters of the initial pieces.
+    tolerance : mm
 
     Returns
     -------
     first, last : (m,)
         Parameters of the pieces, in order.
-    joint : (m, 2)
+    joint : (m, 2) mm
+        Point at which the two arcs of each biarc meet.
     bulge : (m, 2)
+        Bulges of the two arcs.
+
+    Raises
+    ------
+    GeometryError
+        The curve needs too many pieces, or its pieces deviate after all halvings.
     """
     done: list[tuple[F64, F64, F64, F64]] = []
     total = 0
@@ -193,12 +212,15 @@ def _halve_until_fitted(
 
 
 def _merge_collinear(
-    start: F64, end: F64, bulge: F64, which: I64, speck: float
+    start: F64, end: F64, bulge: F64, which: I64, min_length: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Remove segments shorter than ``speck`` and merge collinear lines."""
-    # A piece of a single arc or line has its joint at its end.
+    """Return segments without those shorter than ``min_length`` mm, collinear lines merged.
+
+    ``which`` (n,) is the curve of each segment; segments of different curves are not merged.
+    """
+    # A piece that is a single arc or line has its joint at its end, so its second segment is empty.
     length = np.hypot(*(end - start).T)
-    some = length > speck
+    some = length > min_length
     start, end, bulge, length = start[some], end[some], bulge[some], length[some]
     which = which[some]
     if not len(bulge):
@@ -207,15 +229,18 @@ def _merge_collinear(
     start[1:][same] = end[:-1][same]
     ahead = (end - start) / length[:, None]
     cross = ahead[:-1, 0] * ahead[1:, 1] - ahead[:-1, 1] * ahead[1:, 0]
-    onward = (np.abs(cross) < 1e-9) & ((ahead[:-1] * ahead[1:]).sum(axis=1) > 0.0)
-    onward &= (bulge[:-1] == 0.0) & (bulge[1:] == 0.0) & same
-    first = np.concatenate([[True], ~onward])
-    last = np.concatenate([~onward, [True]])
+    collinear = (np.abs(cross) < 1e-9) & ((ahead[:-1] * ahead[1:]).sum(axis=1) > 0.0)
+    collinear &= (bulge[:-1] == 0.0) & (bulge[1:] == 0.0) & same
+    first = np.concatenate([[True], ~collinear])
+    last = np.concatenate([~collinear, [True]])
     return start[first], end[last], bulge[first], which[first]
 
 
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
-    """Return parameters that split each span into pieces of nearly equal deviation."""
+    """Return parameters that divide a curve into pieces of nearly equal deviation.
+
+    All knots are among the returned parameters.
+    """
     cells = 32
     if len(knots) - 1 > _MAX_PIECES:
         raise GeometryError("curve.too-many-spans", spans=len(knots) - 1, limit=_MAX_PIECES)
@@ -257,7 +282,19 @@ def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: fl
 def _biarcs(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, Bool]:
-    """Return joint (m, 2) and bulges (m, 2) of each piece, and whether it is within tolerance."""
+    """Return the biarc of each piece of a curve, and whether it is good.
+
+    A biarc is good if it is within the tolerance (mm) and its arcs are not too long.  ``first`` and
+    ``last`` (m,) are the parameters of the pieces.
+
+    Returns
+    -------
+    joint : (m, 2) mm
+        Point at which the two arcs of each biarc meet.
+    bulge : (m, 2)
+        Bulges of the two arcs.
+    good : (m,)
+    """
     a, b = point(first), point(last)
     # A piece that ends in a corner has its own direction just before its end.
     u, v = _normalise(tangent(first)), _normalise(tangent(np.nextafter(last, first)))
@@ -272,16 +309,16 @@ def _biarcs(
 
     # Use one arc where it fits as well as two (circles, straight parts).
     whole = _half_angle(u, chord)
-    alike = np.abs(whole - _half_angle(chord, v)) < 1e-9
-    joint[alike] = b[alike]
-    bulge[alike, 0] = whole[alike]
-    bulge[alike, 1] = 0.0
+    one_arc = np.abs(whole - _half_angle(chord, v)) < 1e-9
+    joint[one_arc] = b[one_arc]
+    bulge[one_arc, 0] = whole[one_arc]
+    bulge[one_arc, 1] = 0.0
 
     t = first[:, None] + (last - first)[:, None] * _PROBE_FRACTIONS
     probes = point(t.reshape(-1)).reshape(len(first), -1, 2)
     allowed = tolerance * _MARGIN
     near = _distances(a, joint, bulge[:, 0], probes)
-    two = ~alike
+    two = ~one_arc
     near[two] = np.minimum(near[two], _distances(joint[two], b[two], bulge[two, 1], probes[two]))
     good = (near.max(axis=1) <= allowed) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
 
@@ -295,26 +332,30 @@ def _biarcs(
 
 
 def _normalise(vectors: F64) -> F64:
+    """Return vectors, (n, 2), scaled to length 1; NaN for zero vectors."""
     return vectors / np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
 
 
 def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle between two vectors: the bulge, from tangent and chord."""
+    """Return tan of half the angle between two vectors: an arc's bulge, from tangent and chord."""
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     dot = (before * after).sum(axis=1)
     result: F64 = cross / (np.hypot(cross, dot) + dot)
     return result
 
 
-def _distances(start: F64, end: F64, bulge: F64, probes: F64) -> F64:
-    """Return the distances (m, k) of probes (m, k, 2) from segments (m)."""
+def _distances(start: F64, end: F64, bulge: F64, points: F64) -> F64:
+    """Return the distance of each point from its segment, (m, k) mm.
+
+    There are m segments and k ``points`` for each of them, (m, k, 2) mm.
+    """
     chord = end - start
     length = np.hypot(chord[:, 0], chord[:, 1])
     length = np.where(length > 0.0, length, 1.0)
     ahead = chord / length[:, None]
-    x = ((probes - start[:, None]) * ahead[:, None]).sum(axis=2)
+    x = ((points - start[:, None]) * ahead[:, None]).sum(axis=2)
     side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
-    y = ((probes - start[:, None]) * side[:, None]).sum(axis=2)
+    y = ((points - start[:, None]) * side[:, None]).sum(axis=2)
     size = length[:, None]
     to_ends = np.minimum(np.hypot(x, y), np.hypot(x - size, y))
     straight = np.where((x >= 0.0) & (x <= size), np.abs(y), to_ends)

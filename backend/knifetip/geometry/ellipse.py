@@ -14,26 +14,29 @@ from knifetip.geometry.tolerance import CURVE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Ellipse:
-    """c + u cos t + v sin t for t from ``first`` to ``last``; u and v need not be perpendicular."""
+    """Elliptic arc: c + u cos t + v sin t for t from ``first`` to ``last``.
 
-    centre: F64  #: (2,) mm
-    u: F64  #: (2,) from the centre to t = 0 (mm)
-    v: F64  #: (2,) from the centre to t = π/2 (mm)
-    first: float  #: radians
-    last: float  #: radians, > first, at most a full turn after it
+    c is the centre; u and v need not be perpendicular.
+    """
+
+    centre: F64  #: (2,) centre c (mm)
+    u: F64  #: (2,) u, from the centre to the point at t = 0 (mm)
+    v: F64  #: (2,) v, from the centre to the point at t = π/2 (mm)
+    first: float  #: parameter t of the start (radians)
+    last: float  #: parameter t of the end (radians), at most a full turn after ``first``
 
     def point(self, t: F64) -> F64:
-        """Return the points at parameters (m,), (m, 2) mm."""
+        """Return the points of the ellipse at parameters t (m,), (m, 2) mm."""
         result: F64 = self.centre + np.cos(t)[:, None] * self.u + np.sin(t)[:, None] * self.v
         return result
 
     def tangent(self, t: F64) -> F64:
-        """Return the derivatives at parameters (m,), (m, 2)."""
+        """Return the derivatives of the ellipse by t at parameters t (m,), (m, 2) mm."""
         result: F64 = np.cos(t)[:, None] * self.v - np.sin(t)[:, None] * self.u
         return result
 
     def to_segments(self, tolerance: float = CURVE) -> Segments:
-        """Return lines and arcs within a tolerance (mm) of the ellipse.
+        """Return lines and arcs within a tolerance (mm) of the ellipse: start, end and bulge.
 
         Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  An
         ellipse without width gives a line in both directions.
@@ -41,13 +44,13 @@ class Ellipse:
         Raises
         ------
         GeometryError
-            A size is not a number, or the parameters do not increase.
+            A coordinate is not a finite number, or ``last`` is not after ``first``.
         """
         turn = self.last - self.first
         shape = np.concatenate([self.centre, self.u, self.v, [self.first, self.last]])
         if not np.isfinite(shape).all() or not 0.0 < turn <= 2.0 * np.pi + 1e-9:
             raise GeometryError("curve.bad-ellipse")
-        # The axes: where u cos t + v sin t is longest, tan 2t = 2 u·v / (u² - v²).
+        # At the ends of the axes, where u cos t + v sin t is longest, tan 2t = 2 u·v / (u² - v²).
         uu, vv, uv = float(self.u @ self.u), float(self.v @ self.v), float(self.u @ self.v)
         cross = float(self.u[0] * self.v[1] - self.u[1] * self.v[0])
         if abs(uu - vv) <= 1e-12 * uu and abs(uv) <= 1e-12 * uu:

@@ -1,4 +1,4 @@
-"""grid: test whether points lie on segments, with a uniform grid of cells."""
+"""grid: test whether points are on segments, with a uniform grid of cells."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from knifetip.kernels import F64_1, F64_1A, F64_2, F64_2A, I32_1, I64_2, kernel
 
 
 def points_on_segments(points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float) -> Bool:
-    """Return whether each point lies on a segment other than its own.
+    """Return the mask of points that are on a segment other than their own, (m,).
 
     Parameters
     ----------
     points : (m, 2) mm
     own : (m,)
-        Segment that each point belongs to and that is ignored.
+        Segment that each point belongs to and that is ignored; -1 for none.
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
+        The segments, lines and arcs.
     gap : mm
-        Largest distance of a point that lies on a segment.
+        Largest distance of a point that counts as on a segment.
     """
     if len(points) == 0 or len(bulge) == 0:
         return np.zeros(len(points), np.bool_)
@@ -58,6 +59,21 @@ def _points_on_segments(
     sweep: F64_1,
     gap: float,
 ) -> Any:
+    """Return the mask of points that are on a segment other than their own, (m,).
+
+    Parameters
+    ----------
+    points, own, start, end, gap
+        As for ``points_on_segments``.
+    places : (m, 2)
+        Column and row of the cell of each point.
+    cells : (n, 4)
+        First column and row, last column and row of the cells of each segment.
+    side
+        Number of columns, and of rows, of the grid.
+    middle, radius, first, sweep
+        Centre, radius (mm), angle of the start and sweep (radians) of each arc.
+    """
     count = np.zeros(side * side + 1, np.int64)
     for i in range(len(cells)):
         for x in range(cells[i, 0], cells[i, 2] + 1):
@@ -100,7 +116,7 @@ def _distance(
     first: float,
     sweep: float,
 ) -> float:
-    """Return the distance from a point to a line or an arc (mm)."""
+    """Return the distance of a point from a line or an arc (mm)."""
     if abs(sweep) >= 4.0 * BULGE:
         angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first
         if sweep < 0:

@@ -1,9 +1,7 @@
-"""intersect: common points of two segments, lines or arcs.
+"""intersect: common points of pairs of segments, which are lines or arcs.
 
-    two segments -> the points, and their parameters on both
-
-Touching counts as common.  If two segments overlap, the ends of the common stretch are returned, so
-that after splitting at these points pieces are either equal or apart.
+Touching segments have a common point.  If two segments overlap, the ends of the common stretch are
+returned, so that after splitting at these points any two pieces are either equal or disjoint.
 """
 
 from __future__ import annotations
@@ -19,7 +17,7 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_2, OutF64_2, OutF64_3, OutI32_1, kernel
 
 #: Largest number of common points of two segments: two arcs of one circle may overlap twice.
-MOST: Final = 4
+MAX_POINTS: Final = 4
 #: Relative rounding error of a length.
 ROUNDING: Final = 1e-15
 #: Distance within which segments touch (mm).
@@ -32,11 +30,11 @@ class Crossings:
 
     count: I32  #: (n,) number of points of each pair
     points: F64  #: (n, 4, 2) mm, NaN beyond ``count``
-    first: F64  #: (n, 4) parameter on the first segment, 0 to 1 of its length
-    second: F64  #: (n, 4) parameter on the second segment
+    first: F64  #: (n, 4) parameters on the first segments, fractions 0 … 1 of the length
+    second: F64  #: (n, 4) parameters on the second segments
 
 
-def crossings(
+def intersect_pairs(
     start: F64,
     end: F64,
     bulge: F64,
@@ -45,32 +43,37 @@ def crossings(
     other_bulge: F64,
     touch: float = TOUCH,
 ) -> Crossings:
-    """Return the common points of each pair of segments.
+    """Return the common points of each of n pairs of segments.
 
     Parameters
     ----------
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
-    other_start, other_end, other_bulge : the same of the second segments
+        First segment of each pair.
+    other_start, other_end, other_bulge : (n, 2), (n, 2) mm and (n,)
+        Second segment of each pair.
     touch : mm
         Distance within which segments touch.
     """
     one = np.column_stack([start, end, bulge]).astype(np.float64, copy=False)
     two = np.column_stack([other_start, other_end, other_bulge]).astype(np.float64, copy=False)
     count = np.zeros(len(one), np.int32)
-    found = np.full((len(one), MOST, 4), np.nan)
-    _pairs(one, two, touch, count, found)
+    found = np.full((len(one), MAX_POINTS, 4), np.nan)
+    _intersect_pairs(one, two, touch, count, found)
     return Crossings(count, found[:, :, :2], found[:, :, 2], found[:, :, 3])
 
 
 @kernel(allocates=False)
-def _pairs(one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3) -> None:
+def _intersect_pairs(
+    one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3
+) -> None:
+    """Write the common points of row i of both arrays to found[i], and their number to count[i]."""
     for i in range(len(one)):
-        count[i] = crossing(one, i, two, i, touch, found[i])
+        count[i] = intersect_rows(one, i, two, i, touch, found[i])
 
 
 @kernel(allocates=False)
-def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
-    """Return centre and radius of the arc in row i of (x0, y0, x1, y1, bulge)."""
+def circle_of_arc(rows: F64_2, i: int) -> tuple[float, float, float]:
+    """Return the centre x, y and the radius of the arc in row i of (x0, y0, x1, y1, bulge), mm."""
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
     b = rows[i, 4]
@@ -83,8 +86,8 @@ def circle(rows: F64_2, i: int) -> tuple[float, float, float]:
 
 
 @kernel(allocates=False)
-def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
-    """Write a box around row i to boxes[at]: x min, y min, x max, y max.
+def write_box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
+    """Write a box around the segment in row i to boxes[at]: x min, y min, x max, y max.
 
     The box of an arc may be larger than necessary.
     """
@@ -98,7 +101,7 @@ def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
     high_y = max(y0, y1)
     b = rows[i, 4]
     if abs(b) > 1.0:
-        cx, cy, radius = circle(rows, i)
+        cx, cy, radius = circle_of_arc(rows, i)
         low_x = cx - radius
         low_y = cy - radius
         high_x = cx + radius
@@ -118,8 +121,12 @@ def box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
 
 
 @kernel(allocates=False)
-def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
-    """Return the parameter on row i of a point on its line or circle; -1 if outside."""
+def parameter_of_point(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
+    """Return the parameter of a point on the segment in row i, 0 … 1; -1 if it is beyond the ends.
+
+    The point (x, y) is on the line or circle of the segment.  ``touch`` is the distance beyond an
+    end, in mm, up to which the point still counts as the end.
+    """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -127,13 +134,13 @@ def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
     b = rows[i, 4]
     if abs(b) < BULGE:
         square = dx * dx + dy * dy
-        share = ((x - x0) * dx + (y - y0) * dy) / square
+        fraction = ((x - x0) * dx + (y - y0) * dy) / square
         slack = touch / math.sqrt(square)
-        if share < -slack or share > 1.0 + slack:
+        if fraction < -slack or fraction > 1.0 + slack:
             return -1.0
-        inside: float = min(max(share, 0.0), 1.0)
+        inside: float = min(max(fraction, 0.0), 1.0)
         return inside
-    cx, cy, radius = circle(rows, i)
+    cx, cy, radius = circle_of_arc(rows, i)
     fx = x0 - cx
     fy = y0 - cy
     px = x - cx
@@ -155,17 +162,17 @@ def along(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
 
 
 @kernel(allocates=False)
-def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
-    """Return the point at a parameter of row i."""
+def point_at_parameter(rows: F64_2, i: int, fraction: float) -> tuple[float, float]:
+    """Return the point of the segment in row i at a parameter 0 … 1, a fraction of the length."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
     dy = rows[i, 3] - y0
     b = rows[i, 4]
     if abs(b) < BULGE:
-        return x0 + share * dx, y0 + share * dy
-    cx, cy, _ = circle(rows, i)
-    turned = share * 4.0 * math.atan(b)
+        return x0 + fraction * dx, y0 + fraction * dy
+    cx, cy, _ = circle_of_arc(rows, i)
+    turned = fraction * 4.0 * math.atan(b)
     cos = math.cos(turned)
     sin = math.sin(turned)
     return (
@@ -175,7 +182,7 @@ def point_on(rows: F64_2, i: int, share: float) -> tuple[float, float]:
 
 
 @kernel(allocates=False)
-def _keep(
+def _add_point(
     one: F64_2,
     i: int,
     two: F64_2,
@@ -186,14 +193,18 @@ def _keep(
     found: OutF64_2,
     count: int,
 ) -> int:
+    """Add the point (x, y) to ``found`` if it is on both segments and not there yet.
+
+    Returns the number of points in ``found``; ``count`` is the number before.
+    """
     for k in range(count):
         if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
             return count
-    first = along(one, i, x, y, touch)
+    first = parameter_of_point(one, i, x, y, touch)
     if first < 0.0:
         return count
-    second = along(two, j, x, y, touch)
-    if second < 0.0 or count == MOST:
+    second = parameter_of_point(two, j, x, y, touch)
+    if second < 0.0 or count == MAX_POINTS:
         return count
     found[count, 0] = x
     found[count, 1] = y
@@ -203,49 +214,52 @@ def _keep(
 
 
 @kernel(allocates=False)
-def _shared_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    count = _keep(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
-    count = _keep(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
-    count = _keep(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
-    return _keep(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
+def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
+    """Write each end of a segment that is on the other segment to ``found``; return the number."""
+    count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
+    count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
+    count = _add_point(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
+    return _add_point(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
 
 
 @kernel(allocates=False)
-def crossing(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of row i of ``one`` and row j of ``two``; return their number.
+def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
+    """Write the common points of two segments to ``found`` and return their number.
 
-    A row of ``found`` is x, y, and the parameters on the first and on the second segment.
+    The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row
+    of ``found`` is x, y, and the parameters on the first and on the second segment.
     """
     flat = abs(one[i, 4]) < BULGE
     other_flat = abs(two[j, 4]) < BULGE
     if flat and other_flat:
-        return _lines(one, i, two, j, touch, found)
+        return _intersect_lines(one, i, two, j, touch, found)
     if flat or other_flat:
-        return _line_arc(one, i, two, j, flat, touch, found)
-    ax, ay, ar = circle(one, i)
-    bx, by, br = circle(two, j)
+        return _intersect_line_arc(one, i, two, j, flat, touch, found)
+    ax, ay, ar = circle_of_arc(one, i)
+    bx, by, br = circle_of_arc(two, j)
     dx = bx - ax
     dy = by - ay
     apart = math.sqrt(dx * dx + dy * dy)
     if apart <= touch and abs(ar - br) <= touch:
-        return _shared_ends(one, i, two, j, touch, found)
+        return _add_common_ends(one, i, two, j, touch, found)
     if apart > ar + br + touch or apart < abs(ar - br) - touch or apart == 0.0:
         return 0
     foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
     rise = math.sqrt(max(0.0, (ar - foot) * (ar + foot)))
     if min(abs(apart - (ar + br)), abs(apart - abs(ar - br))) <= ROUNDING * (apart + ar + br):
-        # They touch: the root would turn the last bit into a tenth of a micrometre.
+        # The circles touch; the root would turn the last bit into a tenth of a micrometre.
         rise = 0.0
     ux = dx / apart
     uy = dy / apart
     x = ax + foot * ux
     y = ay + foot * uy
-    count = _keep(one, i, two, j, x - rise * uy, y + rise * ux, touch, found, 0)
-    return _keep(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
+    count = _add_point(one, i, two, j, x - rise * uy, y + rise * ux, touch, found, 0)
+    return _add_point(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
 
 
 @kernel(allocates=False)
-def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
+def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
+    """Write the common points of two lines to ``found`` and return their number."""
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
     bx = two[j, 2] - two[j, 0]
@@ -259,8 +273,8 @@ def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2
         off = ax * cy - ay * cx
         if off * off > touch * touch * a2:
             return 0
-        return _shared_ends(one, i, two, j, touch, found)
-    # Both ends of one are clearly on one side of the other: true for most pairs.
+        return _add_common_ends(one, i, two, j, touch, found)
+    # Most pairs are rejected because both ends of a segment are clearly on one side of the other.
     near = ax * cy - ay * cx
     far = near + cross
     if near * far > 0.0 and min(near * near, far * far) > touch * touch * a2:
@@ -286,19 +300,23 @@ def _lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2
 
 
 @kernel(allocates=False)
-def _line_arc(
+def _intersect_line_arc(
     one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, found: OutF64_2
 ) -> int:
+    """Write the common points of a line and an arc to ``found`` and return their number.
+
+    ``flat`` is whether row i of ``one`` is the line and row j of ``two`` the arc.
+    """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]
-        cx, cy, radius = circle(two, j)
+        cx, cy, radius = circle_of_arc(two, j)
     else:
         x0, y0, dx, dy = two[j, 0], two[j, 1], two[j, 2] - two[j, 0], two[j, 3] - two[j, 1]
-        cx, cy, radius = circle(one, i)
+        cx, cy, radius = circle_of_arc(one, i)
     length = math.sqrt(dx * dx + dy * dy)
     ux = dx / length
     uy = dy / length
-    # From the centre perpendicular to the line.
+    # Signed distance of the centre from the line.
     off = ux * (cy - y0) - uy * (cx - x0)
     if abs(off) > radius + touch:
         return 0
@@ -307,5 +325,5 @@ def _line_arc(
         reach = 0.0
     fx = cx + off * uy
     fy = cy - off * ux
-    count = _keep(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, found, 0)
-    return _keep(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, found, count)
+    count = _add_point(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, found, 0)
+    return _add_point(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, found, count)

@@ -1,7 +1,7 @@
-"""path: many chains of lines and arcs in one set of columns.
+"""path: many paths of lines and arcs in one set of columns.
 
 Path p has the segments ``first[p] … first[p + 1] - 1``.  Each segment stores both ends, so that
-chains need no separators: segments are connected if the end of one is the start of the next.
+paths need no separators: two segments are connected if the end of one is the start of the next.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from knifetip.geometry.tolerance import BULGE, POINT
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Paths:
-    """Chains of lines and arcs."""
+    """Paths of lines and arcs: p paths with n segments in total."""
 
     start: F64  #: (n, 2) mm, start of each segment
     end: F64  #: (n, 2) mm, end of each segment
@@ -39,19 +39,19 @@ class Paths:
 
     @property
     def path_of(self) -> I32:
-        """(n,) The path that each segment belongs to."""
+        """(n,) Number of the path that each segment belongs to."""
         return np.repeat(np.arange(len(self), dtype=np.int32), np.diff(self.first))
 
     @property
     def lengths(self) -> F64:
-        """(p,) Length along each path (mm)."""
+        """(p,) Length of each path (mm)."""
         along = arc.length(self.start, self.end, self.bulge)
         return np.bincount(self.path_of, along, minlength=len(self)).astype(np.float64)
 
     @property
     def areas(self) -> F64:
         """(p,) Signed area enclosed by each path (mm²), > 0 if counter-clockwise."""
-        # Relative to a point of the path, so that no digits are lost far from the origin.
+        # Relative to the first point of each path, so that no digits are lost far from the origin.
         origin = self.start[self.first[:-1]][self.path_of]
         a, b = self.start - origin, self.end - origin
         swept = arc.sweep(self.bulge)
@@ -63,26 +63,26 @@ class Paths:
 
     @property
     def closed(self) -> Bool:
-        """(p,) Whether each path is closed."""
+        """(p,) Whether each path ends at its start."""
         gap = self.start[self.first[:-1]] - self.end[self.first[1:] - 1]
         result: Bool = np.hypot(gap[:, 0], gap[:, 1]) < POINT
         return result
 
 
 def path_through(xy: F64, bulge: F64) -> Paths:
-    """Return one path through the vertices, (n + 1, 2), with bulges (n,)."""
+    """Return one path through vertices, (n + 1, 2) mm, with bulges (n,) between them."""
     return Paths(xy[:-1], xy[1:], bulge, np.array([0, len(bulge)]))
 
 
 def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
-    """Return paths shortened at both ends, and the origin of each segment.
+    """Return paths shortened at both ends, and the input segment of each segment.
 
-    A path that is not longer than the removed lengths keeps no segments.
+    A path that is not longer than the removed lengths has no segments.
 
     Parameters
     ----------
     at_start, at_end : (p,) mm, not negative
-        Lengths to remove.
+        Lengths to remove at the start and at the end of each path.
     """
     along = arc.length(paths.start, paths.end, paths.bulge)
     owner = paths.path_of
@@ -91,7 +91,7 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     begin = reached - along - before[owner]
     low = (at_start[owner] - begin) / along
     high = (paths.lengths[owner] - at_end[owner] - begin) / along
-    # Paths that are not shortened must stay equal, bit for bit.
+    # Segments that are not shortened must remain equal, bit for bit.
     low = np.where(low > POINT / along, low, 0.0)
     high = np.where(high < 1.0 - POINT / along, high, 1.0)
     kept = high - low > POINT / along
@@ -107,12 +107,12 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
 
 
 def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
-    """Return some of the paths, and the origin of each segment.
+    """Return some of the paths, and the input segment of each segment.
 
     Parameters
     ----------
     which : (q,)
-        Numbers of the paths; they may repeat.
+        Numbers of the paths to return, in order; they may repeat.
     """
     count = np.diff(paths.first)[which]
     first = np.concatenate([[0], np.cumsum(count)])
@@ -123,17 +123,25 @@ def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
 
 
 def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
-    """Return the paths with gaps; a closed path becomes as many open ones as it has gaps.
+    """Return the paths with gaps; a closed path with n gaps becomes n open paths.
+
+    Paths with gaps must be closed.
 
     Parameters
     ----------
     path, middle : (k,) and (k,) mm
-        Path of each gap, and the position of its middle along the path; ascending by path.
+        Path of each gap, and the distance of the gap's middle along the path; ascending by path.
     gap : mm
+        Length of each gap.
 
     Returns
     -------
-    Paths, and for each the old path (q,), and for each segment the old one (m,)
+    paths : Paths
+        q paths with m segments.
+    owner : (q,)
+        Input path of each path.
+    rows : (m,)
+        Input segment of each segment.
     """
     many = np.bincount(path, minlength=len(paths))
     owner = np.repeat(np.arange(len(paths), dtype=np.int32), np.maximum(many, 1))
@@ -153,7 +161,10 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
 
 
 def _repeat_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, those in ``which`` repeated twice, and the origin of each segment."""
+    """Return the paths, with the segments of paths in the mask ``which`` (p,) repeated once more.
+
+    Also returns the input segment of each segment.
+    """
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)
     first = np.concatenate([[0], np.cumsum(count * times)])
@@ -165,11 +176,20 @@ def _repeat_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
-    """Return the point at a distance along each path, (p, 2), its azimuth and its segment, (p,).
+    """Return the point at a distance along each path.
 
     Parameters
     ----------
-    distance : (p,) mm, from the start of each path
+    distance : (p,) mm
+        Distance from the start of each path.
+
+    Returns
+    -------
+    xy : (p, 2) mm
+    azimuth : (p,) degrees
+        Direction of the path at each point.
+    segment : (p,)
+        Segment on which each point is.
     """
     along = arc.length(paths.start, paths.end, paths.bulge)
     reached = np.cumsum(along)
@@ -184,12 +204,12 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
 
 
 def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some of them reversed, and the origin of each segment.
+    """Return the paths, some of them reversed, and the input segment of each segment.
 
     Parameters
     ----------
     which : (p,)
-        The paths to reverse.
+        Mask of the paths to reverse.
     """
     owner = paths.path_of
     rows = np.arange(len(paths.bulge))
@@ -210,15 +230,17 @@ def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some closed ones starting in the middle of a segment, and the origins.
+    """Return the paths, some closed paths starting in the middle of a segment.
 
-    The segment is the longest line of the path, or its longest arc, so that the blade enters and
-    leaves at a smooth point.  It is split in two, which become first and last.
+    The segment is the longest line of the path, or its longest arc if it has no line, so that the
+    blade enters and leaves at a smooth point.  It is split in two, which become first and last.
+
+    Also returns the input segment of each segment.
 
     Parameters
     ----------
     which : (p,)
-        The paths to restart; they must be closed.
+        Mask of the paths to restart; they must be closed.
     """
     owner = paths.path_of
     along = arc.length(paths.start, paths.end, paths.bulge)

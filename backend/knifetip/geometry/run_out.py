@@ -1,6 +1,4 @@
-"""leaving: length after which the whole width of a tool has passed an edge of the board.
-
-    directions, outward normals, widths -> additional length
+"""run_out: length after which both corners of a tool have passed an edge of the board.
 
 Source: the turning paper, section 1 (run-out and back-up).
 """
@@ -16,33 +14,35 @@ from knifetip.errors import CompensationError
 from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64
 
-#: Largest angle between a track and the normal of the edge (degrees): beyond it the tool stays.
+#: Largest angle between a track and the normal of the edge (degrees); beyond it the tool does not
+#: leave the board.
 _MAX_ANGLE: Final = 89.0
 
 
 def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
-    """Return the additional length of a track until both corners of its tool are off the board.
+    """Return the length by which to extend a track until each corner of its tool is off the board.
 
     With u the direction of travel, n its left normal and m the outward normal of the edge, the
-    corners P1, P2 are at c ± (W/2) n, and have passed a straight edge after::
+    corners P1, P2 are at c ± (W/2) n, with c the tip, and have passed a straight edge after::
 
         ∓ (W/2) (n · m) / (u · m)                                 section 1
 
-    so the later one leaves after (W/2) |n · m| / (u · m).
+    so the later corner leaves after (W/2) |n · m| / (u · m).
 
     Parameters
     ----------
     travel, outward : (n, 2) unit vectors
-        u and m; for a start, give -u.
+        u and m; for the start of a track, give -u.
     width : (n,) mm
         W, across the travel.
     short : (n,) mm
-        Distance between the end of the track and the edge.
+        Distance between the end of the track and the edge of the board.
 
     Returns
     -------
     (n, 2) mm
-        Of the left corner and of the right one; negative for one that is past the edge already.
+        Length for the left corner and for the right corner; negative for a corner that is past the
+        edge already.
 
     Raises
     ------

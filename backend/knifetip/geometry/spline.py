@@ -17,12 +17,12 @@ from knifetip.geometry.tolerance import CURVE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Spline:
-    """A rational B-spline; all weights are 1 if it is not rational."""
+    """Rational B-spline curve; a polynomial B-spline has weights of 1."""
 
-    control: F64  #: (k, 2) mm
-    weights: F64  #: (k,) > 0
-    knots: F64  #: (k + degree + 1,) never decreasing
-    degree: int
+    control: F64  #: (k, 2) control points (mm)
+    weights: F64  #: (k,) weights of the control points, > 0
+    knots: F64  #: (k + degree + 1,) parameters, never decreasing
+    degree: int  #: degree of the polynomials, at least 1
 
     def __post_init__(self) -> None:
         count = len(self.control)
@@ -43,15 +43,18 @@ class Spline:
 
     @property
     def breaks(self) -> F64:
-        """Parameters between which the spline is smooth."""
+        """Parameters between which the spline is smooth, increasing."""
         inside = self.knots[self.degree : len(self.control) + 1]
         return np.unique(inside)
 
-    def _evaluated(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
-        """Return a polynomial B-spline (m, columns) at t by de Boor's recurrence."""
+    def _de_boor(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
+        """Return a polynomial B-spline at parameters t (m,) by de Boor's recurrence, (m, c).
+
+        ``rows`` (k, c) are its control points, ``knots`` its knots.
+        """
         count = len(rows)
         span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
-        # Empty spans have no points; use the span that ends there.
+        # A span of no length has no points; use the last span before it that has a length.
         filled = np.flatnonzero(knots[degree:count] < knots[degree + 1 : count + 1]) + degree
         span = filled[np.searchsorted(filled, span, side="right") - 1]
         d = rows[span[:, None] - degree + np.arange(degree + 1)]
@@ -66,33 +69,37 @@ class Spline:
         return result
 
     def _homogeneous(self) -> F64:
+        """Return the control points in homogeneous coordinates, (k, 3): x w, y w, w."""
         return np.hstack([self.control * self.weights[:, None], self.weights[:, None]])
 
     def point(self, t: F64) -> F64:
-        """Return the points at parameters (m,), (m, 2) mm."""
-        value = self._evaluated(t, self._homogeneous(), self.knots, self.degree)
+        """Return the points of the spline at parameters t (m,), (m, 2) mm."""
+        value = self._de_boor(t, self._homogeneous(), self.knots, self.degree)
         result: F64 = value[:, :2] / value[:, 2:]
         return result
 
     def tangent(self, t: F64) -> F64:
-        """Return the derivatives at parameters (m,), (m, 2); at a corner, that after it."""
+        """Return the derivatives of the spline by t at parameters t (m,), (m, 2) mm.
+
+        At a corner it is the derivative after the corner.
+        """
         p = self.degree
         rows = self._homogeneous()
-        value = self._evaluated(t, rows, self.knots, p)
+        value = self._de_boor(t, rows, self.knots, p)
         wide = self.knots[p + 1 : len(rows) + p] - self.knots[1 : len(rows)]
         slope = p * np.diff(rows, axis=0) / np.where(wide > 0.0, wide, 1.0)[:, None]
-        rate = self._evaluated(t, slope, self.knots[1:-1], p - 1)
+        rate = self._de_boor(t, slope, self.knots[1:-1], p - 1)
         # (A / w)′ = (A′ - (A / w) w′) / w, and w > 0 changes no direction.
         result: F64 = rate[:, :2] - value[:, :2] / value[:, 2:] * rate[:, 2:]
         return result
 
     def to_segments(self, tolerance: float = CURVE) -> Segments:
-        """Return lines and arcs within a tolerance (mm) of the spline.
+        """Return lines and arcs within a tolerance (mm) of the spline: start, end and bulge.
 
         Raises
         ------
         GeometryError
-            It cannot be fitted, or needs more than 100,000 pieces.
+            The spline cannot be fitted, or needs more than 100,000 pieces.
         """
         breaks = self.breaks
         if self.degree == 1:

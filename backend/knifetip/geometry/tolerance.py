@@ -1,4 +1,4 @@
-"""tolerance: all tolerances, by name."""
+"""tolerance: all geometric tolerances, by name."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from typing import Final
 
 #: Points nearer than this are equal (mm); far below the precision of any machine.
 POINT: Final = 1e-6
-#: Directions nearer than this are equal (degrees): a smooth joint, a continued crease.
+#: Directions nearer than this are equal (degrees), as at a smooth joint or a continued crease.
 ANGLE: Final = 1.0
 #: Ends of edges nearer than this are connected into one path unchanged (mm); well below the
 #: tolerance of a program.
 JOIN: Final = 0.002
-#: Ends of edges nearer than this were meant to touch (mm).
+#: Ends of edges nearer than this are taken as meant to touch (mm).
 GAP: Final = 0.05
 #: A cut that ends nearer than this to another one is extended to it when contours are searched
 #: (mm): a drawing error or a nick, too narrow to hold a part in place.  Two edges that each stop
@@ -26,5 +26,5 @@ SAME: Final = 0.01
 COLLINEAR: Final = 0.005
 #: Largest distance of a fitted curve from the exact one (mm).
 CURVE: Final = 0.01
-#: A smaller bulge is a line: its arc deviates by less than POINT over a metre.
+#: A smaller bulge is a line; over a metre such an arc deviates from its chord by less than POINT.
 BULGE: Final = 1e-9

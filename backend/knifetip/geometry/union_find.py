@@ -1,6 +1,6 @@
-"""union_find: union-find on indices.
+"""union_find: disjoint sets of indices (union-find).
 
-``parent`` holds the parent of each index; the root of a set is its least index.
+``parent`` has the parent of each index, (n,); the root of a set is its least index.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from knifetip.kernels import OutI64_1, kernel
 
 @kernel(allocates=False)
 def find(parent: OutI64_1, i: int) -> int:
-    """Return the root of the set of i."""
+    """Return the root of the set that contains index i."""
     while parent[i] != i:
         parent[i] = parent[parent[i]]
         i = parent[i]
@@ -19,14 +19,14 @@ def find(parent: OutI64_1, i: int) -> int:
 
 @kernel(allocates=False)
 def union(parent: OutI64_1, i: int, j: int) -> None:
-    """Merge the sets of i and j."""
+    """Merge the sets that contain the indices i and j."""
     one, other = find(parent, i), find(parent, j)
     parent[max(one, other)] = min(one, other)
 
 
 @kernel(allocates=False)
 def flatten(parent: OutI64_1) -> None:
-    """Replace each parent by the root of its set."""
+    """Replace the parent of each index by the root of its set."""
     for i in range(len(parent)):
         # The root is the least index of a set, so it is final already.
         parent[i] = parent[parent[i]]

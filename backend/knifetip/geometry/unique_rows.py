@@ -1,8 +1,6 @@
-"""unique_rows: unique rows of an integer table, found by hashing.
+"""unique_rows: find the distinct rows of integer columns, by hashing.
 
-    (n, k) integers -> the first row of each kind, the kind of each row
-
-Drawings have few kinds of rows, so hashing is much faster than sorting.
+Drawings have few distinct rows, so hashing is much faster than sorting.
 """
 
 from __future__ import annotations
@@ -20,7 +18,7 @@ _SLOTS: Final = 1024
 
 
 def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
-    """Return the unique rows of integer columns.
+    """Return the distinct rows of integer columns.
 
     Parameters
     ----------
@@ -29,30 +27,31 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
     Returns
     -------
     first : (d,)
-        The first row of each kind, in order.
+        First row number of each of the d distinct rows, ascending.
     kind : (n,)
-        Kind of each row.
+        Number of the distinct row that each row equals, 0 … d - 1.
     """
     wide = [np.asarray(column, np.int64) for column in columns]
     alone = len(wide) == 1 and wide[0].ndim == 1
     table = wide[0].reshape(-1, 1) if alone else np.column_stack(wide)
-    first, kind = _kinds(np.ascontiguousarray(table))
+    first, kind = _distinct_rows(np.ascontiguousarray(table))
     return first, kind
 
 
 @kernel
-def _kinds(table: I64_2) -> Any:
+def _distinct_rows(table: I64_2) -> Any:
+    """Return ``first`` and ``kind`` as ``unique_rows`` does, for a table of integers, (n, k)."""
     rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
     slots = np.full(_SLOTS, -1, np.int64)
     found = 0
     for row in range(rows):
-        if row > 0 and _same(table, row, row - 1):
+        if row > 0 and _equal_rows(table, row, row - 1):
             kind[row] = kind[row - 1]
             continue
         slot = _slot(table, row, slots)
-        while slots[slot] >= 0 and not _same(table, row, first[slots[slot]]):
+        while slots[slot] >= 0 and not _equal_rows(table, row, first[slots[slot]]):
             slot = (slot + 1) & (len(slots) - 1)
         if slots[slot] < 0:
             slots[slot] = found
@@ -70,7 +69,8 @@ def _kinds(table: I64_2) -> Any:
 
 
 @kernel
-def _same(table: I64_2, row: int, other: int) -> bool:
+def _equal_rows(table: I64_2, row: int, other: int) -> bool:
+    """Return whether two rows of a table are equal."""
     same = True
     for column in range(table.shape[1]):
         same &= table[row, column] == table[other, column]

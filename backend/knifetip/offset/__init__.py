@@ -1,1 +1,1 @@
-"""The offset engine: paths of the centre of a round tool beside contours, arcs as arcs."""
+"""Offset engine: paths of a tool's centre at a distance from contours of lines and arcs."""

@@ -1,9 +1,8 @@
 """batch: offset large batches of paths on all cores.
 
-    all paths, and the groups that bound a region together -> columns of the results
-
-Regions are independent, so each core offsets a contiguous run of them, and the results are
-concatenated.  The result is bit for bit that of one core; of several failures the first is raised.
+Regions are independent, so each core offsets a contiguous run of regions, and the results are
+concatenated.  The result equals the result of one core, bit for bit; of several failures the first
+is returned.
 """
 
 from __future__ import annotations
@@ -17,18 +16,33 @@ from knifetip.geometry.columns import F64, I32, U8
 from knifetip.geometry.parallel import core_count, parallel_map
 from knifetip.geometry.path import Paths
 from knifetip.offset.groups import offset_groups
-from knifetip.offset.raw_segments import FINE
+from knifetip.offset.raw_segments import NO_FAILURE
 from knifetip.offset.records import Contours, CornerTypes, OffsetGroups
 
-#: Smallest number of segments worth a task on another core.
-_WORTH_A_CORE: Final = 10_000
+#: Smallest number of segments worth handing to another core.
+_MIN_SEGMENTS: Final = 10_000
 
 
-def on_all_cores(
+def offset_on_all_cores(
     paths: Paths, member: I32, members: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
-    """Return the result of ``groups.offset_groups``, computed on all cores."""
-    runs = _runs(paths.first, member, members, core_count())
+    """Return the columns that ``groups.offset_groups`` returns, computed on all cores.
+
+    Parameters
+    ----------
+    paths : Paths
+        p contours with n segments.
+    member, members : (p,) and (g + 1,)
+        Paths in the order of their groups, and the position in ``member`` at which each group
+        begins.
+    signed : (p,) mm
+        Radius of the tool for each path, positive if the tool is left of travel.
+    corner, k : (n,) or (1,)
+        Type of the transition at the start of each segment, and the parameter k of type D.
+    refuse
+        Whether a position where the tool does not fit is a failure.
+    """
+    runs = _split_groups(paths.first, member, members, core_count())
 
     contours = Contours(paths.start, paths.end, paths.bulge, paths.first)
     corners = CornerTypes(corner, k, 0 if len(corner) == 1 else 1)
@@ -46,14 +60,17 @@ def on_all_cores(
     ).astype(np.int32)
     owner = np.concatenate([part[6] for part in parts])
     unreached = np.sum([part[7] for part in parts], axis=0)
-    failure = next((part[8] for part in parts if part[8][0] != FINE), parts[0][8])
+    failure = next((part[8] for part in parts if part[8][0] != NO_FAILURE), parts[0][8])
     return (*columns, first, owner, unreached, failure)
 
 
-def _runs(first: I32, member: I32, members: I32, number: int) -> list[I32]:
-    """Return the first group of each run and the end of the last one; runs of equal size."""
+def _split_groups(first: I32, member: I32, members: I32, number: int) -> list[I32]:
+    """Return runs of groups with nearly equal numbers of segments, at most ``number``.
+
+    A run is a slice of ``members``: the start of each of its groups, and the end of the last one.
+    """
     before = np.append(0, np.cumsum(np.diff(first)[member]))[members]
-    count = int(min(number, before[-1] // _WORTH_A_CORE, len(members) - 1))
+    count = int(min(number, before[-1] // _MIN_SEGMENTS, len(members) - 1))
     if count < 2:
         return [members]
     cuts = np.searchsorted(before, before[-1] * np.arange(1, count) / count)

@@ -1,8 +1,7 @@
-"""clearance: whether a position of the tool's centre is clear of the contours.
+"""clearance: test whether a position of the tool's centre is clear of the contours.
 
-    a point, the segments of the contours and a tree over them -> the distance to the nearest
-
-A valid position is also not inside the transition of another corner.
+A position is clear if no segment of a contour is nearer than the radius and it is not inside the
+transition of another corner.  A tree of boxes over the segments finds the near segments.
 """
 
 from __future__ import annotations
@@ -11,20 +10,20 @@ import math
 from typing import Final
 
 from knifetip.geometry.boxes import next_near
-from knifetip.geometry.intersect import circle
+from knifetip.geometry.intersect import circle_of_arc
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import F64_2, OutI64_2, kernel
 from knifetip.offset.raw_segments import CONVEX, U1X, U1Y, U2X, U2Y
 from knifetip.offset.records import BoxTree, RegionCorners
-from knifetip.offset.transition import reach
+from knifetip.offset.transition import straight_and_radius
 
-#: Tolerance of the distance between an offset and its contour (mm), for rounding.
-NEARER: Final = 1e-9
+#: Rounding error that is allowed in the distance between an offset and its contour (mm).
+DISTANCE_TOLERANCE: Final = 1e-9
 
 
 @kernel
-def distance(rows: F64_2, i: int, x: float, y: float) -> float:
-    """Return the distance from a point to row i (mm)."""
+def distance_to_row(rows: F64_2, i: int, x: float, y: float) -> float:
+    """Return the distance of a point (x, y) from the segment in row i (mm)."""
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -38,12 +37,12 @@ def distance(rows: F64_2, i: int, x: float, y: float) -> float:
         px -= share * dx
         py -= share * dy
         return math.sqrt(px * px + py * py)
-    cx, cy, radius = circle(rows, i)
+    cx, cy, radius = circle_of_arc(rows, i)
     qx = x - cx
     qy = y - cy
     away = math.sqrt(qx * qx + qy * qy)
     if away > 0.0:
-        # Whether the ray from the centre through the point meets the arc.
+        # Test whether the ray from the centre through the point meets the arc.
         side = dx * (cy + qy * radius / away - y0) - dy * (cx + qx * radius / away - x0)
         if (side <= 0.0) == (b > 0.0):
             return abs(away - radius)
@@ -56,7 +55,19 @@ def distance(rows: F64_2, i: int, x: float, y: float) -> float:
 def _in_transition(
     kind: int, k: float, table: F64_2, before: int, here: int, vx: float, vy: float, signed: float
 ) -> bool:
-    """Return whether a point, relative to the vertex, is inside a transition of type C or D."""
+    """Return whether a point is inside the area of a corner's transition of type C or D.
+
+    Parameters
+    ----------
+    kind, k
+        Type of the corner and parameter k of type D.
+    table, before, here
+        Moved segments, and the rows of the segments before and after the corner.
+    vx, vy : mm
+        Position of the point relative to the corner's vertex.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    """
     u1x = table[before, U2X]
     u1y = table[before, U2Y]
     u2x = table[here, U1X]
@@ -65,7 +76,7 @@ def _in_transition(
     turn = math.copysign(1.0, signed)
     n1 = turn * (vy * u1x - vx * u1y)
     n2 = turn * (vy * u2x - vx * u2y)
-    if n1 >= size - NEARER or n2 >= size - NEARER:
+    if n1 >= size - DISTANCE_TOLERANCE or n2 >= size - DISTANCE_TOLERANCE:
         return False
     ahead = vx * u1x + vy * u1y
     back = -(vx * u2x + vy * u2y)
@@ -73,7 +84,7 @@ def _in_transition(
         return False
     cross = u1x * u2y - u1y * u2x
     dot = u1x * u2x + u1y * u2y
-    straight, small = reach(kind, cross, dot, size, k)
+    straight, small = straight_and_radius(kind, cross, dot, size, k)
     if straight < POINT:
         return False
     # The ends of both straight parts, relative to the vertex, and the chord between them.
@@ -85,17 +96,17 @@ def _in_transition(
     if gap < POINT:
         return True
     beyond = turn * ((dx - cx) * (vy - cy) - (dy - cy) * (vx - cx)) / gap
-    if beyond <= -NEARER:
+    if beyond <= -DISTANCE_TOLERANCE:
         return True
     if kind == 1:
         return False
     ox = cx + math.copysign(small, signed) * u1y
     oy = cy - math.copysign(small, signed) * u1x
-    return math.hypot(vx - ox, vy - oy) < small - NEARER
+    return math.hypot(vx - ox, vy - oy) < small - DISTANCE_TOLERANCE
 
 
 @kernel
-def clear(
+def is_clear(
     x: float,
     y: float,
     origin: F64_2,
@@ -105,7 +116,21 @@ def clear(
     limit: float,
     corners: RegionCorners,
 ) -> bool:
-    """Return whether a point is at least ``limit`` from the contours and in no transition."""
+    """Return whether a point is at least ``limit`` mm from the contours and in no transition.
+
+    Parameters
+    ----------
+    origin : (n, 5)
+        Segments of the contours: x0, y0, x1, y1, bulge.
+    tree
+        Tree of boxes over these segments.
+    stack
+        Scratch array for the search of the tree.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    corners
+        Corners at the starts of the segments.
+    """
     size = abs(signed)
     around = size * 1.4142135623731 if corners.capped else limit
     stack[0, 0] = tree.height
@@ -125,7 +150,7 @@ def clear(
         )
         if i < 0:
             return True
-        if distance(origin, i, x, y) < limit:
+        if distance_to_row(origin, i, x, y) < limit:
             return False
         if (
             corners.capped
@@ -146,7 +171,7 @@ def clear(
 
 
 @kernel
-def nearest(
+def nearest_segment(
     x: float,
     y: float,
     origin: F64_2,
@@ -155,7 +180,11 @@ def nearest(
     around: float,
     skip: int,
 ) -> tuple[int, float]:
-    """Return the segment nearest to a point, except ``skip``, and its distance if < ``around``."""
+    """Return the segment nearest to a point and its distance (mm).
+
+    ``skip`` is a segment to ignore.  If no other segment is nearer than ``around`` mm, returns
+    ``skip`` and ``around``.
+    """
     best = around
     which = skip
     stack[0, 0] = tree.height
@@ -168,7 +197,7 @@ def nearest(
         if i < 0:
             return which, best
         if i != skip:
-            away = distance(origin, i, x, y)
+            away = distance_to_row(origin, i, x, y)
             if away < best:
                 best = away
                 which = i

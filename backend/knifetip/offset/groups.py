@@ -1,8 +1,6 @@
-"""groups: offset all groups of paths, one after the other, into columns.
+"""groups: offset groups of paths one after the other, and append the results to common columns.
 
-    all paths, and the groups that bound a region together -> columns of the results
-
-Closed paths are trimmed in one pass; groups that need more are passed to ``region``.
+Groups of one closed path are trimmed in one pass; groups that need more are passed to ``region``.
 """
 
 from __future__ import annotations
@@ -13,7 +11,7 @@ import numpy as np
 
 from knifetip.geometry.boxes import Scratch
 from knifetip.kernels import kernel
-from knifetip.offset.raw_segments import COLUMNS, FINE, move_segments
+from knifetip.offset.raw_segments import COLUMNS, NO_FAILURE, move_segments
 from knifetip.offset.records import (
     Contours,
     CornerTypes,
@@ -24,13 +22,13 @@ from knifetip.offset.records import (
     RegionOffset,
 )
 from knifetip.offset.region import offset_region, unreached_area
-from knifetip.offset.transition import MOST
+from knifetip.offset.transition import MAX_SEGMENTS
 from knifetip.offset.trim import offset_simple
 
 
 @kernel
-def _grown_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
-    """Return the segments with room for ``wanted`` rows, of which ``used`` are kept."""
+def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
+    """Return ``out`` with capacity for ``wanted`` rows; the first ``used`` rows are kept."""
     if wanted <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
     size = 2 * wanted
@@ -39,7 +37,7 @@ def _grown_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegmen
     bulge = np.empty(size)
     source = np.empty(size, np.int32)
     inserted = np.empty(size, np.bool_)
-    # Row by row: an assignment of slices takes seconds to compile.
+    # Copied row by row, since an assignment of slices takes seconds to compile.
     for i in range(used):
         start[i, 0], start[i, 1] = out.start[i, 0], out.start[i, 1]
         end[i, 0], end[i, 1] = out.end[i, 0], out.end[i, 1]
@@ -48,8 +46,8 @@ def _grown_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegmen
 
 
 @kernel
-def _grown_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
-    """Return the chains with room for ``wanted``."""
+def _reserve_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
+    """Return ``chains`` with capacity for ``wanted`` chains, all present chains kept."""
     size = len(chains.owner)
     if wanted <= size:
         return OffsetChains(chains.first, chains.owner, chains.unreached)
@@ -71,7 +69,15 @@ def _copy_path(
     chains: OffsetChains,
     count: int,
 ) -> int:
-    """Copy a path unchanged, for a tool without radius; return the next free row."""
+    """Append a path unchanged, for a tool without radius, and return the next free row.
+
+    Parameters
+    ----------
+    out, done
+        Segments of the result and their number.
+    chains, count
+        Chains of the result and their number; the path is written as chain ``count``.
+    """
     chains.first[count] = done
     chains.owner[count] = path
     for i in range(contours.first[path], contours.first[path + 1]):
@@ -88,7 +94,15 @@ def _copy_path(
 def _copy_region(
     region: RegionOffset, out: OffsetSegments, done: int, chains: OffsetChains, count: int
 ) -> int:
-    """Write the chains of a region in the order of their paths; return the next free row."""
+    """Append the chains of a region in the order of their paths, and return the next free row.
+
+    Parameters
+    ----------
+    out, done
+        Segments of the result and their number.
+    chains, count
+        Chains of the result and their number.
+    """
     line, tag, bounds = region.line, region.tag, region.bounds
     for c in np.argsort(tag[bounds[: region.chains], 2], kind="mergesort"):
         chains.first[count] = done
@@ -110,10 +124,20 @@ def _copy_region(
 def offset_groups(
     contours: Contours, groups: OffsetGroups, corners: CornerTypes, refuse: bool
 ) -> Any:
-    """Return start, end, bulge, source, inserted, first, owner, unreached, and a failure.
+    """Return the offsets of all groups as columns, and the first failure.
 
-    With ``refuse`` the first place where the tool does not fit is a failure; otherwise it is
-    omitted.
+    With ``refuse`` a position where the tool does not fit is a failure; otherwise it is left out.
+
+    Returns
+    -------
+    start, end, bulge, source, inserted : (n, 2), (n, 2) mm, (n,) each
+        Segments of the offsets, as in ``OffsetPaths``.
+    first, owner : (q + 1,), (q,)
+        First segment of each offset path, and its input path.
+    unreached : (p,) mm²
+        Area beside each input path that the tool cannot reach.
+    failure
+        Code of ``raw_segments``, the segments concerned, and a depth in mm.
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     count = len(first) - 1
@@ -121,9 +145,9 @@ def offset_groups(
     for p in range(count):
         most = max(most, first[p + 1] - first[p])
     segments = MovedSegments(np.empty((most, COLUMNS)), np.empty(most, np.int64))
-    boxes = np.empty((4, 2 * (MOST + 1) * most))
+    boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * most))
     scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)))
-    size = 2 * len(contours.bulge) + (MOST + 1) * most + 256
+    size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * most + 256
     out = OffsetSegments(
         np.empty((size, 2)),
         np.empty((size, 2)),
@@ -134,12 +158,12 @@ def offset_groups(
     result = OffsetChains(
         np.empty(count + 16, np.int32), np.empty(count + 16, np.int32), np.zeros(count)
     )
-    failure = (FINE, 0, 0, 0.0)
+    failure = (NO_FAILURE, 0, 0, 0.0)
     done = 0
     chains = 0
     group = 0
     while True:
-        result = _grown_chains(result, chains + len(members) - group)
+        result = _reserve_chains(result, chains + len(members) - group)
         group, done, chains = offset_simple(
             contours, groups, group, corners, segments, boxes, scratch, out, done, result, chains
         )
@@ -153,9 +177,9 @@ def offset_groups(
         if rows == 0:
             continue
         path = paths[0]
-        if done + (MOST + 1) * rows > len(out.bulge):
-            # The room may have been too small: try again.
-            out = _grown_segments(out, done, done + (MOST + 1) * rows)
+        if done + (MAX_SEGMENTS + 1) * rows > len(out.bulge):
+            # ``offset_simple`` may have stopped for lack of rows: try the group again with more.
+            out = _reserve_segments(out, done, done + (MAX_SEGMENTS + 1) * rows)
             if len(paths) == 1:
                 group -= 1
                 continue
@@ -165,17 +189,17 @@ def offset_groups(
                 if a == b:
                     continue
                 code, row = move_segments(contours, a, b, 0.0, segments.table, 0)
-                if code != FINE:
+                if code != NO_FAILURE:
                     failure = (code, row, row, 0.0)
                     break
-                result = _grown_chains(result, chains + 2)
+                result = _reserve_chains(result, chains + 2)
                 done = _copy_path(contours, path, out, done, result, chains)
                 chains += 1
-            if failure[0] != FINE:
+            if failure[0] != NO_FAILURE:
                 break
             continue
         region = offset_region(contours, paths, signed[path], corners, refuse, scratch)
-        if region.code != FINE:
+        if region.code != NO_FAILURE:
             failure = (region.code, region.row, region.other, region.depth)
             break
         area = region.unreached
@@ -184,8 +208,8 @@ def offset_groups(
         result.unreached[path] = max(area, 0.0)
         if region.chains == 0:
             continue
-        out = _grown_segments(out, done, done + region.bounds[region.chains])
-        result = _grown_chains(result, chains + region.chains + 1)
+        out = _reserve_segments(out, done, done + region.bounds[region.chains])
+        result = _reserve_chains(result, chains + region.chains + 1)
         done = _copy_region(region, out, done, result, chains)
         chains += region.chains
     result.first[chains] = done

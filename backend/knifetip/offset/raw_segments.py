@@ -1,6 +1,4 @@
-"""raw_segments: the segments of a path, each moved to its side by the radius.
-
-    segments of one path -> a table of tangents, radii and moved ends
+"""raw_segments: move the segments of a path to one side by the radius of the tool.
 
 At corners the moved segments overlap or leave a gap; ``trim`` and ``untrimmed`` connect them.
 
@@ -16,32 +14,34 @@ from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import F64_2, OutF64_2, kernel
 from knifetip.offset.records import Contours
 
-# Results of kernels for a path.
-FINE: Final = 0
+# Failure codes of the kernels: none, a coordinate that is not a number, a segment without length, a
+# segment where the tool does not fit, a closed path whose offset is not closed.
+NO_FAILURE: Final = 0
 NOT_A_NUMBER: Final = 1
 NO_LENGTH: Final = 2
-NO_ROOM: Final = 3
-TORN: Final = 4
+DOES_NOT_FIT: Final = 3
+NOT_CLOSED: Final = 4
 
-# Kinds of joints at the start of a segment; a nearly smooth joint moves the ends slightly.
+# Kinds of joints at the start of a segment.  At SHIFTED joints the ends were moved to an
+# intersection.
 OPEN: Final = 0
 SMOOTH: Final = 1
 CONVEX: Final = 2
 CONCAVE: Final = 3
-SLID: Final = 4
+SHIFTED: Final = 4
 
 # Columns of the table, one row per segment: tangents at both ends, chord, signed radius (0 for a
 # line), ends of the moved segment, and its signed radius (0 for a line, NaN if nothing is left).
 U1X, U1Y, U2X, U2Y, CHORD, RADIUS, SX, SY, EX, EY, MOVED = range(11)
 COLUMNS: Final = 11
 
-#: Largest displacement of an end that keeps the bulge of an arc (mm).
-STILL: Final = 1e-10
+#: Largest shift of an end for which an arc keeps its bulge (mm).
+NEGLIGIBLE_SHIFT: Final = 1e-10
 
 
 @kernel(allocates=False)
 def is_closed(contours: Contours, low: int, high: int) -> bool:
-    """Return whether segments low … high - 1 end at their start."""
+    """Return whether the path with the segments low … high - 1 ends at its start."""
     start, end = contours.start, contours.end
     return math.hypot(start[low, 0] - end[high - 1, 0], start[low, 1] - end[high - 1, 1]) < POINT
 
@@ -50,7 +50,11 @@ def is_closed(contours: Contours, low: int, high: int) -> bool:
 def move_segments(
     contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
 ) -> tuple[int, int]:
-    """Fill the table for segments low … high - 1; return a failure code and its segment."""
+    """Write the moved segments low … high - 1 to ``table`` from row ``at`` on.
+
+    ``signed`` is the radius of the tool (mm), positive left of travel.  Returns a failure code and
+    the segment that failed.
+    """
     start, end, bulge = contours.start, contours.end, contours.bulge
     for i in range(low, high):
         here = at + i - low
@@ -90,16 +94,25 @@ def move_segments(
         table[here, EX] = x1 - signed * u2y
         table[here, EY] = y1 + signed * u2x
         table[here, MOVED] = beside
-    return FINE, low
+    return NO_FAILURE, low
 
 
 @kernel(allocates=False)
-def kept_bulge(
+def remaining_bulge(
     table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float
 ) -> float:
-    """Return the bulge of the remaining part of a moved arc that started at (x, y); 0 for none.
+    """Return the bulge of the remaining part of a moved arc, 0 if no part remains.
 
-    (dx, dy) is the chord of the remaining part, from the start now in the table.
+    Parameters
+    ----------
+    table, here
+        Moved segments, and the row of the arc; its start in the table is the start of the part.
+    dx, dy : mm
+        Chord of the remaining part.
+    bulge
+        Bulge of the whole arc.
+    x, y : mm
+        Start of the arc before it was moved.
     """
     beside = table[here, MOVED]
     # The ray from the centre to the start, perpendicular to the tangent there.

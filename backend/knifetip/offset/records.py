@@ -1,4 +1,4 @@
-"""records: groups of arrays that the kernels of the offset engine pass to each other."""
+"""records: named tuples of the arrays that the kernels of the offset engine pass to each other."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from knifetip.kernels import (
 
 
 class Contours(NamedTuple):
-    """n segments of p paths, before offsetting."""
+    """Input contours: p paths with n segments."""
 
     start: F64_2  #: (n, 2) mm
     end: F64_2  #: (n, 2) mm
@@ -30,108 +30,109 @@ class Contours(NamedTuple):
 
 
 class CornerTypes(NamedTuple):
-    """Type of the transition at the start of each segment, for convex corners."""
+    """Type and parameter k of the transition at each convex corner, the start of a segment."""
 
     kind: U8_1  #: (n,) or (1,) ``transition.Corner``
-    share: F64_1  #: (n,) or (1,) share of C in D
-    step: int  #: 1, or 0 if all corners have the first kind
+    share: F64_1  #: (n,) or (1,) parameter k of type D: 0 as B, 1 as C
+    step: int  #: 1, or 0 if all corners have the first type
 
 
 class MovedSegments(NamedTuple):
     """Segments moved to their side by the radius, not yet connected."""
 
-    table: OutF64_2  #: (n, ``raw_segments.COLUMNS``)
-    joint: OutI64_1  #: (n,) kind of joint at the start of each, such as ``raw_segments.CONVEX``
+    table: OutF64_2  #: (n, ``raw_segments.COLUMNS``) moved ends, tangents and radii
+    joint: OutI64_1  #: (n,) kind of joint at each start, such as ``raw_segments.CONVEX``
 
 
 class OffsetSegments(NamedTuple):
-    """Room for m segments of the result."""
+    """Output columns with capacity for m segments of the result."""
 
     start: OutF64_2  #: (m, 2) mm
     end: OutF64_2  #: (m, 2) mm
     bulge: OutF64_1  #: (m,)
-    source: OutI32_1  #: (m,) segment of the contour
-    inserted: OutBool_1  #: (m,) whether it belongs to a transition
+    source: OutI32_1  #: (m,) contour segment that each segment comes from
+    inserted: OutBool_1  #: (m,) whether the segment belongs to a transition
 
 
 class RawRows(NamedTuple):
-    """Room for rows that are split where they cross."""
+    """Raw segments of a region with capacity for m rows, which are split at their intersections."""
 
     rows: OutF64_2  #: (m, 5) x0, y0, x1, y1, bulge
-    info: OutI64_2  #: (m, 4) segment, whether inserted, whether the next row continues it, path
+    #: (m, 4) contour segment, whether inserted, whether the next row continues the row, path
+    info: OutI64_2
 
 
 class RegionPaths(NamedTuple):
     """The c paths of one region."""
 
-    member: I32_1  #: (c,) number of each
-    begin: I64_1  #: (c + 1,) first segment of each in the region
-    closed: Bool_1  #: (c,)
+    member: I32_1  #: (c,) number of each path in the input
+    begin: I64_1  #: (c + 1,) first segment of each path in the region
+    closed: Bool_1  #: (c,) whether each path is closed
 
 
 class RegionCorners(NamedTuple):
     """The corners of one region, at the start of each of its n segments."""
 
-    moved: MovedSegments
-    before: OutI64_1  #: (n,) segment before each
+    moved: MovedSegments  #: the moved segments
+    before: OutI64_1  #: (n,) segment before each segment
     kind: OutI64_1  #: (n,) ``transition.Corner``
-    share: OutF64_1  #: (n,) share of C in D
-    capped: bool  #: whether there is one of type C or D
+    share: OutF64_1  #: (n,) parameter k of type D
+    capped: bool  #: whether any corner is of type C or D
 
 
 class BoxTree(NamedTuple):
-    """A tree of boxes over rows, as ``boxes.tree`` fills it."""
+    """A tree of bounding boxes over rows, as ``geometry.boxes`` builds it."""
 
-    boxes: F64_2  #: (t, 4) x0, y0, x1, y1: of the rows, then of the nodes above them
-    level: I64_1  #: (24,) first box of each height
-    height: int  #: of the root
+    boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the rows, then of the nodes above them
+    level: I64_1  #: (24,) first box of each height of the tree
+    height: int  #: height of the root
 
 
 class JoinedPieces(NamedTuple):
-    """q pieces of rows, and how they continue each other."""
+    """The q pieces of split rows, and which piece continues which."""
 
-    piece: F64_2  #: (q, 6) x0, y0, x1, y1, and the parameters of the row at its start and end
-    owner: I64_1  #: (q,) row of each
-    opening: I64_1  #: first piece of each row
-    after: OutI64_1  #: (q,) piece that continues each, -1 for none
-    before: OutI64_1  #: (q,) piece that each continues, -1 for none
+    piece: F64_2  #: (q, 6) x0, y0, x1, y1, and parameters of both ends on the row
+    owner: I64_1  #: (q,) row that each piece is part of
+    opening: I64_1  #: (m,) first piece of each row
+    after: OutI64_1  #: (q,) piece that continues each piece, -1 for none
+    before: OutI64_1  #: (q,) piece that each piece continues, -1 for none
 
 
 class ResultChains(NamedTuple):
-    """Room for r rows of the result in chains."""
+    """Result of a region as chains of rows, with capacity for r rows."""
 
     line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
-    tag: OutI64_2  #: (r, 4) segment, whether inserted, path, row
+    tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row
     bounds: OutI64_1  #: first row of each chain, and the number of rows
-    ring: OutBool_1  #: whether each chain is closed
+    closed: OutBool_1  #: whether each chain is closed
 
 
 class OffsetGroups(NamedTuple):
-    """The paths of all groups, and the signed radius of each path."""
+    """The p paths ordered by group, and the signed radius of each path."""
 
-    member: I32_1  #: (p,) paths in the order of their groups
-    bounds: I32_1  #: (g + 1,) where each group begins in ``member``
-    signed: F64_1  #: (p,) mm, positive left of travel
+    member: I32_1  #: (p,) path numbers in the order of their groups
+    bounds: I32_1  #: (g + 1,) position in ``member`` at which each group begins
+    signed: F64_1  #: (p,) radius of the tool (mm), positive left of travel
 
 
 class OffsetChains(NamedTuple):
-    """Room for c chains of the result."""
+    """Output columns with capacity for c chains of the result, for p input paths."""
 
-    first: OutI32_1  #: (c,) first row of each
-    owner: OutI32_1  #: (c,) path of each
-    unreached: OutF64_1  #: (p,) mm² beside each path
+    first: OutI32_1  #: (c,) first row of each chain
+    owner: OutI32_1  #: (c,) input path of each chain
+    unreached: OutF64_1  #: (p,) area beside each path that the tool cannot reach (mm²)
 
 
 class RegionOffset(NamedTuple):
-    """The offset of one region, or the failure."""
+    """The offset of one region, or its failure."""
 
-    line: OutF64_2  #: rows x0, y0, x1, y1, bulge
-    tag: OutI64_2  #: of each row: segment, whether inserted, path, raw row
+    line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
+    tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row
     bounds: OutI64_1  #: first row of each chain, and the number of rows
     chains: int  #: number of chains
-    unreached: float  #: area that the tool does not reach (mm²)
+    unreached: float  #: area that the tool cannot reach (mm²)
     overlaps: bool  #: whether the area is an estimate, because arcs of the tool's edge overlap
-    code: int  #: ``raw_segments.FINE`` or another failure
+    code: int  #: ``raw_segments.NO_FAILURE`` or another code
     row: int  #: segment that fails
-    other: int  #: segment that it comes too close to
-    depth: float  #: by which the tool would cut into it (mm)
+    other: int  #: segment that the tool comes too close to
+    depth: float  #: depth by which the tool would cut into ``other`` (mm)

@@ -1,6 +1,4 @@
-"""slices: split rows where they cross, and connect the valid pieces again.
-
-    rows, their followers and a tree over them -> pieces -> chains
+"""slices: split the raw rows of a region at their intersections, and connect the valid pieces.
 
 Source: our derivation.
 """
@@ -13,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.boxes import apart, next_near
-from knifetip.geometry.intersect import TOUCH, crossing
+from knifetip.geometry.intersect import TOUCH, intersect_rows
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
     F64_2,
@@ -25,12 +23,13 @@ from knifetip.kernels import (
 )
 from knifetip.offset.records import BoxTree, JoinedPieces, RawRows, ResultChains
 
-#: Shortest piece; shorter ones are one crossing split by rounding (mm).
-SPECK: Final = 1e-7
+#: Length of the shortest piece (mm); a shorter one is an intersection that rounding has split.
+MIN_PIECE: Final = 1e-7
 
 
 @kernel
-def _meet_at_ends(rows: F64_2, i: int, j: int) -> bool:
+def _connected(rows: F64_2, i: int, j: int) -> bool:
+    """Return whether row i ends at the start of row j."""
     dx = abs(rows[i, 2] - rows[j, 0])
     dy = abs(rows[i, 3] - rows[j, 1])
     return bool(dx <= TOUCH and dy <= TOUCH)
@@ -46,9 +45,29 @@ def find_cuts(
     stack: OutI64_2,
     found: OutF64_2,
 ) -> tuple[Any, Any, int]:
-    """Return the crossings of rows: row numbers, (parameter, x, y), and their count.
+    """Return the points at which rows are split: their intersections with other rows.
 
-    Rows from ``real`` on only split others.
+    Parameters
+    ----------
+    rows : (count, 5)
+        x0, y0, x1, y1, bulge.
+    follow
+        Successor of each row, -1 for none.
+    real
+        Number of rows that are split; later rows only split them.
+    tree
+        Tree of boxes over all rows.
+    stack, found
+        Scratch arrays.
+
+    Returns
+    -------
+    which : (n,)
+        Row of each split point.
+    place : (n, 3)
+        Parameter on the row, x and y.
+    done
+        Number of split points; the arrays may be longer.
     """
     room = 2 * count + 16
     which = np.empty(room, np.int64)
@@ -72,17 +91,17 @@ def find_cuts(
             )
             if j < 0:
                 break
-            if (follow[i] == j and _meet_at_ends(rows, i, j)) or (
-                j < real and follow[j] == i and _meet_at_ends(rows, j, i)
+            if (follow[i] == j and _connected(rows, i, j)) or (
+                j < real and follow[j] == i and _connected(rows, j, i)
             ):
-                # Neighbours that continue each other have no second common point.
+                # Neighbours that continue each other have only their joint in common.
                 continue
             if apart(
                 rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4],
                 rows[j, 0], rows[j, 1], rows[j, 2], rows[j, 3], rows[j, 4],
             ):  # fmt: skip
                 continue
-            hits = crossing(rows, i, rows, j, TOUCH, found)
+            hits = intersect_rows(rows, i, rows, j, TOUCH, found)
             if done + 2 * hits > room:
                 room *= 2
                 more = np.empty(room, np.int64)
@@ -108,8 +127,21 @@ def find_cuts(
 def split_rows(
     rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
-    """Return the pieces of rows (x0, y0, x1, y1, low, high), their rows, the first of each row, and
-    whether a row is split at its very start or end."""
+    """Return the pieces of the first ``real`` rows, split at the points that ``find_cuts`` returns.
+
+    Returns
+    -------
+    piece : (q, 6)
+        x0, y0, x1, y1, and the parameters of both ends on the row.
+    owner : (q,)
+        Row of each piece.
+    opening : (real,)
+        First piece of each row.
+    touched : (real, 2)
+        Whether a row is split at its very start and at its very end.
+    done
+        Number of pieces; the arrays may be longer.
+    """
     touched = np.zeros((real, 2), np.bool_)
     bound = np.zeros(real + 1, np.int64)
     for c in range(cuts):
@@ -137,7 +169,7 @@ def split_rows(
         length = math.sqrt(dx * dx + dy * dy)
         if b >= BULGE:
             length = length * (1.0 + b * b) * math.atan(b) / b
-        speck = SPECK / length
+        speck = MIN_PIECE / length
         bound_first = done
         x, y, share = rows[i, 0], rows[i, 1], 0.0
         for o in range(bound[i], bound[i + 1]):
@@ -171,9 +203,13 @@ def split_rows(
 
 @kernel
 def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
-    """Find the successor of each piece: the next one of the same row, otherwise the nearest."""
+    """Write the successor and the predecessor of each valid piece to ``pieces``.
+
+    The successor is the next piece of the same row or of the row that follows; otherwise the
+    nearest valid piece that starts at the piece's end and has no predecessor.
+    """
     piece, owner, opening, after, prior = pieces
-    near = 10.0 * SPECK
+    near = 10.0 * MIN_PIECE
     for q in range(count):
         after[q] = -1
         prior[q] = -1
@@ -232,7 +268,7 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 def link_chains(
     raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
-    """Connect pieces into chains: rows, tags, bounds, whether closed; return the count."""
+    """Write the chains of valid pieces to ``out`` and return their number."""
     rows, info = raw
     piece, owner, _, after, prior = pieces
     line, tag, first, ring = out
@@ -250,7 +286,7 @@ def link_chains(
                 used[q] = True
                 i = owner[q]
                 if last >= 0 and owner[last] == i and q == last + 1:
-                    # The split was not needed: the piece continues.
+                    # The row was split here without effect: extend the last row.
                     line[done - 1, 2] = piece[q, 2]
                     line[done - 1, 3] = piece[q, 3]
                     line[done - 1, 4] += piece[q, 5] - piece[q, 4]
@@ -278,7 +314,7 @@ def link_chains(
                 line[low, 1] = line[done - 1, 1]
                 line[low, 4] += line[done - 1, 4]
                 done -= 1
-            done = _tidied(rows, line, tag, low, done, closed)
+            done = _finish_chain(rows, line, tag, low, done, closed)
             if done > low:
                 ring[chains] = closed
                 chains += 1
@@ -287,8 +323,14 @@ def link_chains(
 
 
 @kernel
-def _tidied(rows: F64_2, line: OutF64_2, tag: OutI64_2, low: int, high: int, closed: bool) -> int:
-    """Set the bulges, remove tiny rows, and let each row start at the end of the last one."""
+def _finish_chain(
+    rows: F64_2, line: OutF64_2, tag: OutI64_2, low: int, high: int, closed: bool
+) -> int:
+    """Set the bulges of a chain's rows low … high - 1, remove tiny rows, and close rounding gaps.
+
+    ``line[r, 4]`` is the fraction of the raw row before, and the bulge afterwards.  Returns the end
+    of the chain, ``low`` if no rows remain.
+    """
     done = low
     for r in range(low, high):
         b = rows[tag[r, 3], 4]

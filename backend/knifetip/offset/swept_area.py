@@ -1,6 +1,6 @@
 """swept_area: areas under a path, and under the edge that a tool leaves beside its path.
 
-rows -> twice the area under them
+The area under a path is the area between the path and the origin, positive counter-clockwise.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from knifetip.kernels import F64_1, F64_2, I64_2, OutF64_2, kernel
 
 @kernel
 def _cap_area(chord: float, b: float) -> float:
-    """Return the area between a chord and its arc, positive for a left turn."""
+    """Return the area between a chord (mm) and its arc of bulge b, > 0 for a left turn (mm²)."""
     if abs(b) < BULGE:
         return 0.0
     whole = 1.0 + b * b
@@ -26,7 +26,10 @@ def _cap_area(chord: float, b: float) -> float:
 def _turn_area(
     x: float, y: float, ax: float, ay: float, bx: float, by: float, signed: float
 ) -> float:
-    """Return twice the signed area between an arc around (x, y) from a to b and its chord."""
+    """Return twice the signed area between an arc around (x, y) from a to b and its chord (mm²).
+
+    ``signed`` is the radius, positive for a counter-clockwise arc.
+    """
     ax -= x
     ay -= y
     bx -= x
@@ -40,29 +43,49 @@ def _turn_area(
 
 
 @kernel
-def swept_under(
+def area_under_edge(
     line: F64_2,
     tag: I64_2,
     low: int,
     high: int,
-    ring: bool,
+    closed: bool,
     start: F64_2,
     signed: float,
     from_x: float,
     from_y: float,
-    hops: OutF64_2,
-    hop: int,
+    corner_arcs: OutF64_2,
+    arc_row: int,
 ) -> tuple[float, float, float, int]:
-    """Return twice the area under the edge that a tool leaves beside a chain, and its end point.
+    """Return twice the area under the edge that a tool leaves beside a chain, and the edge's end.
 
-    The edge of an open chain starts at (from_x, from_y).  Arcs of the edge around the corners of
-    the chain are written to ``hops`` from ``hop`` on.
+    Parameters
+    ----------
+    line, tag
+        Rows of all chains, as in ``ResultChains``; the chain has the rows low … high - 1.
+    closed
+        Whether the chain is closed.
+    start
+        Start points of the contour segments.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    from_x, from_y : mm
+        Start of the edge of an open chain.
+    corner_arcs, arc_row
+        Rows for arcs of the edge around the corners of the chain, and the first free row.
+
+    Returns
+    -------
+    twice : mm²
+    x, y : mm
+        End of the edge.
+    arc_row
+        Next free row of ``corner_arcs``.
     """
     twice = 0.0
     x, y = from_x, from_y
     size = abs(signed)
-    begun = not ring
-    for r in range(low, high + (1 if ring else 0)):
+    begun = not closed
+    for r in range(low, high + (1 if closed else 0)):
         again = r == high
         at = low if again else r
         x0, y0, x1, y1, b = line[at, 0], line[at, 1], line[at, 2], line[at, 3], line[at, 4]
@@ -92,12 +115,14 @@ def swept_under(
             ):
                 twice += _turn_area(x0, y0, x, y, ax, ay, signed)
                 half = min(gap / (2.0 * size), 1.0)
-                hops[hop, 0] = x
-                hops[hop, 1] = y
-                hops[hop, 2] = ax
-                hops[hop, 3] = ay
-                hops[hop, 4] = math.copysign(half / (1.0 + math.sqrt(1.0 - half * half)), signed)
-                hop += 1
+                corner_arcs[arc_row, 0] = x
+                corner_arcs[arc_row, 1] = y
+                corner_arcs[arc_row, 2] = ax
+                corner_arcs[arc_row, 3] = ay
+                corner_arcs[arc_row, 4] = math.copysign(
+                    half / (1.0 + math.sqrt(1.0 - half * half)), signed
+                )
+                arc_row += 1
         begun = True
         if again:
             break
@@ -105,12 +130,12 @@ def swept_under(
         if bent != 0.0:
             twice += 2.0 * math.copysign(_cap_area(math.hypot(bx - ax, by - ay), bent), bent)
         x, y = bx, by
-    return twice, x, y, hop
+    return twice, x, y, arc_row
 
 
 @kernel
-def area_under(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
-    """Return twice the area under a path, without its closing chord."""
+def area_under_path(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
+    """Return twice the area under segments low … high - 1, without a closing chord (mm²)."""
     twice = 0.0
     for i in range(low, high):
         twice += start[i, 0] * end[i, 1] - start[i, 1] * end[i, 0]

@@ -1,10 +1,9 @@
 """transition: the path of the tool's centre around a convex corner.
 
-    vertex, tangent in, tangent out, signed radius, type, k -> lines and arcs from B₀ to E₀
-
-B is an arc around the vertex, which the tool touches all the way.  C continues straight and touches
-the vertex only at both ends, but stops at its corners.  D is C with rounded corners: it touches the
-vertex only at both ends and does not stop.
+A transition leads from B₀, beside the end of the segment before the corner, to E₀, beside the start
+of the segment after it.  Type B is an arc around the vertex, which the tool touches all the way.
+Type C continues straight and touches the vertex only at both ends, but stops at its bends.  Type D
+is C with rounded bends: it touches the vertex only at both ends and does not stop.
 
 Source: "Radius compensation algorithm for convex contour closed-angle linear and circular arc
 composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three; the
@@ -29,7 +28,7 @@ from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI32_1, kernel
 
 
 class Corner(IntEnum):
-    """Types of transitions at convex corners."""
+    """Type of a transition at a convex corner."""
 
     B = 0
     C = 1
@@ -37,7 +36,7 @@ class Corner(IntEnum):
 
 
 #: Largest number of segments of a transition.
-MOST = 3
+MAX_SEGMENTS = 3
 
 
 def transitions(
@@ -49,7 +48,7 @@ def transitions(
     side: ArrayLike,
     k: ArrayLike,
 ) -> Paths:
-    """Return the path of the tool's centre around each corner.
+    """Return the path of the tool's centre around each of m corners.
 
     With φ the angle of the corner, relative to the tool, and r the radius::
 
@@ -60,12 +59,18 @@ def transitions(
 
     Parameters
     ----------
-    corner, radius, side, k : (m,) or one for all
-        ``Corner``, mm, +1 left of travel or -1 right, and the share of C in D, 0 to 1.
+    corner : (m,) or one for all
+        ``Corner`` type.
     u1, u2 : (m, 2)
         Directions of travel into and out of the corner.
     point : (m, 2) mm
-        The vertex.
+        Vertex of each corner.
+    radius : (m,) mm, or one for all
+        Radius r of the tool.
+    side : (m,) or one for all
+        +1 with the tool left of travel, -1 right.
+    k : (m,) or one for all
+        Parameter of type D, 0 (as B) to 1 (as C).
 
     Returns
     -------
@@ -86,20 +91,22 @@ def transitions(
     kind = np.broadcast_to(np.asarray(corner, np.uint8), count)
     share = np.broadcast_to(np.asarray(k, np.float64), count)
     size = np.broadcast_to(np.asarray(radius, np.float64), count)
-    check(kind, share)
+    check_corners(kind, share)
     if not (np.isfinite(size) & (size >= 0.0)).all():
         raise CompensationError("tool.bad-radius")
     signed = size * np.broadcast_to(np.asarray(side, np.float64), count)
-    rows = np.empty((MOST * count, 5))
+    rows = np.empty((MAX_SEGMENTS * count, 5))
     first = np.zeros(count + 1, np.int32)
     column = np.ascontiguousarray
-    _all(column(kind), before, after, column(vertex), signed, column(share), rows, first)
+    _write_transitions(
+        column(kind), before, after, column(vertex), signed, column(share), rows, first
+    )
     rows = rows[: first[-1]]
     return Paths(rows[:, :2], rows[:, 2:4], rows[:, 4], first)
 
 
-def check(corner: Any, k: F64) -> None:
-    """Raise if a type is unknown, or a knob that is used is outside 0 … 1."""
+def check_corners(corner: Any, k: F64) -> None:
+    """Raise an error if a corner type is unknown, or the k of a D corner is not in 0 … 1."""
     if (np.asarray(corner) > Corner.D).any():
         row = int(np.flatnonzero(np.asarray(corner) > Corner.D)[0])
         raise CompensationError(
@@ -112,7 +119,7 @@ def check(corner: Any, k: F64) -> None:
 
 
 @kernel(allocates=False)
-def _all(
+def _write_transitions(
     kind: U8_1,
     u1: F64_2,
     u2: F64_2,
@@ -122,12 +129,16 @@ def _all(
     rows: OutF64_2,
     first: OutI32_1,
 ) -> None:
+    """Write the transitions of n corners to ``rows``.
+
+    Writes the first row of each corner, and the number of rows, to ``first`` (n + 1,).
+    """
     for i in range(len(kind)):
         at = first[i]
         cross = u1[i, 0] * u2[i, 1] - u1[i, 1] * u2[i, 0]
         dot = u1[i, 0] * u2[i, 0] + u1[i, 1] * u2[i, 1]
         if signed[i] != 0.0 and (cross * signed[i] < 0.0 or dot <= -1.0 + 1e-12):
-            at = transition(
+            at = write_transition(
                 kind[i],
                 vertex[i, 0],
                 vertex[i, 1],
@@ -145,7 +156,7 @@ def _all(
 
 @kernel(allocates=False)
 def quarter_tangent(cross: float, dot: float) -> float:
-    """Return tan(φ/4) for 0 ≤ φ ≤ π from sin φ and cos φ."""
+    """Return tan(φ/4) for 0 ≤ φ ≤ π, given ``cross`` = ± sin φ and ``dot`` = cos φ."""
     if dot < -0.99:
         # There tan(φ/2) is inaccurate or infinite.
         sin = math.sqrt(0.5 * (1.0 - dot))
@@ -155,10 +166,24 @@ def quarter_tangent(cross: float, dot: float) -> float:
 
 
 @kernel(allocates=False)
-def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[float, float]:
-    """Return the straight length l and the radius r′ of D; l (r′ = 0) for C, r′ for B.
+def straight_and_radius(
+    kind: int, cross: float, dot: float, size: float, k: float
+) -> tuple[float, float]:
+    """Return the length of the straight parts and the radius of the arc of a transition (mm).
 
-    For C beyond 90° l is r: the path continues by r, then across.
+    The length is 0 for type B, the radius is 0 for type C.  For type C beyond 90° the length is the
+    radius of the tool: the path continues by it, then crosses over.
+
+    Parameters
+    ----------
+    kind
+        ``Corner`` type.
+    cross, dot
+        ± sin φ and cos φ of the corner's angle φ.
+    size : mm
+        Radius of the tool.
+    k
+        Parameter of type D.
     """
     if kind == 0:
         return 0.0, size
@@ -174,7 +199,10 @@ def reach(kind: int, cross: float, dot: float, size: float, k: float) -> tuple[f
 
 
 @kernel(allocates=False)
-def _put(rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float) -> int:
+def _write_row(
+    rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float
+) -> int:
+    """Write one segment to row ``at`` and return the next row."""
     rows[at, 0] = x0
     rows[at, 1] = y0
     rows[at, 2] = x1
@@ -184,7 +212,7 @@ def _put(rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bu
 
 
 @kernel(allocates=False)
-def transition(
+def write_transition(
     kind: int,
     x: float,
     y: float,
@@ -197,10 +225,24 @@ def transition(
     rows: OutF64_2,
     at: int,
 ) -> int:
-    """Write the transition at a convex corner into rows (x0, y0, x1, y1, bulge) from ``at`` on.
+    """Write the transition at a convex corner to rows (x0, y0, x1, y1, bulge) from ``at`` on.
 
-    ``signed`` is the radius, positive left of travel.  Returns the next free row.  Transitions with
-    pieces shorter than POINT are simplified: C and D to B, D to C.
+    Transitions with segments shorter than POINT are simplified: C and D to B, D to C.
+
+    Parameters
+    ----------
+    kind, k
+        ``Corner`` type, and the parameter of type D.
+    x, y : mm
+        Vertex of the corner.
+    u1x, u1y, u2x, u2y
+        Unit tangents into and out of the corner.
+    signed : mm
+        Radius of the tool, positive left of travel.
+
+    Returns
+    -------
+    The next free row.
     """
     size = abs(signed)
     cross = u1x * u2y - u1y * u2x
@@ -209,18 +251,18 @@ def transition(
     by = y + signed * u1x
     ex = x - signed * u2y
     ey = y + signed * u2x
-    straight, _ = reach(kind, cross, dot, size, k)
+    straight, _ = straight_and_radius(kind, cross, dot, size, k)
     bulge = -math.copysign(quarter_tangent(cross, dot), signed)
     if straight < POINT:
-        return _put(rows, at, bx, by, ex, ey, bulge)
+        return _write_row(rows, at, bx, by, ex, ey, bulge)
     cx = bx + straight * u1x
     cy = by + straight * u1y
     dx = ex - straight * u2x
     dy = ey - straight * u2y
     gap = math.hypot(dx - cx, dy - cy)
     if gap < POINT:
-        at = _put(rows, at, bx, by, cx, cy, 0.0)
-        return _put(rows, at, cx, cy, ex, ey, 0.0)
-    at = _put(rows, at, bx, by, cx, cy, 0.0)
-    at = _put(rows, at, cx, cy, dx, dy, bulge if kind == 2 else 0.0)
-    return _put(rows, at, dx, dy, ex, ey, 0.0)
+        at = _write_row(rows, at, bx, by, cx, cy, 0.0)
+        return _write_row(rows, at, cx, cy, ex, ey, 0.0)
+    at = _write_row(rows, at, bx, by, cx, cy, 0.0)
+    at = _write_row(rows, at, cx, cy, dx, dy, bulge if kind == 2 else 0.0)
+    return _write_row(rows, at, dx, dy, ex, ey, 0.0)

@@ -1,9 +1,7 @@
-"""trim: the offset of a path whose moved neighbours are trimmed to their intersection.
+"""trim: offset a path by trimming moved neighbours to their intersection.
 
-    one path -> rows, and the area that the disc cannot reach in its corners; or a failure
-
-Enough for most contours.  A moved segment is trimmed where its neighbour crosses it once.  If
-nothing is left of a segment, or neighbours cross twice or not at all, ``region`` takes over.
+This is enough for most contours.  A moved segment is trimmed if its neighbour crosses it once.  If
+no part of a segment remains, or neighbours cross twice or not at all, ``region`` takes over.
 """
 
 from __future__ import annotations
@@ -17,16 +15,16 @@ from knifetip.kernels import F64_2, OutF64_2, kernel
 from knifetip.offset.raw_segments import (
     CONCAVE,
     CONVEX,
+    DOES_NOT_FIT,
     EX,
     EY,
-    FINE,
     MOVED,
-    NO_ROOM,
+    NEGLIGIBLE_SHIFT,
+    NO_FAILURE,
     OPEN,
     RADIUS,
-    SLID,
+    SHIFTED,
     SMOOTH,
-    STILL,
     SX,
     SY,
     U1X,
@@ -34,8 +32,8 @@ from knifetip.offset.raw_segments import (
     U2X,
     U2Y,
     is_closed,
-    kept_bulge,
     move_segments,
+    remaining_bulge,
 )
 from knifetip.offset.records import (
     Contours,
@@ -45,12 +43,15 @@ from knifetip.offset.records import (
     OffsetGroups,
     OffsetSegments,
 )
-from knifetip.offset.transition import MOST, quarter_tangent, transition
+from knifetip.offset.transition import MAX_SEGMENTS, quarter_tangent, write_transition
 
 
 @kernel(allocates=False)
-def _sliver(x: float, y: float, radius: float) -> float:
-    """Return twice the area between a chord (x, y) and its arc of less than half a turn."""
+def _twice_circular_segment(x: float, y: float, radius: float) -> float:
+    """Return twice the area between a chord (x, y) and its arc of less than half a turn (mm²).
+
+    The area has the sign of ``radius``; it is 0 for radius 0.
+    """
     if radius == 0.0:
         return 0.0
     square = min(0.25 * (x * x + y * y) / (radius * radius), 1.0)
@@ -67,10 +68,10 @@ def _sliver(x: float, y: float, radius: float) -> float:
 
 
 @kernel(allocates=False)
-def _holds(
+def _contains_point(
     table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Return whether a moved segment from s to e contains a point of its line or circle."""
+    """Return whether a moved segment from s to e contains a point (x, y) of its line or circle."""
     dx, dy = ex - sx, ey - sy
     slack = TOUCH * (abs(dx) + abs(dy))
     radius = table[at, RADIUS]
@@ -91,11 +92,28 @@ def concave_crossing(
     here: int,
     signed: float,
 ) -> tuple[int, float, float, float, float, float]:
-    """Intersect the moved neighbours of a concave corner, at least one of them an arc.
+    """Intersect the moved segments at a concave corner, at least one of them an arc.
 
-    Returns the number of intersections, the point, and for the area that a disc there cannot
-    reach: cosine and sine of the angle between its contact points, and twice the area without
-    that of the disc.
+    Parameters
+    ----------
+    last, next_
+        Contour segments before and after the corner.
+    table, before, here
+        Moved segments, and the rows of these two segments.
+    signed : mm
+        Radius of the tool, positive left of travel.
+
+    Returns
+    -------
+    hits
+        Number of intersections.
+    x, y : mm
+        The intersection.
+    cosine, sine
+        Of the angle between the contact points of a disc at the intersection.
+    twice : mm²
+        Twice the area between corner and contact points that the disc cannot reach, plus twice the
+        area of the disc's sector.
     """
     start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]
@@ -134,11 +152,11 @@ def concave_crossing(
         return 0, x, y, 1.0, 0.0, 0.0
     gx, gy = fx + rx, fy + ry
     hits = int(
-        _holds(table, before, sx, sy, ax, ay, gx, gy)
-        and _holds(table, here, bx, by, ex, ey, gx, gy)
+        _contains_point(table, before, sx, sy, ax, ay, gx, gy)
+        and _contains_point(table, here, bx, by, ex, ey, gx, gy)
     )
     ox, oy = fx - rx, fy - ry
-    if _holds(table, before, sx, sy, ax, ay, ox, oy) and _holds(
+    if _contains_point(table, before, sx, sy, ax, ay, ox, oy) and _contains_point(
         table, here, bx, by, ex, ey, ox, oy
     ):
         hits += 1
@@ -156,7 +174,12 @@ def concave_crossing(
     else:
         scale = radius2 / moved2
         f2x, f2y = c2x + (gx - c2x) * scale, c2y + (gy - c2y) * scale
-    twice = f2x * f1y - f2y * f1x + _sliver(f1x, f1y, radius1) + _sliver(f2x, f2y, radius2)
+    twice = (
+        f2x * f1y
+        - f2y * f1x
+        + _twice_circular_segment(f1x, f1y, radius1)
+        + _twice_circular_segment(f2x, f2y, radius2)
+    )
     ax, ay, bx, by = f1x - gx, f1y - gy, f2x - gx, f2y - gy
     sine = ax * by - ay * bx
     if signed < 0.0:
@@ -166,8 +189,8 @@ def concave_crossing(
 
 
 @kernel(allocates=False)
-def _turned(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
-    """Return the product of two unit complex numbers, and whether the sum of angles wrapped."""
+def _multiply_rotations(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
+    """Return the product of two unit complex numbers, and whether the sum of the angles wrapped."""
     product = re * dot - im * sine
     up = re * sine + im * dot
     return product, up, im >= 0.0 > up and min(re, product) < 0.0
@@ -185,8 +208,14 @@ def _trim_corners(
 ) -> tuple[int, int, float, float]:
     """Trim neighbours at concave corners to their intersection, and classify each corner.
 
-    Returns a failure code and its segment, twice the area lost at concave corners without that of
-    the disc, and the sum of the angles there.
+    Returns
+    -------
+    code, segment
+        Failure code and the segment that failed.
+    twice : mm²
+        Twice the area lost at concave corners, plus twice the area of the disc's sectors there.
+    angle : radians
+        Sum of the angles of these sectors.
     """
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
@@ -198,7 +227,7 @@ def _trim_corners(
         here = at + i
         joint[here] = OPEN
         if math.isnan(table[here, MOVED]):
-            return NO_ROOM, low + i, 0.0, 0.0
+            return DOES_NOT_FIT, low + i, 0.0, 0.0
         if i == 0 and not closed:
             continue
         before = here - 1 if i > 0 else at + count - 1
@@ -211,12 +240,12 @@ def _trim_corners(
         if not smooth and (cross * signed < 0.0 or dot < -1.0 + 1e-12):
             joint[here] = CONVEX
             if dot < -1.0 + 1e-12:
-                return NO_ROOM, low + i, 0.0, 0.0
+                return DOES_NOT_FIT, low + i, 0.0, 0.0
             continue
         if smooth or (table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0):
             # A nearly smooth joint is intersected like two lines.
             if dot < -1.0 + 1e-9:
-                return NO_ROOM, low + i, 0.0, 0.0
+                return DOES_NOT_FIT, low + i, 0.0, 0.0
             share = signed / (1.0 + dot)
             gx = start[low + i, 0] - share * (u1y + u2y)
             gy = start[low + i, 1] + share * (u1x + u2x)
@@ -224,18 +253,18 @@ def _trim_corners(
             sine = abs(cross)
             if smooth:
                 off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
-                joint[here] = SLID if off > STILL else SMOOTH
+                joint[here] = SHIFTED if off > NEGLIGIBLE_SHIFT else SMOOTH
                 dot, sine = 1.0, 0.0
             else:
                 twice += 2.0 * abs(share) * size * sine
         else:
             if math.isnan(table[before, MOVED]):
-                return NO_ROOM, last, 0.0, 0.0
+                return DOES_NOT_FIT, last, 0.0, 0.0
             hits, gx, gy, dot, sine, more = concave_crossing(
                 contours, last, low + i, table, before, here, signed
             )
             if hits != 1 or sine < 0.0:
-                return NO_ROOM, low + i, 0.0, 0.0
+                return DOES_NOT_FIT, low + i, 0.0, 0.0
             joint[here] = CONCAVE
             twice += more
         table[before, EX] = gx
@@ -243,16 +272,16 @@ def _trim_corners(
         table[here, SX] = gx
         table[here, SY] = gy
         if sine > 0.0:
-            re, im, round_ = _turned(re, im, dot, sine)
+            re, im, round_ = _multiply_rotations(re, im, dot, sine)
             turns += round_
-    return FINE, low, twice, math.atan2(im, re) + 2.0 * math.pi * turns
+    return NO_FAILURE, low, twice, math.atan2(im, re) + 2.0 * math.pi * turns
 
 
 @kernel(allocates=False)
 def _trimmed_bulge(
     contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
 ) -> float:
-    """Return the bulge of segment i trimmed at its start or end, NaN if nothing is left."""
+    """Return the bulge of segment i trimmed at its start or end, NaN if no part remains."""
     table = segments.table
     dx = table[here, EX] - table[here, SX]
     dy = table[here, EY] - table[here, SY]
@@ -267,14 +296,16 @@ def _trimmed_bulge(
         # Beyond half a turn the remaining part cannot be told from its complement.
         return math.nan
     if begins or ends:
-        bent = kept_bulge(table, here, dx, dy, bent, contours.start[i, 0], contours.start[i, 1])
+        bent = remaining_bulge(
+            table, here, dx, dy, bent, contours.start[i, 0], contours.start[i, 1]
+        )
         if bent == 0.0:
             return math.nan
     return bent
 
 
 @kernel(allocates=False)
-def _write_transition(
+def _write_corner(
     contours: Contours,
     i: int,
     table: F64_2,
@@ -286,7 +317,7 @@ def _write_transition(
     put: int,
     rows: OutF64_2,
 ) -> int:
-    """Write the transition at the start of segment i; return the next free row."""
+    """Write the transition at the start of segment i to ``out`` and return the next free row."""
     u1x, u1y = table[before, U2X], table[before, U2Y]
     u2x, u2y = table[here, U1X], table[here, U1Y]
     if corners.kind[corners.step * i] == 0:
@@ -299,7 +330,7 @@ def _write_transition(
         out.source[put] = i
         out.inserted[put] = True
         return put + 1
-    count = transition(
+    count = write_transition(
         corners.kind[corners.step * i],
         contours.start[i, 0],
         contours.start[i, 1],
@@ -338,7 +369,7 @@ def trim_path(
     put: int,
     rows: OutF64_2,
 ) -> tuple[int, int, int, float]:
-    """Write the offset of a path: moved segments, trimmed to their intersections.
+    """Write the offset of a path: moved segments, trimmed to their intersections, and transitions.
 
     Parameters
     ----------
@@ -347,16 +378,21 @@ def trim_path(
     segments, at
         The moved segments, from row ``at`` on.
     out, put
-        Output, from row ``put`` on.
+        Output columns, written from row ``put`` on.
     rows
-        Room for one transition.
+        Scratch rows for one transition.
 
     Returns
     -------
-    The next free row, a failure, its segment, and the area lost at concave corners.
+    put
+        Next free row of the output.
+    code, segment
+        Failure code and the segment that failed.
+    lost : mm²
+        Area lost at concave corners.
     """
     code, row, twice, angle = _trim_corners(contours, low, high, closed, signed, segments, at)
-    if code != FINE:
+    if code != NO_FAILURE:
         return put, code, row, 0.0
     table, joint = segments.table, segments.joint
     count = high - low
@@ -367,10 +403,10 @@ def trim_path(
         ends = joint[follows] >= CONCAVE and (closed or i < count - 1)
         bent = _trimmed_bulge(contours, low + i, segments, here, begins, ends)
         if math.isnan(bent):
-            return put, NO_ROOM, low + i, 0.0
+            return put, DOES_NOT_FIT, low + i, 0.0
         if joint[here] == CONVEX:
             before = here - 1 if i > 0 else at + count - 1
-            put = _write_transition(
+            put = _write_corner(
                 contours, low + i, table, before, here, signed, corners, out, put, rows
             )
         out.start[put, 0] = table[here, SX]
@@ -382,7 +418,7 @@ def trim_path(
         out.inserted[put] = False
         put += 1
     size = abs(signed)
-    return put, FINE, low, max(0.5 * (twice - size * size * angle), 0.0)
+    return put, NO_FAILURE, low, max(0.5 * (twice - size * size * angle), 0.0)
 
 
 @kernel(allocates=False)
@@ -399,10 +435,23 @@ def offset_simple(
     chains: OffsetChains,
     count: int,
 ) -> tuple[int, int, int]:
-    """Offset groups of one closed path each, from ``group`` on, while trimming is enough.
+    """Offset groups of one closed path each, from ``group`` on, as long as trimming is enough.
 
-    Returns the first group that is not done, and the number of rows and chains.  Also stops if
-    there is no room for more rows.
+    It also stops if the output columns lack capacity for another path.
+
+    Parameters
+    ----------
+    out, done
+        Segments of the result and their number.
+    chains, count
+        Chains of the result and their number.
+
+    Returns
+    -------
+    group
+        First group that is not done.
+    done, count
+        Number of segments and of chains of the result.
     """
     bounds, signed = groups.bounds, groups.signed
     checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)
@@ -413,17 +462,17 @@ def offset_simple(
             bounds[group + 1] - bounds[group] > 1
             or low == high
             or signed[path] == 0.0
-            or done + (MOST + 1) * (high - low) > len(out.bulge)
+            or done + (MAX_SEGMENTS + 1) * (high - low) > len(out.bulge)
             or not is_closed(contours, low, high)
         ):
             break
         code, _ = move_segments(contours, low, high, signed[path], segments.table, 0)
-        if code != FINE:
+        if code != NO_FAILURE:
             break
         put, code, _, lost = trim_path(
             contours, low, high, True, signed[path], corners, segments, 0, out, done, scratch.pair
         )
-        if code != FINE or meets_itself(checked, done, put, boxes, scratch):
+        if code != NO_FAILURE or meets_itself(checked, done, put, boxes, scratch):
             break
         chains.first[count] = done
         chains.owner[count] = path

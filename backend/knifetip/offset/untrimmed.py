@@ -1,8 +1,7 @@
 """untrimmed: the moved segments of a path without trimming, if trimming is not enough.
 
-    one path -> rows that ``region`` splits where they cross
-
-Neighbours are trimmed to their intersection only if both keep half their length.
+``region`` splits these segments at their intersections.  Neighbours are trimmed to their
+intersection only if both keep about half their length.
 """
 
 from __future__ import annotations
@@ -18,26 +17,26 @@ from knifetip.offset.raw_segments import (
     EX,
     EY,
     MOVED,
+    NEGLIGIBLE_SHIFT,
     OPEN,
     RADIUS,
-    SLID,
+    SHIFTED,
     SMOOTH,
-    STILL,
     SX,
     SY,
     U1X,
     U1Y,
     U2X,
     U2Y,
-    kept_bulge,
+    remaining_bulge,
 )
 from knifetip.offset.records import Contours, CornerTypes, MovedSegments, RawRows
-from knifetip.offset.transition import transition
+from knifetip.offset.transition import write_transition
 from knifetip.offset.trim import concave_crossing
 
 
 @kernel
-def _meeting(
+def _trim_point(
     contours: Contours,
     last: int,
     next_: int,
@@ -46,7 +45,17 @@ def _meeting(
     here: int,
     signed: float,
 ) -> tuple[float, float]:
-    """Return the point to which two neighbours at a concave corner are trimmed, or NaN."""
+    """Return the point to which the neighbours at a concave corner are trimmed (mm).
+
+    It is NaN if they do not cross once, or if one would lose more than about half its length.
+
+    Parameters
+    ----------
+    last, next_
+        Contour segments before and after the corner.
+    table, before, here
+        Moved segments, and the rows of these two segments.
+    """
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
         u1x, u1y = table[before, U2X], table[before, U2Y]
         u2x, u2y = table[here, U1X], table[here, U1Y]
@@ -75,7 +84,7 @@ def _meeting(
 
 
 @kernel
-def _slide_joints(
+def _trim_long_neighbours(
     contours: Contours,
     low: int,
     high: int,
@@ -84,7 +93,7 @@ def _slide_joints(
     segments: MovedSegments,
     at: int,
 ) -> None:
-    """Classify each corner, and trim neighbours that both keep half their length."""
+    """Classify each corner, and trim neighbours that both keep about half their length."""
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
@@ -104,18 +113,18 @@ def _slide_joints(
             gx = start[low + i, 0] - share * (u1y + u2y)
             gy = start[low + i, 1] + share * (u1x + u2x)
             off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
-            joint[here] = SLID if off > STILL else SMOOTH
+            joint[here] = SHIFTED if off > NEGLIGIBLE_SHIFT else SMOOTH
         elif cross * signed < 0.0 or dot < -1.0 + 1e-12:
             joint[here] = CONVEX
             continue
         else:
             # Parts beyond the crossing are too close to a neighbour, but in a very flat corner by
-            # less than NEARER, so they are removed here.
+            # less than DISTANCE_TOLERANCE, so they are removed here.
             joint[here] = CONCAVE
-            gx, gy = _meeting(contours, last, low + i, table, before, here, signed)
+            gx, gy = _trim_point(contours, last, low + i, table, before, here, signed)
             if math.isnan(gx):
                 continue
-            joint[here] = SLID
+            joint[here] = SHIFTED
         table[before, EX] = gx
         table[before, EY] = gy
         table[here, SX] = gx
@@ -138,7 +147,7 @@ def raw_offset(
 ) -> int:
     """Write the untrimmed moved segments and transitions of a path to ``raw`` from row ``put`` on.
 
-    Arcs of which nothing is left are omitted.
+    Arcs of which no part remains are omitted.
 
     Parameters
     ----------
@@ -153,7 +162,7 @@ def raw_offset(
     -------
     The next free row.
     """
-    _slide_joints(contours, low, high, closed, signed, segments, at)
+    _trim_long_neighbours(contours, low, high, closed, signed, segments, at)
     start, bulge, (table, joint), (rows, info) = contours.start, contours.bulge, segments, raw
     count = high - low
     for i in range(count):
@@ -164,7 +173,7 @@ def raw_offset(
         if joint[here] == CONVEX:
             before = at + (i - 1 if i > 0 else count - 1)
             begun = put
-            put = transition(
+            put = write_transition(
                 corners.kind[corners.step * (low + i)],
                 start[low + i, 0],
                 start[low + i, 1],
@@ -192,10 +201,12 @@ def raw_offset(
         bent = 0.0
         if table[here, RADIUS] != 0.0:
             bent = bulge[low + i]
-            if joint[here] == SLID or joint[follows] == SLID:
+            if joint[here] == SHIFTED or joint[follows] == SHIFTED:
                 dx = table[here, EX] - table[here, SX]
                 dy = table[here, EY] - table[here, SY]
-                kept = kept_bulge(table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1])
+                kept = remaining_bulge(
+                    table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1]
+                )
                 bent = kept if kept != 0.0 else bent
         rows[put, 4] = bent
         info[put, 0] = low + i

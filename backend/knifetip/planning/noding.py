@@ -12,7 +12,7 @@ import numpy as np
 from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.intersect import crossings
+from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.tolerance import JOIN
 from knifetip.planning.box_pairs import box_pairs
 
@@ -78,7 +78,7 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
     once = one < other
     one, other = one[once], other[once]
-    found = crossings(ends[one, 0], ends[one, 1], bulge[one],
+    found = intersect_pairs(ends[one, 0], ends[one, 1], bulge[one],
                     ends[other, 0], ends[other, 1], bulge[other])  # fmt: skip
     pair, which = np.nonzero(np.arange(found.points.shape[1]) < found.count[:, None])
     point = found.points[pair, which]

@@ -51,16 +51,16 @@ def test_two_ways_straight_on_are_left_open() -> None:
     assert sizes(chain(fork, np.zeros(3))) == [1, 1, 1]
 
 
-def test_a_corner_sharper_than_the_kink_is_not_joined() -> None:
+def test_a_corner_sharper_than_the_largest_turn_is_not_joined() -> None:
     corner = edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))
-    assert sizes(chain(corner, np.zeros(2), kink=89.0)) == [1, 1]
-    assert sizes(chain(corner, np.zeros(2), kink=91.0)) == [2]
+    assert sizes(chain(corner, np.zeros(2), max_turn=89.0)) == [1, 1]
+    assert sizes(chain(corner, np.zeros(2), max_turn=91.0)) == [2]
 
 
 def test_a_line_runs_smoothly_into_an_arc() -> None:
     # From the line's end due east an arc of a quarter turn to the left.
     smooth = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)))
-    assert sizes(chain(smooth, np.array([0.0, np.tan(np.pi / 8)]), kink=ANGLE)) == [2]
+    assert sizes(chain(smooth, np.array([0.0, np.tan(np.pi / 8)]), max_turn=ANGLE)) == [2]
 
 
 def test_ends_further_apart_than_the_gap_are_not_joined() -> None:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.intersect import crossings
+from knifetip.geometry.intersect import intersect_pairs
 
 #: From (10, 0) over (0, 10) to (-10, 0).
 HALF = ((10.0, 0.0), (-10.0, 0.0), 1.0)
@@ -22,7 +22,7 @@ def shared(
     """Return the points of one pair, sorted, with the shares of both lengths."""
     columns = [np.array([value]) for value in (*one, *two)]
     a, b, bend, c, d, turn = columns
-    found = crossings(a, b, bend, c, d, turn)
+    found = intersect_pairs(a, b, bend, c, d, turn)
     count = found.count[0]
     rows = np.column_stack([found.points[0], found.first[0], found.second[0]])[:count]
     return rows[np.lexsort(rows.T[::-1])]
@@ -103,14 +103,14 @@ def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
     if min(np.hypot(*(ends[1] - ends[0])[0]), np.hypot(*(ends[3] - ends[2])[0])) < 1.0:
         return
     one, two = (ends[0], ends[1], np.array([b1])), (ends[2], ends[3], np.array([b2]))
-    found = crossings(*one, *two)
+    found = intersect_pairs(*one, *two)
     count = found.count[0]
     for i in range(count):
         for segment, share in ((one, found.first), (two, found.second)):
             on = arc.point_at(*segment, share[:, i])[0]
             np.testing.assert_allclose(on, found.points[0, i], atol=1e-5)
     # The other way round it is the same.
-    again = crossings(*two, *one)
+    again = intersect_pairs(*two, *one)
     assert again.count[0] == count
     # Walk along the first: wherever it changes sides of the second, a crossing must stand.
     fine = arc.points_along(*one, 400)[0]
@@ -138,7 +138,7 @@ def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
 def test_many_pairs_go_through_one_call() -> None:
     rows = 1000
     x = np.arange(rows, dtype=float)
-    found = crossings(
+    found = intersect_pairs(
         np.column_stack([x, np.zeros(rows)]),
         np.column_stack([x, np.full(rows, 10.0)]),
         np.zeros(rows),

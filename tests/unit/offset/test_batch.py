@@ -31,7 +31,7 @@ def notched(count: int) -> Paths:
 
 def on(number: int, monkeypatch: pytest.MonkeyPatch, *args: Any, **options: Any) -> OffsetPaths:
     """Return an equidistant done on so many cores."""
-    monkeypatch.setattr(batch, "_WORTH_A_CORE", 8)
+    monkeypatch.setattr(batch, "_MIN_SEGMENTS", 8)
     monkeypatch.setattr("os.cpu_count", lambda: number)
     return offset_paths(*args, **options)
 

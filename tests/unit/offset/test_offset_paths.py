@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
-from knifetip.geometry.intersect import crossings
+from knifetip.geometry.intersect import intersect_pairs
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
-from knifetip.offset.offset_paths import NEARER, OffsetPaths, offset_paths
+from knifetip.offset.clearance import DISTANCE_TOLERANCE
+from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from knifetip.offset.transition import Corner
 from tests.support.shapes import paths as paths_of
 from tests.support.shapes import rotation
@@ -73,7 +74,7 @@ def simple(paths: Paths) -> Paths:
     for low, high in zip(paths.first[:-1], paths.first[1:], strict=True):
         one, two = np.triu_indices(high - low, 1)
         start, end, bulge = paths.start[low:high], paths.end[low:high], paths.bulge[low:high]
-        found = crossings(start[one], end[one], bulge[one], start[two], end[two], bulge[two])
+        found = intersect_pairs(start[one], end[one], bulge[one], start[two], end[two], bulge[two])
         neighbours = (two - one == 1) | (two - one == high - low - 1)
         good.append((found.count == neighbours).all())
     return select_paths(paths, np.flatnonzero(good).astype(np.int32))[0]
@@ -248,7 +249,7 @@ def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
     )
     made = offset_paths(shoe, 5.0, -1)
     assert len(made.paths) == 2
-    assert clearance(made, shoe) >= 5.0 - NEARER
+    assert clearance(made, shoe) >= 5.0 - DISTANCE_TOLERANCE
     outer, inner = areas(made.paths)
     assert outer > 0.0 > inner
     # Inside, 40 × 40 less 5 all round, and both posts of the mouth keep their distance.
@@ -302,7 +303,7 @@ def test_an_open_path_keeps_clear_of_its_own_ends_and_back() -> None:
     hook = strip((0, 0), (40, 0), (40, 30), (20, 30), (20, 6))
     for side in (1, -1):
         made = offset_paths(hook, 8.0, side)
-        assert clearance(made, hook) >= 8.0 - NEARER
+        assert clearance(made, hook) >= 8.0 - DISTANCE_TOLERANCE
         assert tight(made)
         assert not made.paths.closed[0]
         # Left of it, what it encloses is a pocket of its own.

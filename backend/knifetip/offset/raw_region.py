@@ -1,0 +1,234 @@
+"""raw_region: the raw offset of a region, path by path, before pieces are selected."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.geometry.boxes import FAN
+from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_2, I32_1, OutF64_2, OutI64_1, kernel
+from knifetip.offset.raw_segments import (
+    COLUMNS,
+    MOVED,
+    NO_FAILURE,
+    U1X,
+    U1Y,
+    U2X,
+    U2Y,
+    is_closed,
+    move_segments,
+)
+from knifetip.offset.records import (
+    Contours,
+    CornerTypes,
+    MovedSegments,
+    OffsetSegments,
+    RawRows,
+    RegionCorners,
+    RegionPaths,
+)
+from knifetip.offset.transition import MAX_SEGMENTS, write_transition
+from knifetip.offset.trim import trim_path
+from knifetip.offset.untrimmed import raw_offset
+
+#: Number of columns and of rows of the grid that orders the paths of a large group.
+GRID_CELLS: Final = 1 << 15
+
+
+@kernel
+def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
+    """Return the paths of a region, (c,), in the order of a Z-order curve: near paths are adjacent.
+
+    A tree of boxes over paths in this order is searched fast.
+    """
+    count = len(member)
+    if count <= FAN:
+        return member.copy()
+    low_x = low_y = math.inf
+    high_x = high_y = -math.inf
+    for path in member:
+        if first[path] < first[path + 1]:
+            x, y = start[first[path], 0], start[first[path], 1]
+            low_x, low_y = min(low_x, x), min(low_y, y)
+            high_x, high_y = max(high_x, x), max(high_y, y)
+    side = max(high_x - low_x, high_y - low_y)
+    code = np.zeros(count, np.int64)
+    if not (side > 0.0 and math.isfinite(side)):
+        return member.copy()
+    for m in range(count):
+        path = member[m]
+        if first[path] == first[path + 1]:
+            continue
+        x_cell = int((start[first[path], 0] - low_x) / side * (GRID_CELLS - 1))
+        y_cell = int((start[first[path], 1] - low_y) / side * (GRID_CELLS - 1))
+        for bit in range(15):
+            code[m] |= ((x_cell >> bit) & 1) << (2 * bit)
+            code[m] |= ((y_cell >> bit) & 1) << (2 * bit + 1)
+    return member[np.argsort(code, kind="mergesort")]
+
+
+@kernel
+def region_paths(contours: Contours, members: I32_1) -> RegionPaths:
+    """Return the paths of a region in spatial order."""
+    member = _sort_spatially(contours.start, contours.first, members)
+    count = len(member)
+    begin = np.zeros(count + 1, np.int64)
+    closed = np.zeros(count, np.bool_)
+    for m in range(count):
+        a, b = contours.first[member[m]], contours.first[member[m] + 1]
+        begin[m + 1] = begin[m] + b - a
+        closed[m] = a < b and is_closed(contours, a, b)
+    return RegionPaths(member, begin, closed)
+
+
+@kernel
+def region_corners(
+    contours: Contours, paths: RegionPaths, corners: CornerTypes, source: OutI64_1, origin: OutF64_2
+) -> RegionCorners:
+    """Return the corners of a region, with capacity for its moved segments, and write its segments.
+
+    Writes the contour segment of each of the n segments to ``source`` (n,), and x0, y0, x1, y1 and
+    bulge to ``origin`` (n, 5).
+    """
+    total = len(source)
+    segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
+    before = np.empty(total, np.int64)
+    kind = np.empty(total, np.int64)
+    share = np.empty(total)
+    capped = False
+    for m in range(len(paths.member)):
+        a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+        at = paths.begin[m]
+        for i in range(a, b):
+            here = at + i - a
+            origin[here, 0] = contours.start[i, 0]
+            origin[here, 1] = contours.start[i, 1]
+            origin[here, 2] = contours.end[i, 0]
+            origin[here, 3] = contours.end[i, 1]
+            origin[here, 4] = contours.bulge[i] if abs(contours.bulge[i]) >= BULGE else 0.0
+            source[here] = i
+            before[here] = here - 1 if i > a else at + b - a - 1
+            kind[here] = corners.kind[corners.step * i]
+            share[here] = corners.share[corners.step * i]
+            capped |= corners.kind[corners.step * i] > 0
+    return RegionCorners(segments, before, kind, share, capped)
+
+
+@kernel
+def _write_trimmed(
+    made: OffsetSegments, count: int, closed: bool, raw: RawRows, put: int, m: int
+) -> int:
+    """Append a trimmed path to the raw rows, as path ``m``, and return the next free row."""
+    for r in range(count):
+        raw.rows[put, 0] = made.start[r, 0]
+        raw.rows[put, 1] = made.start[r, 1]
+        raw.rows[put, 2] = made.end[r, 0]
+        raw.rows[put, 3] = made.end[r, 1]
+        raw.rows[put, 4] = made.bulge[r]
+        raw.info[put, 0] = made.source[r]
+        raw.info[put, 1] = made.inserted[r]
+        raw.info[put, 2] = closed or r < count - 1
+        raw.info[put, 3] = m
+        put += 1
+    return put
+
+
+@kernel
+def write_raw_region(
+    contours: Contours,
+    paths: RegionPaths,
+    signed: float,
+    corners: CornerTypes,
+    segments: MovedSegments,
+    raw: RawRows,
+    follow: OutI64_1,
+    rows: OutF64_2,
+) -> tuple[int, int, int, int]:
+    """Write the offset of each path of a region, as if it were the only path, to the raw rows.
+
+    Also writes the successor of each raw row, -1 for none, to ``follow``.
+
+    Returns
+    -------
+    put
+        Next free row.
+    lost
+        A contour segment that has no offset at all, because its arc is too small for the tool, or
+        -1.
+    code, segment
+        Failure code and the segment that failed.
+    """
+    most = 0
+    for m in range(len(paths.member)):
+        most = max(most, paths.begin[m + 1] - paths.begin[m])
+    room = (MAX_SEGMENTS + 1) * most
+    made = OffsetSegments(
+        np.empty((room, 2)),
+        np.empty((room, 2)),
+        np.empty(room),
+        np.empty(room, np.int32),
+        np.empty(room, np.bool_),
+    )
+    table = segments.table
+    put = 0
+    lost = -1
+    for m in range(len(paths.member)):
+        a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
+        at = paths.begin[m]
+        if a == b:
+            continue
+        code, row = move_segments(contours, a, b, signed, table, at)
+        if code != NO_FAILURE:
+            return put, lost, code, row
+        closed = paths.closed[m]
+        begun = put
+        count, code, row, _ = trim_path(
+            contours, a, b, closed, signed, corners, segments, at, made, 0, rows
+        )
+        if code == NO_FAILURE:
+            put = _write_trimmed(made, count, closed, raw, put, m)
+        else:
+            move_segments(contours, a, b, signed, table, at)
+            put = raw_offset(contours, a, b, closed, signed, corners, segments, at, raw, put, m)
+            for here in range(at, at + b - a):
+                if math.isnan(table[here, MOVED]):
+                    lost = a + here - at
+        for e in range(begun, put):
+            follow[e] = e + 1 if raw.info[e, 2] else -1
+        if put > begun and raw.info[put - 1, 2]:
+            follow[put - 1] = begun
+    return put, lost, NO_FAILURE, 0
+
+
+@kernel
+def write_far_side(
+    contours: Contours, low: int, high: int, signed: float, raw: RawRows, put: int
+) -> int:
+    """Append the offset of an open path's other side, and arcs around its ends, to the raw rows.
+
+    These rows split other rows, but do not belong to the result.  Returns the next free row.
+    """
+    count = high - low
+    back = Contours(
+        contours.end[low:high][::-1].copy(),
+        contours.start[low:high][::-1].copy(),
+        (-contours.bulge[low:high][::-1]).copy(),
+        np.zeros(1, np.int32),
+    )
+    segments = MovedSegments(np.empty((count, COLUMNS)), np.empty(count, np.int64))
+    table = segments.table
+    corners = CornerTypes(np.zeros(1, np.uint8), np.zeros(1), 0)
+    move_segments(back, 0, count, signed, table, 0)
+    put = raw_offset(back, 0, count, False, signed, corners, segments, 0, raw, put, -1)
+    for e in range(2):
+        if e == 0:
+            x, y, ux, uy = back.start[0, 0], back.start[0, 1], -table[0, U1X], -table[0, U1Y]
+        else:
+            last = count - 1
+            x, y = back.end[last, 0], back.end[last, 1]
+            ux, uy = table[last, U2X], table[last, U2Y]
+        put = write_transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, raw.rows, put)
+    return put
