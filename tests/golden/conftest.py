@@ -1,6 +1,6 @@
-"""Golden files: what came out when somebody last looked.
+"""Golden files: outputs that were reviewed and stored.
 
-``pytest tests/golden --accept`` writes them anew; the difference is then read like code.
+``pytest tests/golden --accept`` writes the files again; review the difference like code.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture
 def golden(request: pytest.FixtureRequest) -> Callable[[str, bytes], None]:
-    """Compare bytes with the golden file of this name, or write it under ``--accept``."""
+    """Return a function that compares bytes with a golden file, or writes it with ``--accept``."""
 
     def compare(name: str, produced: bytes) -> None:
-        # The option is unknown where the tests are started from above this folder.
+        # The option is unknown if the tests are started from a parent folder.
         if request.config.getoption("--accept", default=False):
             (HERE / name).write_bytes(produced)
             return

@@ -1,4 +1,4 @@
-"""A small job for each dialect, byte for byte: three stations, arcs, a swivel, a V-groove."""
+"""A small job in each dialect, byte for byte: three stations, arcs, a swivel, a V-groove."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.support.shapes import toolpath
 QUARTER = np.tan(np.pi / 8)
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
 
-#: station, motion, x, y, z, c, bulge, feed: where each move ends.
+#: Station, motion, x, y, z, c, bulge and feed of the end of a move.
 MOVES: list[tuple[int, Motion, float, float, float, float, float, float]] = [
     (2, R, 150, 73.9, 20, 90, 0, 0),
     (2, P, 150, 73.9, 1.6, 90, 0, 6000),
@@ -53,17 +53,21 @@ def small_program(dialect: str, path: Toolpath | None = None) -> bytes:
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_the_small_job_is_what_it_was(dialect: str, golden: Callable[[str, bytes], None]) -> None:
+def test_the_small_job_equals_its_golden_program(
+    dialect: str, golden: Callable[[str, bytes], None]
+) -> None:
     golden(f"small-job-{dialect}.ngc", small_program(dialect))
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_the_laser_job_is_what_it_was(dialect: str, golden: Callable[[str, bytes], None]) -> None:
+def test_the_laser_job_equals_its_golden_program(
+    dialect: str, golden: Callable[[str, bytes], None]
+) -> None:
     golden(f"laser-job-{dialect}.ngc", laser.program(dialect).text)
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_change_of_a_tenth_of_a_micrometre_is_seen(
+def test_a_change_of_a_tenth_of_a_micrometre_fails(
     dialect: str, golden: Callable[[str, bytes], None], request: pytest.FixtureRequest
 ) -> None:
     if request.config.getoption("--accept", default=False):

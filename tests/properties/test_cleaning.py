@@ -1,4 +1,4 @@
-"""Drawings damaged on purpose: cleaning gives back what they were, and the lengths add up."""
+"""Cleaning restores drawings that were damaged on purpose, and the lengths add up."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def drawn(ends: F64, bulge: F64, kind: U8) -> Dieline:
 
 
 def worked(line: Dieline) -> Dieline:
-    """The edges that are worked."""
+    """Return the edges that are not ignored."""
     rows = np.flatnonzero(~np.isin(line.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED)))
     return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
 
@@ -40,7 +40,7 @@ def taken(line: Dieline, rows: list[int] | I64) -> Dieline:
 
 @st.composite
 def dielines(draw: st.DrawFn) -> Dieline:
-    """Edges between the points of a lattice, 10 mm apart and turned: none lies on another one."""
+    """Draw edges between points of a rotated lattice of 10 mm, without overlaps."""
     count = draw(st.integers(1, 12))
     steps = [(1, 0), (0, 1), (1, 1), (1, -1)]
     edges = draw(
@@ -61,7 +61,7 @@ def dielines(draw: st.DrawFn) -> Dieline:
 
 
 def assert_same_edges(one: Dieline, other: Dieline, within: float) -> None:
-    """Every edge of one has its own edge of the other."""
+    """Assert that each edge of either drawing equals one edge of the other."""
     one, other = worked(one), worked(other)
     assert len(one) == len(other)
     left = list(range(len(other)))
@@ -88,7 +88,7 @@ def _apart(one: Dieline, row: int, other: Dieline, at: int) -> float:
 
 
 def assert_adds_up(line: Dieline, made: Cleaned) -> None:
-    """Every millimetre that was drawn is kept, merged or dropped; what is worked is told."""
+    """Assert that the kept, merged and dropped lengths add up to the drawn length."""
     length = arc.length(line.ends[:, 0], line.ends[:, 1], line.bulge)
     np.testing.assert_allclose(made.kept + made.merged + made.dropped, length, atol=1e-6)
     after = worked(made.dieline)
@@ -101,7 +101,7 @@ def assert_adds_up(line: Dieline, made: Cleaned) -> None:
 
 
 def split(line: Dieline, row: int, shares: list[float]) -> Dieline:
-    """The edge parted at shares of its length; the pieces stand at the end, the last ones first."""
+    """Split an edge at fractions of its length; the pieces are appended in reverse order."""
     places = np.array([0.0, *sorted(shares), 1.0])
     n = len(places) - 1
     start, end, bulge = (
@@ -124,7 +124,7 @@ shares = st.lists(
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_what_was_drawn_twice_split_and_turned_round_is_given_back(
+def test_edges_drawn_twice_split_and_reversed_are_restored(
     line: Dieline, data: st.DataObject
 ) -> None:
     expected = clean(line).dieline
@@ -151,7 +151,7 @@ def test_what_was_drawn_twice_split_and_turned_round_is_given_back(
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_gaps_and_specks_are_mended(line: Dieline, data: st.DataObject) -> None:
+def test_gaps_are_closed_and_debris_is_dropped(line: Dieline, data: st.DataObject) -> None:
     line = taken(line, np.flatnonzero(line.bulge == 0.0))
     assume(len(line))
     expected = clean(line).dieline
@@ -175,7 +175,7 @@ def test_gaps_and_specks_are_mended(line: Dieline, data: st.DataObject) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_cleaning_twice_is_cleaning_once(line: Dieline, data: st.DataObject) -> None:
+def test_cleaning_is_idempotent(line: Dieline, data: st.DataObject) -> None:
     n = len(line)
     noise = data.draw(st.integers(0, 2**32 - 1))
     size = data.draw(st.sampled_from([0.0, 0.0008, 0.002, 0.004]))
@@ -204,7 +204,7 @@ def test_cleaning_twice_is_cleaning_once(line: Dieline, data: st.DataObject) -> 
     mirror=st.booleans(),
     back=st.booleans(),
 )
-def test_cleaning_turns_with_the_board(
+def test_cleaning_does_not_depend_on_the_rotation_of_the_drawing(
     line: Dieline, row: int, at: list[float], degrees: float, mirror: bool, back: bool
 ) -> None:
     line = split(line, row % len(line), at)
@@ -225,7 +225,9 @@ def _union(line: Dieline) -> shapely.Geometry:
 
 @settings(max_examples=30, deadline=None)
 @given(line=dielines(), data=st.data())
-def test_shapely_sees_the_same_lines_before_and_after(line: Dieline, data: st.DataObject) -> None:
+def test_the_union_of_edges_is_the_same_before_and_after(
+    line: Dieline, data: st.DataObject
+) -> None:
     line = split(line, data.draw(st.integers(0, len(line) - 1)), data.draw(shares))
     slide = data.draw(st.sampled_from([0.1, 0.5, 0.9]))
     way = line.ends[:, 1] - line.ends[:, 0]
@@ -239,7 +241,7 @@ def test_shapely_sees_the_same_lines_before_and_after(line: Dieline, data: st.Da
     after = worked(clean(broken).dieline)
     before, now = _union(broken), _union(after)
     assert shapely.hausdorff_distance(before, now) < GAP
-    # What is drawn once is as long as what shapely leaves of it, where types do not lie on types.
+    # Without overlaps of different line types, the length equals the length of shapely's union.
     for kind in set(broken.line_type.tolist()):
         mine = worked(taken(broken, np.flatnonzero(broken.line_type == kind)))
         alone = worked(clean(mine).dieline)

@@ -1,4 +1,4 @@
-"""What every engine must satisfy: turn, reverse, mirror, start elsewhere, tip on the line."""
+"""Properties of every engine: rotation, reversal, mirroring, another start, tip on the edge."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def made(kind: LineType, ends: F64, bulge: float = 0.0, grain: float = 90.0) -> 
 
 
 def tips(path: Toolpath, kind: LineType) -> F64:
-    """Where the tip is, by sums of this test alone."""
+    """Return the positions of the tip, computed without the engines."""
     c = np.radians(path.pose[:, 3])
     ahead, right = np.column_stack([np.cos(c), np.sin(c)]), np.column_stack([np.sin(c), -np.cos(c)])
     if kind == LineType.V_GROOVE:
@@ -45,7 +45,7 @@ def tips(path: Toolpath, kind: LineType) -> F64:
 
 @thousand
 @given(kind=straight, place=places, azimuth=angles, length=lengths)
-def test_the_tip_is_on_the_line(
+def test_the_tip_follows_a_line(
     kind: LineType, place: tuple[float, float], azimuth: float, length: float
 ) -> None:
     ends = edge(place, azimuth, length)
@@ -60,7 +60,7 @@ def test_the_tip_is_on_the_line(
 
 @thousand
 @given(kind=bent, place=places, azimuth=angles, length=lengths, bulge=bulges)
-def test_the_tip_is_on_the_arc_and_c_on_its_tangent(
+def test_the_tip_follows_an_arc_and_c_its_tangent(
     kind: LineType, place: tuple[float, float], azimuth: float, length: float, bulge: float
 ) -> None:
     ends = edge(place, azimuth, length)
@@ -73,14 +73,14 @@ def test_the_tip_is_on_the_arc_and_c_on_its_tangent(
         spoke = path.pose[row, :2] - middle
         assert np.hypot(*spoke) == pytest.approx(radius, rel=1e-9)
         c = np.radians(path.pose[row, 3])
-        # On the tangent: C stands square on the spoke, to the side to which the arc turns.
+        # C is perpendicular to the radius, in the direction of travel.
         moment = spoke[0] * np.sin(c) - spoke[1] * np.cos(c)
         assert moment == pytest.approx(np.sign(bulge) * radius, rel=1e-9)
 
 
 @thousand
 @given(kind=straight, place=places, azimuth=angles, length=lengths, degrees=angles)
-def test_the_head_turns_with_the_board(
+def test_rotating_the_board_rotates_the_path_of_the_head(
     kind: LineType, place: tuple[float, float], azimuth: float, length: float, degrees: float
 ) -> None:
     turn = rotation(degrees)
@@ -95,20 +95,20 @@ def test_the_head_turns_with_the_board(
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths)
-def test_a_groove_drawn_the_other_way_is_the_same_groove(
+def test_a_groove_drawn_in_reverse_is_the_same_groove(
     place: tuple[float, float], azimuth: float, length: float
 ) -> None:
     ends = edge(place, azimuth, length)
     there, back = made(LineType.V_GROOVE, ends), made(LineType.V_GROOVE, ends[:, ::-1])
     fed = np.flatnonzero(there.motion == Motion.FEED)
-    # Its first pass is the other's second.
+    # The first pass of one is the second pass of the other.
     np.testing.assert_allclose(there.pose[fed, :2], back.pose[fed[::-1], :2], atol=1e-9)
     np.testing.assert_allclose(there.pose[fed + 1, :2], back.pose[fed[::-1] + 1, :2], atol=1e-9)
 
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths)
-def test_a_crease_drawn_the_other_way_ends_where_it_began(
+def test_a_crease_drawn_in_reverse_ends_at_the_other_start(
     place: tuple[float, float], azimuth: float, length: float
 ) -> None:
     ends = edge(place, azimuth, length)
@@ -117,16 +117,16 @@ def test_a_crease_drawn_the_other_way_ends_where_it_began(
 
 
 @given(length=lengths)
-def test_a_v_cutter_is_not_mirror_proof(length: float) -> None:
+def test_mirroring_a_groove_does_not_mirror_the_path_of_a_v_cutter(length: float) -> None:
     ends = edge((0.0, 0.0), 30.0, length)
     mirror = np.array([1.0, -1.0])
     before, after = made(LineType.V_GROOVE, ends), made(LineType.V_GROOVE, ends * mirror)
-    # The blade leans to one side: its mirror image is another tool.
+    # The blade is tilted to one side, so its mirror image is another tool.
     assert np.abs(after.pose[:, :2] - before.pose[:, :2] * mirror).max() > CUTTER.back
 
 
 @given(length=lengths, bulge=bulges)
-def test_a_knife_is_mirror_proof(length: float, bulge: float) -> None:
+def test_mirroring_a_cut_mirrors_the_path_of_a_knife(length: float, bulge: float) -> None:
     ends = edge((0.0, 0.0), 30.0, length)
     mirror = np.array([1.0, -1.0])
     before, after = made(LineType.CUT, ends, bulge), made(LineType.CUT, ends * mirror, -bulge)
@@ -135,9 +135,7 @@ def test_a_knife_is_mirror_proof(length: float, bulge: float) -> None:
 
 
 @given(start=st.integers(0, 4), width=st.floats(20.0, 300.0))
-def test_a_closed_contour_is_cut_the_same_wherever_its_drawing_begins(
-    start: int, width: float
-) -> None:
+def test_a_closed_contour_is_cut_alike_from_any_first_edge(start: int, width: float) -> None:
     corners = [(0, 0), (width, 0), (width + 5, 30), (width, 50), (-60, 50)]
     ends = np.roll(closed(*corners), -start, axis=0)
     path, first = made(LineType.CUT, ends), made(LineType.CUT, closed(*corners))
@@ -166,14 +164,14 @@ def test_a_groove_leaves_the_board_with_its_whole_width_in_every_pass(
     path = compensate(operation)
     fed = np.flatnonzero(path.motion == Motion.FEED)
     assert len(fed) == 2 * passes
-    # The tip of all passes, seen from the edge: it begins or ends where the last corner is out.
+    # In all passes the tip starts or ends at the point where the last corner is off the board.
     tip = tips(path, LineType.V_GROOVE) - point
     width = 2.0 * BOARD.groove_depth
     beside = width / 2.0 * np.array([-ahead[1], ahead[0]])
     for row in (*fed[::2], *(fed[1::2] + 1)):
         out = [float((tip[row] + s * beside) @ inward) for s in (1, -1)]
         assert max(out) == pytest.approx(0.0, abs=1e-9)
-    # The other end lies inside and stays where it is drawn.
+    # The other end is inside the board and is not extended.
     for row in (*(fed[::2] + 1), *fed[1::2]):
         np.testing.assert_allclose(tip[row], length * ahead, atol=1e-9)
     depths = BOARD.caliper - path.pose[fed, 2]
@@ -182,7 +180,7 @@ def test_a_groove_leaves_the_board_with_its_whole_width_in_every_pass(
 
 @thousand
 @given(place=places, azimuth=angles, length=lengths, apart=st.floats(0.5, 6.0), bulge=bulges)
-def test_a_double_crease_stands_half_its_width_on_either_side(
+def test_a_double_crease_is_half_its_width_to_either_side(
     place: tuple[float, float], azimuth: float, length: float, apart: float, bulge: float
 ) -> None:
     bent = bulge if abs(bulge) > 0.3 else 0.0
@@ -208,7 +206,7 @@ def test_a_double_crease_stands_half_its_width_on_either_side(
 @thousand
 @given(count=st.integers(3, 12), dash=st.floats(4.0, 9.0), gap=st.floats(1.0, 5.9),
        place=places, azimuth=angles)  # fmt: skip
-def test_a_dashed_crease_is_rolled_as_the_solid_one(
+def test_a_dashed_crease_is_creased_like_a_solid_one(
     count: int, dash: float, gap: float, place: tuple[float, float], azimuth: float
 ) -> None:
     low = np.arange(count) * (dash + gap)
@@ -225,7 +223,7 @@ def test_a_dashed_crease_is_rolled_as_the_solid_one(
 @given(width=st.floats(60.0, 300.0), height=st.floats(60.0, 300.0), degrees=angles,
        bridge=st.floats(0.2, 1.5), start=st.integers(0, 3))  # fmt: skip
 @example(width=60.0, height=60.0, degrees=121.5, bridge=1.015625, start=1)
-def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
+def test_bridges_have_the_same_positions_on_a_rotated_board(
     width: float, height: float, degrees: float, bridge: float, start: int
 ) -> None:
     board = replace(BOARD, bridge_width=bridge, bridge_spacing=150.0)
@@ -238,7 +236,7 @@ def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
     path = compensate(straight)
     down = path.pose[1:][path.motion == Motion.PLUNGE][:, :2]
     begun = straight.paths.start[straight.paths.first[:-1]]
-    # The blade goes in where each piece begins, its corners apart, and ends 2.3 mm before it ends.
+    # The blade plunges at the start of each piece and lifts 2.3 mm before its end.
     for place in begun:
         assert np.hypot(*(down - place).T).min() < 1e-9
     stops = straight.paths.end[straight.paths.first[1:] - 1]
@@ -247,7 +245,7 @@ def test_bridges_stay_whole_and_stand_alike_on_a_turned_board(
         assert np.hypot(*(lifted - place).T).min() == pytest.approx(2.3)
 
 
-def test_zero_dimensions_give_the_identity() -> None:
+def test_a_tool_of_zero_dimensions_follows_the_edge() -> None:
     line = dieline((LineType.V_GROOVE, edges(((0, 0), (50, 20)))))
     operation = plan(line, MACHINE, BOARD)[0]
     path = compensate(replace(operation, tool=replace(CUTTER, back=0.0, half_width=0.0)))

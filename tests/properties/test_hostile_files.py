@@ -1,5 +1,7 @@
-"""Valid files of every format, damaged line by line and number by number, and taken as far as the
-server takes them: what comes of it is a sound drawing or a refusal that says what to do."""
+"""Damaged files of every format give a valid drawing or a refusal with a hint.
+
+Valid files are damaged line by line and number by number, and processed like the server does.
+"""
 
 from __future__ import annotations
 
@@ -42,7 +44,7 @@ _NUMBERS += [b"", b"1,5", b"0x10", b"\xd9\xa3", b"1_000", b"--1", b"1e", b"."]
 
 
 def carton() -> bytes:
-    """A carton of blocks, arcs, polylines and words."""
+    """Return a DXF file of a carton with blocks, arcs, polylines and texts."""
     return dxf.dxf(
         dxf.insert("PANEL", 0, 0, (41, 2.0), (50, 90.0)),
         dxf.insert("PANEL", 300, 0, (70, 2), (71, 2), (44, 200.0), (45, 150.0)),
@@ -70,7 +72,7 @@ FILES = {"dxf": carton(), "svg": svg_text.carton(), "cf2": cf2_text.carton()}
 
 @st.composite
 def damage(draw: st.DrawFn, whole: bytes) -> bytes:
-    """A file with up to four things done to its lines or numbers."""
+    """Draw a file with up to four changes to its lines or numbers."""
     lines = re.split(rb"(?<=[\n>])", whole)
     for _ in range(draw(st.integers(1, 4))):
         how = draw(
@@ -98,7 +100,7 @@ def damage(draw: st.DrawFn, whole: bytes) -> bytes:
 
 
 def check_import(data: bytes, unit: str) -> bool:
-    """Take a file as far as the server takes it; return whether it was read."""
+    """Process a file like the server does; return whether it was read."""
     try:
         reading = tasks.read(lambda _stage, _share: None, data, Interpretation(unit))
     except KnifetipError as error:
@@ -125,5 +127,5 @@ def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str) -
         read.append(check_import(data, unit))
 
     imported()
-    # Otherwise the damage is so great, or so small, that the test says nothing.
+    # With too much or too little damage the test would prove nothing.
     assert {False, True} == set(read)

@@ -1,4 +1,4 @@
-"""Our own reader of DXF against ezdxf, the reference: the same to the bit and to the word."""
+"""The fast DXF reader returns the same as the ezdxf reader, bit for bit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.writers.random_dxf import drawings
 
 
 @pytest.mark.corpus
-def test_both_readers_give_the_same_of_every_drawing_by_another_hand(corpus: Path) -> None:
+def test_both_readers_return_the_same_for_every_drawing_of_the_corpus(corpus: Path) -> None:
     files = sorted(path for path in corpus.rglob("*") if path.suffix.lower() == ".dxf")
     different = {}
     accepted = 0
@@ -23,16 +23,16 @@ def test_both_readers_give_the_same_of_every_drawing_by_another_hand(corpus: Pat
         if said := difference(*read_by_both(data)):
             different[str(path.relative_to(corpus))] = said[:300]
     assert different == {}
-    # Otherwise the test compares ezdxf with itself.
+    # If the fast reader falls back, the test compares ezdxf with itself.
     assert accepted >= ACCEPTED, f"our reader accepts {accepted} of {len(files)} drawings"
 
 
-# One more has an ellipse whose axes ezdxf would swap if it had to recover the file: it is its own.
+# One more has an ellipse whose axes ezdxf would swap if it recovered the file.
 ACCEPTED = 78
 
 
 @pytest.mark.parametrize(("plain", "share"), [(True, 0.3), (False, 0.2)])
-def test_both_readers_give_the_same_of_generated_drawings(plain: bool, share: float) -> None:
+def test_both_readers_return_the_same_for_generated_drawings(plain: bool, share: float) -> None:
     tally: Counter[bool] = Counter()
 
     @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))

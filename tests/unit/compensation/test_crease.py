@@ -1,4 +1,4 @@
-"""The crease engine: set back at free ends, pressed where it is short."""
+"""The crease engine: setback at free ends, presses for short creases."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_the_wheel_touches_3_44_mm_at_radius_15_and_depth_0_4() -> None:
     assert half_contact_length(np.array([0.4]), WHEEL)[0] == pytest.approx(3.44093)
 
 
-def test_the_depth_that_fits_touches_as_far_as_asked() -> None:
+def test_depth_at_contact_inverts_half_contact_length() -> None:
     depth = np.array([0.05, 0.4, 1.2])
     np.testing.assert_allclose(depth_at_contact(half_contact_length(depth, WHEEL), WHEEL), depth)
 
@@ -42,13 +42,13 @@ def test_a_crease_is_set_back_at_both_free_ends() -> None:
     np.testing.assert_allclose(path.pose[fed[0] + 1], [0, 100 - back, 1.6, 90])
 
 
-def test_an_end_that_goes_on_is_not_set_back() -> None:
+def test_a_continued_end_is_not_set_back() -> None:
     operation = replace(planned(ALONG), start=np.array([End.CONTINUED]))
     path = crease_toolpath(operation)
     np.testing.assert_allclose(path.pose[1, :2], [0, 0])
 
 
-def test_a_short_crease_is_pressed_in_its_middle_as_deep_as_it_fits() -> None:
+def test_a_short_crease_is_pressed_in_its_middle_at_a_smaller_depth() -> None:
     path = crease_toolpath(planned(edges(((0, 0), (0, 4.4)))))
     # Half of 4.4 less 0.2 is 2.0; 15 - √(225 - 4) = 0.13393.
     assert path.motion.tolist() == [Motion.PLUNGE, Motion.LIFT]
@@ -56,7 +56,7 @@ def test_a_short_crease_is_pressed_in_its_middle_as_deep_as_it_fits() -> None:
     assert path.source.tolist() == [0, 0]
 
 
-def test_a_short_crease_that_goes_on_is_pressed_at_its_joint() -> None:
+def test_a_short_crease_with_a_continued_end_is_pressed_at_that_end() -> None:
     operation = replace(planned(edges(((0, 0), (0, 2.2)))), start=np.array([End.CONTINUED]))
     path = crease_toolpath(operation)
     np.testing.assert_allclose(path.pose[1], [0, 0, 2 - 0.1339308, 90], atol=1e-6)
@@ -92,5 +92,5 @@ def test_a_crease_that_bends_by_less_than_a_degree_turns_in_the_board() -> None:
     assert path.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.PLUNGE, Motion.SWIVEL, Motion.FEED, Motion.LIFT,
     ]  # fmt: skip
-    # The second half runs 0.573° off the grain and is as much deeper: 0.2 sin² of it.
+    # The second half is 0.573° off the grain and deeper by 0.2 sin² of that angle.
     assert path.pose[3, 2] - path.pose[2, 2] == pytest.approx(-0.2 * (0.5 / 50.0025) ** 2, rel=1e-6)

@@ -1,4 +1,4 @@
-"""Deflection of whole paths: lines move, arcs become elliptical, bends meet again."""
+"""Deflection of paths: lines are shifted, arcs become elliptical, bends remain connected."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def square(size: float) -> Paths:
 
 
 def rounded(size: float, radius: float) -> Paths:
-    """A square to the left with round corners, 8 segments, as a B type leaves it."""
+    """Return a counter-clockwise square with round corners, like an offset of type B."""
     s, r = size, radius
     corners = [(r, 0), (s - r, 0), (s, r), (s, s - r), (s - r, s), (r, s), (0, s - r), (0, r)]
     return path_through(np.array([*corners, corners[0]], float), np.array([0, QUARTER] * 4))
 
 
-def test_a_line_moves_into_the_board_by_the_deflection_square_to_it() -> None:
-    # East with the tool on the left: the board is below, so down by δy.
+def test_a_line_moves_into_the_board_by_the_deflection_across_it() -> None:
+    # Eastward with the tool on the left, the board is below, so the line moves down by δy.
     path, rows = shift_centres(
         path_through(np.array([[0.0, 3.0], [50.0, 3.0]]), np.zeros(1)), 1, 0.1, 0.05
     )
@@ -39,7 +39,7 @@ def test_a_line_moves_into_the_board_by_the_deflection_square_to_it() -> None:
 
 
 def test_a_square_with_bends_keeps_its_bends() -> None:
-    # Travelled to the left with the tool outside (right): each side moves in, δx or δy.
+    # Counter-clockwise with the tool outside (right), each side moves in by δx or δy.
     path, _ = shift_centres(square(100.0), -1, 0.1, 0.05)
     np.testing.assert_allclose(
         path.start, [[0.1, 0.05], [99.9, 0.05], [99.9, 99.95], [0.1, 99.95]], atol=1e-12
@@ -73,7 +73,7 @@ def test_round_corners_become_elliptical_within_the_tolerance(
     np.testing.assert_allclose(path.end[corner[-1]], [60 - x, radius], atol=1e-9)
 
 
-def test_an_even_deflection_keeps_arcs_round() -> None:
+def test_equal_deflections_keep_arcs_circular() -> None:
     path, rows = shift_centres(rounded(60.0, 5.0), -1, 0.2, 0.2)
     corner = rows == 1
     radius = arc.radius(path.start[corner], path.end[corner], path.bulge[corner])
@@ -89,9 +89,7 @@ def test_no_deflection_is_the_identity_to_the_bit() -> None:
 
 @settings(max_examples=200, deadline=None)
 @given(x=given_way, y=given_way, bulge=st.floats(-0.9, 0.9).filter(lambda b: abs(b) > 0.05))
-def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
-    x: float, y: float, bulge: float
-) -> None:
+def test_a_line_and_an_arc_at_a_bend_remain_connected(x: float, y: float, bulge: float) -> None:
     paths = path_through(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
                     np.array([0.0, bulge, 0.0, 0.0]))  # fmt: skip
     path, rows = shift_centres(paths, -1, x, y)
@@ -104,7 +102,9 @@ def test_a_line_that_meets_an_arc_at_a_bend_meets_it_again(
 
 @settings(max_examples=100, deadline=None)
 @given(x=given_way, y=given_way, shift=st.integers(0, 7))
-def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, shift: int) -> None:
+def test_direction_and_start_do_not_change_the_shifted_contour(
+    x: float, y: float, shift: int
+) -> None:
     paths = rounded(60.0, 4.0)
     there, _ = shift_centres(paths, -1, x, y)
     turned = Paths(paths.end[::-1], paths.start[::-1], -paths.bulge[::-1], paths.first)
@@ -118,7 +118,7 @@ def test_reversed_or_begun_elsewhere_it_is_the_same_contour(x: float, y: float, 
     assert lengths[0] == pytest.approx(lengths[1], abs=1e-9)
 
 
-def test_an_open_path_keeps_its_loose_ends() -> None:
+def test_the_ends_of_an_open_path_are_shifted_only() -> None:
     path, _ = shift_centres(
         path_through(np.array([[0.0, 0], [10, 0], [10, 10]]), np.zeros(2)), 1, 0.2, 0.1
     )
@@ -126,13 +126,13 @@ def test_an_open_path_keeps_its_loose_ends() -> None:
     np.testing.assert_allclose(path.end[-1], [10.2, 10], atol=1e-12)
 
 
-def test_an_arc_tighter_than_the_deflection_is_refused() -> None:
+def test_an_arc_with_a_radius_below_the_deflection_is_refused() -> None:
     with pytest.raises(CompensationError, match=r"arc of 0\.250 mm.*gives way by 0\.300"):
         shift_centres(rounded(60.0, 0.25), -1, 0.3, 0.1)
 
 
 def test_a_step_shorter_than_the_deflection_is_refused() -> None:
-    # Out 0.1 mm and on: the two long sides move towards each other's end.
+    # A step of 0.1 mm between two long sides, which the shift makes overlap.
     xy = np.array([[0, 0], [50, 0], [50.05, 0.05], [50, 0.1], [0, 0.1]], float)
     with pytest.raises(CompensationError, match="too short"):
         shift_centres(path_through(xy, np.zeros(4)), -1, 0.3, 0.3)
@@ -140,7 +140,7 @@ def test_a_step_shorter_than_the_deflection_is_refused() -> None:
 
 @given(side=st.sampled_from([1, -1]), x=given_way, y=given_way,
        azimuths=st.lists(st.floats(20.0, 70.0), min_size=1, max_size=5))  # fmt: skip
-def test_what_was_put_in_is_calibrated_out_again(
+def test_calibration_returns_the_deflection_that_made_the_points(
     side: int, x: float, y: float, azimuths: list[float]
 ) -> None:
     a = np.radians(azimuths)
@@ -149,7 +149,7 @@ def test_what_was_put_in_is_calibrated_out_again(
     assert fit_deflection(tangents, measured, side) == pytest.approx((x, y), abs=1e-12)
 
 
-def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not() -> None:
+def test_a_deflection_into_the_board_is_refused_unless_it_is_noise() -> None:
     tangent = np.array([[1.0, 1.0]])
     with pytest.raises(CompensationError, match="drawn into the board"):
         fit_deflection(tangent, np.array([[0.05, 0.05]]), 1)
@@ -157,7 +157,7 @@ def test_a_tool_drawn_into_the_board_is_refused_and_noise_is_not() -> None:
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_numbers_that_are_none_are_refused(bad: float) -> None:
+def test_values_that_are_not_finite_are_refused(bad: float) -> None:
     with pytest.raises(CompensationError, match="not a number"):
         fit_deflection(np.array([[1.0, 1.0]]), np.array([[bad, 0.0]]), 1)
     with pytest.raises(CompensationError, match="0 measured points"):

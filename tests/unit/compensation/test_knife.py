@@ -26,21 +26,21 @@ def planned(
     return plan(dieline((kind, ends), bulge=bulge), MACHINE, BOARD)[-1]
 
 
-def test_an_end_inside_the_panel_stops_where_the_top_face_ends() -> None:
+def test_a_cut_that_ends_inside_a_panel_stops_earlier_by_the_lead() -> None:
     # 45° over 2.3 mm: the top face is cut 2.3 mm ahead of the tip.
     path = knife_toolpath(planned(edges(((0, 0), (50, 0)))))
     np.testing.assert_allclose(path.pose[1], [0, 0, -0.3, 0])
     np.testing.assert_allclose(path.pose[2], [47.7, 0, -0.3, 0])
 
 
-def test_an_end_that_meets_another_cut_runs_over() -> None:
+def test_an_end_that_meets_another_cut_is_extended() -> None:
     operation = replace(planned(edges(((0, 0), (50, 0)))), finish=np.array([End.MEETS]))
     path = knife_toolpath(operation)
     # The bottom face ends 2.0 tan 45° behind the top.
     np.testing.assert_allclose(path.pose[-2, :2], [52.0, 0.0])
 
 
-def test_a_closed_contour_runs_over_its_own_start() -> None:
+def test_a_closed_contour_runs_past_its_start() -> None:
     path = knife_toolpath(planned(closed((0, 0), (100, 0), (100, 50), (0, 50))))
     np.testing.assert_allclose(path.pose[1, :2], [50, 0])
     np.testing.assert_allclose(path.pose[-2, :2], [52, 0])
@@ -53,7 +53,7 @@ def test_a_half_cut_is_shallow_and_ends_early_by_its_own_depth() -> None:
     np.testing.assert_allclose(path.pose[2, :3], [49.2, 0, 1.2])
 
 
-def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board() -> None:
+def test_the_blade_turns_above_the_board_at_sharp_corners_only() -> None:
     sharp = knife_toolpath(planned(edges(((0, 0), (50, 0)), ((50, 0), (50, 50)))))
     assert sharp.motion.tolist() == [
         Motion.PLUNGE, Motion.FEED, Motion.LIFT, Motion.RAPID, Motion.PLUNGE, Motion.FEED,
@@ -68,20 +68,20 @@ def test_a_sharp_corner_is_turned_in_the_air_and_a_gentle_one_in_the_board() -> 
 
 
 def test_c_follows_an_arc_without_a_jump() -> None:
-    # Round a corner of radius 10: the line due east runs into the arc and that into due north.
+    # A corner of radius 10: a line due east, the arc, a line due north.
     ends = edges(((0, 0), (50, 0)), ((50, 0), (60, 10)), ((60, 10), (60, 50)))
     path = knife_toolpath(planned(ends, bulge={1: QUARTER}))
     np.testing.assert_allclose(path.pose[:, 3], [0, 0, 0, 90, 90, 90])
     assert path.bulge[2] == QUARTER
 
 
-def test_c_is_unwrapped_round_a_circle() -> None:
+def test_c_has_no_jump_around_a_circle() -> None:
     path = knife_toolpath(
         planned(edges(((0, 0), (20, 0)), ((20, 0), (0, 0))), bulge={0: 1.0, 1: 1.0})
     )
     fed = np.flatnonzero(path.motion == Motion.FEED)
     turned = path.pose[fed[-1] + 1, 3] - path.pose[fed[0], 3]
-    # Once round, and over the start by 2 mm at radius 10.
+    # One full turn, and past the start by 2 mm at radius 10.
     assert turned == pytest.approx(360 + np.degrees(2.0 / 10.0))
 
 
@@ -97,7 +97,7 @@ def led(ends: F64, **leads: Any) -> Toolpath:
 
 
 @pytest.mark.parametrize("backwards", [False, True])
-def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwards: bool) -> None:
+def test_a_knife_enters_and_leaves_an_outline_on_a_quarter_circle(backwards: bool) -> None:
     outline = closed((0, 0), (100, 0), (90, 50), (10, 50))
     path = led(outline[:, ::-1] if backwards else outline, lead_in=np.pi, lead_out=np.pi)
     assert path.motion[1] == Motion.LEAD_IN
@@ -107,7 +107,7 @@ def test_an_outline_begins_and_ends_in_the_waste_on_a_quarter_of_a_circle(backwa
     np.testing.assert_allclose(path.pose[1, :2], [52, -2], atol=1e-9)
     np.testing.assert_allclose(path.pose[2, :2], [50, 0], atol=1e-9)
     np.testing.assert_allclose(path.pose[1:3, 3] % 360, [90, 180], atol=1e-9)
-    # Over its start by 2 mm, and off into the waste, due south.
+    # Past its start by 2 mm, then into the waste, due south.
     np.testing.assert_allclose(path.pose[-3, :2], [48, 0], atol=1e-9)
     np.testing.assert_allclose(path.pose[-2, :2], [46, -2], atol=1e-9)
     assert path.pose[-2, 3] % 360 == pytest.approx(270)
@@ -123,7 +123,7 @@ def test_holes_and_slits_have_no_leads() -> None:
     assert Motion.LEAD_IN in knife_toolpath(outer).motion
 
 
-def test_a_drag_knife_trails_its_head_and_swings_round_its_tip() -> None:
+def test_a_drag_knife_trails_its_head_and_swings_around_its_tip() -> None:
     drag = replace(KNIFE, blade_angle=0.0, trail=2.0)
     ends = edges(((0, 0), (50, 0)), ((50, 0), (50 + 40, 10)))
     operation = replace(planned(ends), tool=drag)

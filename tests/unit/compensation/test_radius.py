@@ -1,6 +1,6 @@
-"""The radius engine: the disc touches the part and never enters it, whatever the contour.
+"""The radius engine: the disc touches the part and never enters it.
 
-Distances are taken to the drawing's own lines and arcs by sums of this file alone.
+Distances to the lines and arcs of the drawing are computed in this file.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def contour(
     r: float = 3.0,
     **changes: Any,
 ) -> Operation:
-    """One closed contour, travelled as given, with the cutter on one side."""
+    """Return an operation with one closed contour, with the cutter on one side."""
     xy = np.array(points, float)
     count = len(xy)
     bent = np.zeros(count) if bulge is None else np.asarray(bulge, float)
@@ -81,7 +81,7 @@ def sampled(
     motions: Sequence[Motion] = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT),
     step: float = 0.5,
 ) -> F64:
-    """Points of the centre in the board, ends of moves among them."""
+    """Return points of the centre's path in the board, including the ends of moves."""
     points = []
     for row in np.flatnonzero(np.isin(path.motion, motions)):
         a, b, bend = path.pose[row, :2], path.pose[row + 1, :2], path.bulge[row]
@@ -91,7 +91,7 @@ def sampled(
 
 
 def distance(points: F64, paths: Paths) -> F64:
-    """From each point to the nearest place of lines and arcs, by hand."""
+    """Return the distance of each point from the nearest line or arc, by brute force."""
     best = np.full(len(points), np.inf)
     for a, b, bend in zip(paths.start, paths.end, paths.bulge, strict=True):
         ends = np.minimum(np.hypot(*(points - a).T), np.hypot(*(points - b).T))
@@ -103,7 +103,7 @@ def distance(points: F64, paths: Paths) -> F64:
             normal = np.array([-chord[1], chord[0]])
             middle = (a + b) / 2 + normal * (1 - bend * bend) / (4 * bend)
             size = np.hypot(*(a - middle))
-            # Within the arc's sector the chord lies between the point and the centre, or not.
+            # In the arc's sector the chord is between the point and the centre, or beyond both.
             spoke = points - middle
             turn = np.arctan2(*(a - middle)[::-1])
             angle = (np.arctan2(spoke[:, 1], spoke[:, 0]) - turn) * np.sign(bend) % (2 * np.pi)
@@ -114,7 +114,7 @@ def distance(points: F64, paths: Paths) -> F64:
 
 
 def within(points: F64, polygon: F64) -> Bool:
-    """Even-odd."""
+    """Return whether each point is in a polygon, by the even-odd rule."""
     odd = np.zeros(len(points), bool)
     for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
         crosses = (a[1] > points[:, 1]) != (b[1] > points[:, 1])
@@ -158,12 +158,12 @@ def test_the_disc_touches_the_part_and_never_enters_it(
 @given(
     radii=stars, bulges=bends, corner=corners, r=st.floats(0.2, 4.0), side=st.sampled_from([1, -1])
 )
-def test_with_arcs_too_the_disc_never_enters_the_part(
+def test_the_disc_never_enters_a_part_with_arcs(
     radii: list[float], bulges: list[float], corner: str, r: float, side: int
 ) -> None:
     points = star(radii)
     operation = contour(*points, bulge=bulges[: len(points)], side=side, r=r, corner=corner)
-    # Bent edges of a star may cross: such a contour bounds nothing.
+    # Curved edges of a star may cross; such a contour has no inside.
     flat = arc.points_along(
         *(operation.paths.start, operation.paths.end, operation.paths.bulge), 65
     )
@@ -177,7 +177,7 @@ def test_with_arcs_too_the_disc_never_enters_the_part(
 
 @many
 @given(radii=stars, corner=corners, r=st.floats(0.2, 4.0), degrees=st.floats(-180.0, 180.0))
-def test_the_centre_turns_with_the_board(
+def test_turning_the_board_turns_the_path_of_the_centre(
     radii: list[float], corner: str, r: float, degrees: float
 ) -> None:
     turn = rotation(degrees)
@@ -191,7 +191,7 @@ def test_the_centre_turns_with_the_board(
 @many
 @given(radii=stars, corner=st.sampled_from(["B", "C", "D"]), r=st.floats(0.2, 4.0),
        shift=st.integers(1, 8))  # fmt: skip
-def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(
+def test_direction_and_start_of_a_contour_do_not_change_the_path_of_the_centre(
     radii: list[float], corner: str, r: float, shift: int
 ) -> None:
     points = star(radii)
@@ -206,15 +206,16 @@ def test_reversed_on_the_other_side_and_begun_elsewhere_it_is_the_same_way(
         assert distance(places, there).max() < 1e-7
 
 
-def test_a_radius_of_zero_is_the_line_itself() -> None:
+def test_a_radius_of_zero_returns_the_contour() -> None:
     points = star([50.0, 30.0, 60.0, 40.0])
     paths = centre_paths(contour(*points, r=0.0)).paths
     assert distance(points, paths).max() == 0.0
     assert distance(paths.start, contour(*points).paths).max() < 1e-12
 
 
-def test_a_rectangle_from_outside_in_b_worked_by_hand() -> None:
-    # 100 × 50 to the left, r 3: down at the middle of the first long side, 4.5 mm off it.
+def test_a_rectangle_from_outside_with_type_b_equals_the_path_computed_by_hand() -> None:
+    # 100 × 50 counter-clockwise, r 3: the tool plunges at the middle of the first long side, 4.5 mm
+    # off.
     path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50)))
     assert path.motion.tolist() == [
         Motion.PLUNGE, Motion.LEAD_IN, *[Motion.FEED] * 9, Motion.LEAD_OUT, Motion.LIFT,
@@ -239,7 +240,7 @@ def test_a_hole_is_milled_from_inside_without_transitions() -> None:
     np.testing.assert_allclose(path.pose[1, :2], [50, 4.5])
 
 
-def test_several_passes_go_deeper_beside_the_contour_without_lifting() -> None:
+def test_passes_follow_each_other_without_lifting() -> None:
     deep = np.tile([1.0, 2.3], (4, 1))
     path = compensate(contour((0, 0), (100, 0), (100, 50), (0, 50), depth=deep))
     plunges = np.flatnonzero(path.motion == Motion.PLUNGE)
@@ -248,7 +249,7 @@ def test_several_passes_go_deeper_beside_the_contour_without_lifting() -> None:
     assert np.count_nonzero(path.motion == Motion.RAPID) == 0
 
 
-def test_a_slit_is_milled_on_its_line_there_and_back() -> None:
+def test_a_slit_is_milled_on_its_centre_line_forth_and_back() -> None:
     path = compensate(open_cut((0, 0), (50, 0), side=0))
     np.testing.assert_allclose(path.pose[:, :2], [[0, 0], [0, 0], [50, 0], [50, 0]])
     path = compensate(open_cut((0, 0), (50, 0), (50, 20), side=0, depth=(1.0, 2.3)))
@@ -270,7 +271,7 @@ def test_an_open_cut_is_milled_beside_its_line_left_or_right(side: int) -> None:
     )
 
 
-def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way() -> None:
+def test_all_passes_of_an_open_cut_with_a_side_have_the_same_direction() -> None:
     path = compensate(open_cut((0, 0), (50, 0), depth=(1.0, 2.3)))
     fed = np.flatnonzero(path.motion == Motion.FEED)
     np.testing.assert_allclose(path.pose[fed, 0], [0, 0])
@@ -278,23 +279,23 @@ def test_passes_of_an_open_cut_with_a_side_all_go_the_same_way() -> None:
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_set_up_to_the_perpendicular_and_round_the_outside(side: int) -> None:
+def test_set_up_to_the_perpendicular_and_around_the_outside(side: int) -> None:
     start, ahead = np.array([[10.0, 0.0]]), np.array([[1.0, 0.0]])
     flip = np.array([1.0, side])
-    # Type A, square on from the tool's side, r 3 and a block of 5.
+    # Type A, at a right angle from the tool's side, r 3 and a lead of 5.
     begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, 90.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[10, 5], [10, 3]], atol=1e-12)
     assert bulge[0] == 0.0
-    # In line: from (5, 0) aslant to (10, 3).
+    # In line: from (5, 0) obliquely to (10, 3).
     begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, 0.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[5, 0], [10, 3]], atol=1e-12)
-    # Type B, from the far side up to the corner: beside it to (7, 0), and a quarter to (10, 3).
+    # Type B, from the far side: parallel to the lead to (7, 0), then a quarter circle to (10, 3).
     begin, arrived, bulge = set_up_offset(start, ahead, side, 3.0, 5.0, -90.0)
     np.testing.assert_allclose([begin[0] * flip, arrived[0] * flip], [[7, -5], [7, 0]], atol=1e-12)
     assert bulge[0] == pytest.approx(-side * QUARTER)
 
 
-def test_an_open_cut_set_up_and_cancelled_round_the_outside() -> None:
+def test_an_open_cut_is_set_up_and_cancelled_around_the_outside() -> None:
     around = replace(ROUTER, lead=5.0, approach=-90.0)
     path = compensate(open_cut((0, 0), (50, 0), tool=around))
     np.testing.assert_allclose(
@@ -303,8 +304,8 @@ def test_an_open_cut_set_up_and_cancelled_round_the_outside() -> None:
     np.testing.assert_allclose(path.bulge[1:-1], [0, -QUARTER, 0, -QUARTER, 0], atol=1e-12)
 
 
-def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out() -> None:
-    # A slot 8 mm wide, r 3: the centre runs 3 mm off either wall, and 2 mm are left between.
+def test_a_lead_in_that_would_meet_another_contour_is_shortened_or_omitted() -> None:
+    # A slot 8 mm wide, r 3: the centre is 3 mm from either wall, so 2 mm remain between the paths.
     roomy = compensate(contour((0, 0), (60, 0), (60, 8), (0, 8), side=1))
     np.testing.assert_allclose(roomy.pose[1, :2], [30, 4.5])
     tight = compensate(contour((0, 0), (60, 0), (60, 7), (0, 7), side=1))
@@ -314,15 +315,15 @@ def test_a_way_in_that_would_meet_another_contour_is_shortened_or_left_out() -> 
     np.testing.assert_allclose(none.pose[1, :2], [30, 3])
 
 
-def test_what_the_cutter_cannot_reach_is_told_in_square_millimetres() -> None:
-    # A square hole keeps a fillet in each corner: (1 − π/4) r² each.
+def test_the_area_that_the_cutter_cannot_reach_is_reported() -> None:
+    # A fillet remains in each corner of a square hole, (1 − π/4) r² each.
     way = centre_paths(contour((0, 0), (50, 0), (50, 50), (0, 50), side=1))
     np.testing.assert_allclose(way.unreached, 4 * (1 - np.pi / 4) * 9.0, rtol=1e-9)
     assert centre_paths(contour((0, 0), (50, 0), (50, 50), (0, 50))).unreached.sum() < 1e-9
 
 
-def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
-    # Two rooms of 30 × 30 with a passage of 4 mm between them, for a cutter of 6 mm.
+def test_a_contour_with_a_narrow_neck_gives_two_paths_or_is_refused() -> None:
+    # Two squares of 30 × 30 joined by a neck of 4 mm, for a cutter of 6 mm.
     rooms = [
         (0, 0), (30, 0), (30, 13), (50, 13), (50, 0), (80, 0), (80, 30), (50, 30), (50, 17),
         (30, 17), (30, 30), (0, 30),
@@ -336,15 +337,15 @@ def test_a_neck_too_narrow_is_trimmed_into_two_or_refused() -> None:
         compensate(replace(operation, interference="refuse"))
 
 
-def test_a_hole_that_the_cutter_does_not_fit_is_refused_not_dropped() -> None:
+def test_a_hole_too_small_for_the_cutter_is_refused() -> None:
     with pytest.raises(
         CompensationError, match=r"6\.00 mm does not fit into the contour at edge 0"
     ):
         compensate(contour((0, 0), (50, 0), (50, 5), (0, 5), side=1))
 
 
-def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other() -> None:
-    # Two blanks 4 mm apart and a cutter of 6 mm: between them nothing can be cut.
+def test_the_cutter_does_not_enter_a_neighbour_nearer_than_its_diameter() -> None:
+    # Two blanks 4 mm apart and a cutter of 6 mm, which does not fit between them.
     line = dieline(
         (LineType.CUT, closed((0, 0), (50, 0), (50, 50), (0, 50))),
         (LineType.CUT, closed((54, 0), (104, 0), (104, 50), (54, 50))),
@@ -355,12 +356,12 @@ def test_neighbours_nearer_than_the_cutter_keep_clear_of_each_other() -> None:
     assert centre_paths(operation).unreached.sum() > 4 * 48
 
 
-def test_a_lead_no_longer_than_the_radius_is_refused() -> None:
+def test_a_lead_not_longer_than_the_radius_is_refused() -> None:
     with pytest.raises(CompensationError, match="lead is 3 mm, not longer than its radius"):
         compensate(contour((0, 0), (50, 0), (50, 50), tool=replace(ROUTER, lead=3.0)))
 
 
-def test_the_kerf_of_a_beam_is_the_same_engine() -> None:
+def test_a_laser_is_offset_by_half_its_kerf() -> None:
     path = compensate(
         contour((0, 0), (50, 0), (50, 50), (0, 50), tool=replace(ROUTER, radius=0.1, speed=0.0))
     )
@@ -369,8 +370,8 @@ def test_the_kerf_of_a_beam_is_the_same_engine() -> None:
 
 
 @pytest.mark.parametrize("corner", ["B", "C", "D"])
-def test_deflection_and_every_corner_type_go_together(corner: str) -> None:
-    # Pushed back by δ the disc must touch each side of the square: δx on those along Y.
+def test_deflection_is_compensated_with_every_corner_type(corner: str) -> None:
+    # Deflected by δ, the disc must touch each side of the square: δx at sides along Y.
     operation = contour((0, 0), (80, 0), (80, 80), (0, 80), corner=corner, deflection=(0.08, 0.05))
     fed = sampled(compensate(operation), [Motion.FEED])
     np.testing.assert_allclose(
@@ -383,7 +384,7 @@ def test_deflection_and_every_corner_type_go_together(corner: str) -> None:
     np.testing.assert_allclose(path.pose[row[1:], :2], path.pose[row[:-1] + 1, :2], atol=1e-9)
 
 
-def test_a_planned_blank_with_a_hole_and_a_slit() -> None:
+def test_a_planned_blank_with_a_hole_and_a_slit_is_milled() -> None:
     line = dieline(
         (LineType.CUT, closed((0, 0), (200, 0), (200, 100), (0, 100))),
         (LineType.CUT, closed((20, 20), (60, 20), (60, 60), (20, 60))),
@@ -398,16 +399,14 @@ def test_a_planned_blank_with_a_hole_and_a_slit() -> None:
 
 @pytest.mark.parametrize("corner", ["B", "C", "D"])
 @pytest.mark.parametrize("passes", [1, 3])
-def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(
-    corner: str, passes: int
-) -> None:
+def test_a_bridge_has_the_required_width_between_the_discs(corner: str, passes: int) -> None:
     square = contour(
         (0, 0), (0, 100), (100, 100), (100, 0), side=1, corner=corner,
         bridges=[[1, 30.0], [3, 60.0]], bridge_width=0.8,
         depth=np.tile(np.linspace(2.3 / passes, 2.3, passes), (4, 1)),
     )  # fmt: skip
     path = radius_toolpath(square)
-    # Nothing leads in or out: the tool goes down on its way, once for each piece and pass.
+    # There are no leads: the tool plunges on its path, once for each piece and pass.
     assert not np.isin(path.motion, (Motion.LEAD_IN, Motion.LEAD_OUT)).any()
     assert (path.motion == Motion.PLUNGE).sum() == 2 * passes
     points = sampled(path)
@@ -418,8 +417,8 @@ def test_between_the_discs_on_either_side_a_bridge_is_as_wide_as_asked(
     np.testing.assert_allclose(distance(points, square.paths).min(), 3.0)
 
 
-def test_a_bridge_where_the_cutter_does_not_come_to_the_contour_is_refused() -> None:
-    # A slot 4 wide and 40 deep: a disc of 6 does not go in.
+def test_a_bridge_that_the_cutter_cannot_reach_is_refused() -> None:
+    # A slot 4 mm wide and 40 mm deep, which a disc of 6 mm cannot enter.
     slotted = contour(
         (0, 0), (0, 100), (48, 100), (48, 60), (52, 60), (52, 100), (100, 100), (100, 0),
         side=1, bridges=[[1, 20.0], [2, 35.0]], bridge_width=0.8,

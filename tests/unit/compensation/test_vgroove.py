@@ -1,4 +1,4 @@
-"""The V-groove engine: points 1 to 4, the way in and out, and what it refuses."""
+"""The V-groove engine: points 1 to 4, plunge and lift, and refusals."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def grooved(ends: F64, **changes: Any) -> Toolpath:
 
 
 def test_offset_due_east_is_right_and_ahead() -> None:
-    # The example of style: d 4 to the right of travel (south), r 1.5 ahead (east).
+    # The example of the docstring: d 4 to the right of travel (south), r 1.5 ahead (east).
     offset = head_offset(np.array([[0.0, 0.0]]), np.array([[100.0, 0.0]]), CUTTER)
     np.testing.assert_array_equal(offset, [[1.5, -4.0]])
 
@@ -44,11 +44,11 @@ def test_the_four_points_of_the_paper() -> None:
     np.testing.assert_allclose(path.pose[fed, 2], 1.0)
 
 
-def test_the_blade_goes_in_and_out_along_itself() -> None:
+def test_the_blade_plunges_and_lifts_along_its_tilt() -> None:
     path = grooved(EAST)
     down = np.flatnonzero(path.motion == Motion.PLUNGE)[0]
     way = path.pose[down + 1] - path.pose[down]
-    # From 2 above the board to 1 below its face, 3 down; the blade leans by 45°, so 3 to the left.
+    # From 2 above the board to 1 below its face is 3 down; the tilt is 45°, so also 3 to the left.
     np.testing.assert_allclose(way, [0.0, 3.0, -3.0, 0.0], atol=1e-12)
     up = np.flatnonzero(path.motion == Motion.LIFT)[0]
     np.testing.assert_allclose(path.pose[up + 1] - path.pose[up], [0, -3, 3, 0], atol=1e-12)
@@ -68,7 +68,7 @@ def test_deeper_passes_follow_each_other() -> None:
     np.testing.assert_allclose(path.pose[fed, 3], [0.0, 180.0, 0.0, 180.0])
 
 
-def test_a_groove_runs_out_past_its_ends_by_what_the_operation_says() -> None:
+def test_a_groove_is_extended_by_the_run_out_of_the_operation() -> None:
     path = grooved(EAST, run_out=np.array([[1.0, 2.5]]), start=[End.MEETS], finish=[End.MEETS])
     fed = np.flatnonzero(path.motion == Motion.FEED)
     # The tip goes from -1 to 102.5 and back; Δ = (1.5, -4).
@@ -76,13 +76,13 @@ def test_a_groove_runs_out_past_its_ends_by_what_the_operation_says() -> None:
     np.testing.assert_allclose(path.pose[fed + 1, :2], [[104.0, -4.0], [-2.5, 4.0]])
 
 
-def test_only_ends_inside_the_board_are_held_to_its_overcut() -> None:
+def test_only_ends_inside_the_board_are_checked_for_overcut() -> None:
     assert len(grooved(EAST, overcut=2.9, start=[End.MEETS], finish=[End.MEETS]))
     with pytest.raises(GrooveTooDeep, match="inside the board"):
         grooved(EAST, overcut=2.9, start=[End.MEETS], finish=[End.FREE])
 
 
-def test_a_groove_of_two_pieces_on_either_side_of_due_east_keeps_its_heading() -> None:
+def test_a_groove_of_two_edges_around_due_east_keeps_its_heading() -> None:
     # 0.001° below and above the x axis: azimuths 359.999 and 0.001.
     rise = 50 * np.tan(np.radians(0.001))
     path = grooved(edges(((0, rise), (50, 0)), ((50, 0), (100, rise))))
@@ -90,14 +90,14 @@ def test_a_groove_of_two_pieces_on_either_side_of_due_east_keeps_its_heading() -
     np.testing.assert_allclose(path.pose[fed, 3], [359.999, 360.001, 540.001, 539.999], atol=1e-6)
 
 
-def test_the_section_of_a_groove_is_its_angle_its_width_and_what_it_leaves() -> None:
+def test_the_section_of_a_groove_has_its_angle_width_and_web() -> None:
     # 1.3 deep in 2.0 at 30°: 2 · 1.3 · tan 30° = 1.5011 wide.
     cut = groove_section(1.3, 2.0, replace(CUTTER, tilt=30.0))
     assert (cut.included, cut.web) == (60.0, 0.7)
     assert cut.width == pytest.approx(1.50111, abs=1e-5)
 
 
-def test_a_groove_in_two_pieces_is_cut_in_one_go() -> None:
+def test_a_groove_of_two_edges_is_cut_without_lifting() -> None:
     path = grooved(edges(((0, 0), (40, 0)), ((40, 0), (100, 0))))
     fed = path.motion == Motion.FEED
     assert path.source[fed].tolist() == [0, 1, 1, 0]
@@ -120,6 +120,6 @@ def test_a_groove_through_the_board_is_refused() -> None:
         grooved(EAST, depth=np.array([[2.0]]))
 
 
-def test_a_blade_that_runs_past_the_ends_further_than_allowed_is_refused() -> None:
+def test_a_blade_that_overruns_the_ends_by_more_than_allowed_is_refused() -> None:
     with pytest.raises(GrooveTooDeep, match=r"runs 3\.00 mm past each end"):
         grooved(EAST, overcut=2.9)

@@ -1,4 +1,4 @@
-"""Arcs as bulges, against circles worked out by hand and by sampling."""
+"""Arcs with bulges, compared with circles computed by hand and with sampled points."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from knifetip.geometry import arc
 
 #: Quarter of a circle of radius 10 around the origin, from (10, 0) to (0, 10).
 QUARTER = (np.array([[10.0, 0.0]]), np.array([[0.0, 10.0]]), np.tan([np.pi / 8]))
-#: Half of it, from (10, 0) over (0, 10) to (-10, 0).
+#: Half of that circle, from (10, 0) through (0, 10) to (-10, 0).
 HALF = (np.array([[10.0, 0.0]]), np.array([[-10.0, 0.0]]), np.array([1.0]))
 LINE = (np.array([[1.0, 2.0]]), np.array([[4.0, 6.0]]), np.array([0.0]))
 
@@ -54,7 +54,7 @@ def test_middle_of_a_half_turn_is_its_top() -> None:
     assert_allclose(arc.point_at(*HALF, np.array([0.5])), [[0.0, 10.0]], atol=1e-14)
 
 
-def test_part_of_a_half_turn_lies_on_the_same_circle() -> None:
+def test_part_of_a_half_turn_is_on_the_same_circle() -> None:
     start, end, bulge = arc.sub_arc(*HALF, np.array([0.25]), np.array([0.75]))
     root = 10.0 * np.sqrt(0.5)
     assert_allclose(start, [[root, root]], atol=1e-13)
@@ -74,16 +74,16 @@ def test_part_of_more_than_half_a_turn_halves_it() -> None:
     assert_allclose(top, [[-np.sqrt(50.0), np.sqrt(50.0)]], atol=1e-13)
 
 
-def test_box_of_a_half_turn_holds_its_belly() -> None:
+def test_box_of_a_half_turn_contains_its_middle() -> None:
     assert_allclose(arc.bounding_boxes(*HALF), [[-10.0, 0.0, 10.0, 10.0]], atol=1e-13)
 
 
-def test_box_of_a_half_turn_to_the_right_hangs_below() -> None:
+def test_box_of_a_half_turn_to_the_right_is_below_the_chord() -> None:
     start, end, bulge = HALF
     assert_allclose(arc.bounding_boxes(start, end, -bulge), [[-10.0, -10.0, 10.0, 0.0]], atol=1e-13)
 
 
-def test_lines_and_arcs_mix_in_one_call() -> None:
+def test_lines_and_arcs_may_be_mixed() -> None:
     start, end, bulge = (np.concatenate(pair) for pair in zip(QUARTER, LINE, strict=True))
     assert_allclose(arc.length(start, end, bulge), [5.0 * np.pi, 5.0])
     assert_allclose(
@@ -91,7 +91,7 @@ def test_lines_and_arcs_mix_in_one_call() -> None:
     )
 
 
-def test_no_segments_give_no_answers() -> None:
+def test_no_segments_give_empty_results() -> None:
     nothing = (np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0))
     assert arc.length(*nothing).shape == (0,)
     assert arc.bounding_boxes(*nothing).shape == (0, 4)
@@ -109,7 +109,7 @@ def test_points_along_an_arc_are_in_its_box_and_add_up_to_its_length(
     low_x, low_y, high_x, high_y = arc.bounding_boxes(start, end, b)[0]
     assert (walk >= [low_x - 1e-6, low_y - 1e-6]).all()
     assert (walk <= [high_x + 1e-6, high_y + 1e-6]).all()
-    # And the box is tight: some point of the walk is near each side.
+    # The box is tight: some point is near each side.
     slack = 1e-3 * arc.length(start, end, b)[0] + 1e-6
     assert_allclose(walk.min(axis=0), [low_x, low_y], atol=slack)
     assert_allclose(walk.max(axis=0), [high_x, high_y], atol=slack)
@@ -118,7 +118,7 @@ def test_points_along_an_arc_are_in_its_box_and_add_up_to_its_length(
 
 
 @given(places, places, places, places, bulges)
-def test_walking_back_is_the_same_arc(
+def test_a_reversed_arc_has_the_same_points(
     x1: float, y1: float, x2: float, y2: float, bulge: float
 ) -> None:
     start, end, b = np.array([[x1, y1]]), np.array([[x2, y2]]), np.array([bulge])

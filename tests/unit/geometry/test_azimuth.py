@@ -1,4 +1,4 @@
-"""The azimuth of Yang et al., 4.1, and what surrounds it."""
+"""The azimuth of Yang et al., 4.1, unit vectors, normals and turns."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def test_right_of_north_is_east_and_left_is_west() -> None:
     ("before", "after", "expected"),
     [(350.0, 10.0, 20.0), (10.0, 350.0, -20.0), (0.0, 180.0, 180.0), (90.0, 90.0, 0.0)],
 )
-def test_the_smaller_turn_is_taken(before: float, after: float, expected: float) -> None:
+def test_the_turn_is_the_smaller_angle(before: float, after: float, expected: float) -> None:
     assert turn_angle(np.array([before]), np.array([after]))[0] == expected
 
 
-def test_headings_are_unwrapped() -> None:
+def test_unwrapped_azimuths_have_no_jumps() -> None:
     np.testing.assert_allclose(unwrap(np.array([350.0, 10.0, 30.0])), [350.0, 370.0, 390.0])

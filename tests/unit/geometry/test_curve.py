@@ -1,4 +1,4 @@
-"""Fitted curves, measured by dense sampling that shares nothing with the fit."""
+"""Fitted curves, measured by dense sampling that shares no code with the fit."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from knifetip.geometry.ellipse import Ellipse
 from knifetip.geometry.spline import Spline
 from knifetip.geometry.tolerance import CURVE
 
-#: The walk's own chords stand off an arc by this much at most (mm).
+#: Largest distance of the chords between sampled points from an arc (mm).
 SAGITTA = 1e-5
 
 
 def sample_points(segments: tuple[F64, F64, F64]) -> F64:
-    """Points along the segments, so dense that their chords are off by SAGITTA at most."""
+    """Return points along the segments, whose chords deviate by at most SAGITTA."""
     walk = []
     for start, end, bulge in zip(*segments, strict=True):
         one = (start[None], end[None], np.array([bulge]))
@@ -36,7 +36,7 @@ def sample_points(segments: tuple[F64, F64, F64]) -> F64:
 
 
 def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
-    """The farthest that points of a true curve are from the segments, by brute force."""
+    """Return the largest distance of points of a true curve from the segments."""
     walk = sample_points(segments)
     pieces = np.stack([walk[:-1], walk[1:]], axis=1)
     chord = pieces[:, 1] - pieces[:, 0]
@@ -55,7 +55,7 @@ def is_connected(segments: tuple[F64, F64, F64]) -> bool:
 
 
 def corners(segments: tuple[F64, F64, F64]) -> F64:
-    """The angles between one segment's end and the next one's start (degrees)."""
+    """Return the angle between each segment's end and the next segment's start (degrees)."""
     before = arc.tangents(*segments)[1][:-1]
     after = arc.tangents(*segments)[0][1:]
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
@@ -136,7 +136,7 @@ def test_elliptic_arc_starts_and_ends_exactly_at_its_parameters() -> None:
     assert (np.abs(bulge) <= 1.0).all()
 
 
-def test_conjugate_radii_need_not_be_square() -> None:
+def test_conjugate_radii_need_not_be_perpendicular() -> None:
     # A circle of radius 10 sheared by x += y: u = (10, 0), v = (10, 10).
     shape = Ellipse(np.zeros(2), np.array([10.0, 0.0]), np.array([10.0, 10.0]), 0.0, 6.0)
     t = np.linspace(0.0, 6.0, 1500)
@@ -144,7 +144,7 @@ def test_conjugate_radii_need_not_be_square() -> None:
     assert deviation(shape.to_segments(0.01), true) <= 0.01
 
 
-def test_ellipse_without_width_is_a_line_there_and_back() -> None:
+def test_an_ellipse_without_width_is_a_line_in_both_directions() -> None:
     start, end, bulge = fit_ellipse((0.0, 0.0), (10.0, 0.0), 0.0)
     assert_array_equal(bulge, np.zeros(len(bulge)))
     assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
@@ -222,8 +222,8 @@ def test_rational_quadratic_draws_a_true_quarter_circle() -> None:
     assert len(bulge) <= 2
 
 
-def test_spline_with_a_corner_keeps_it() -> None:
-    # Degree 2 with a double knot in the middle: two straight legs that meet at (10, 0).
+def test_a_corner_of_a_spline_is_kept() -> None:
+    # Degree 2 with a double knot in the middle: two straight parts that meet at (10, 0).
     control = np.array([[0.0, 0], [5, 0], [10, 0], [10, 5], [10, 10]])
     knots = np.array([0.0, 0, 0, 1, 1, 2, 2, 2])
     start, end, bulge = Spline(control, np.ones(5), knots, 2).to_segments()
@@ -232,7 +232,7 @@ def test_spline_with_a_corner_keeps_it() -> None:
     assert_array_equal(bulge, [0.0, 0.0])
 
 
-def test_corner_between_curved_legs_costs_no_extra_arcs() -> None:
+def test_a_corner_between_curves_needs_no_additional_arcs() -> None:
     # Two cubics that meet at (100, 0): falling into the corner, and rising out of it.
     first = [(0, 0), (0, 50), (100, 50), (100, 0)]
     second = [(100, 0), (100, 50), (200, 50), (200, 0)]
@@ -245,7 +245,7 @@ def test_corner_between_curved_legs_costs_no_extra_arcs() -> None:
     assert corners(both).max() == pytest.approx(180.0, abs=1e-3)
 
 
-def test_unclamped_spline_lives_between_its_inner_knots() -> None:
+def test_an_unclamped_spline_is_defined_between_its_inner_knots() -> None:
     # A uniform quadratic: at the ends of its domain it is midway between control points.
     control = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]])
     spline = Spline(control, np.ones(4), np.arange(7.0), 2)
@@ -290,7 +290,7 @@ def test_parameters_that_do_not_increase_are_refused() -> None:
         curve.fit(lambda t: np.stack([t, t], axis=1), lambda t: np.ones((len(t), 2)), [1.0, 1.0])
 
 
-def test_curve_that_cannot_be_followed_is_refused_in_time() -> None:
+def test_a_curve_that_needs_too_many_pieces_is_refused_quickly() -> None:
     def noise(t: F64) -> F64:
         return np.stack([t, np.sin(1e9 * t * t) * 50.0], axis=1)
 
@@ -302,7 +302,7 @@ Cubics = Callable[[I64, F64], F64]
 
 
 def cubics(control: F64) -> tuple[Cubics, Cubics]:
-    """Point and derivative of cubic Bézier curves (n, 4, 2)."""
+    """Return functions for the points and derivatives of cubic Bézier curves, (n, 4, 2)."""
 
     def point(k: I64, s: F64) -> F64:
         p, t, r = control[k], s[:, None], 1.0 - s[:, None]
@@ -315,7 +315,7 @@ def cubics(control: F64) -> tuple[Cubics, Cubics]:
     return point, tangent
 
 
-def test_many_curves_at_once_are_each_followed_and_do_not_touch_each_other() -> None:
+def test_many_curves_are_fitted_independently() -> None:
     control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
     point, tangent = cubics(control)
     start, end, bulge, which = curve.fit_many(point, tangent, len(control), 0.01)

@@ -1,4 +1,4 @@
-"""Which points lie on which segments."""
+"""Points on segments, compared with shapely and values computed by hand."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.shapes import edges
 NONE = np.array([-1], np.int32)
 
 
-def test_a_point_on_the_belly_of_an_arc_touches_it() -> None:
+def test_a_point_in_the_middle_of_an_arc_is_on_it() -> None:
     half = edges(((0, 0), (20, 0)))
     on, off = np.array([[10.0, -10.02]]), np.array([[10.0, 10.0]])
     for points, expected in ((on, True), (off, False)):
@@ -22,7 +22,7 @@ def test_a_point_on_the_belly_of_an_arc_touches_it() -> None:
         ).tolist() == [expected]
 
 
-def test_the_segment_that_a_point_belongs_to_does_not_count() -> None:
+def test_the_own_segment_of_a_point_is_ignored() -> None:
     line = edges(((0, 0), (20, 0)))
     args = (line[:, 0], line[:, 1], np.zeros(1), 0.05)
     assert not points_on_segments(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]

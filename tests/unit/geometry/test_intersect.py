@@ -1,4 +1,4 @@
-"""Crossings of lines and arcs, by hand and by points that must lie on both."""
+"""Common points of lines and arcs, computed by hand and checked to be on both segments."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import intersect_pairs
 
-#: From (10, 0) over (0, 10) to (-10, 0).
+#: Half circle from (10, 0) through (0, 10) to (-10, 0).
 HALF = ((10.0, 0.0), (-10.0, 0.0), 1.0)
 
 
@@ -19,7 +19,7 @@ def shared(
     one: tuple[tuple[float, float], tuple[float, float], float],
     two: tuple[tuple[float, float], tuple[float, float], float],
 ) -> F64:
-    """Return the points of one pair, sorted, with the shares of both lengths."""
+    """Return the common points of one pair, sorted, with their parameters on both segments."""
     columns = [np.array([value]) for value in (*one, *two)]
     a, b, bend, c, d, turn = columns
     found = intersect_pairs(a, b, bend, c, d, turn)
@@ -69,7 +69,7 @@ def shared(
         "one in the other",
     ],
 )
-def test_points_in_common(
+def test_common_points_equal_those_computed_by_hand(
     one: tuple[tuple[float, float], tuple[float, float], float],
     two: tuple[tuple[float, float], tuple[float, float], float],
     points: list[list[float | None]],
@@ -83,7 +83,7 @@ def test_points_in_common(
 
 
 def test_two_arcs_of_one_circle_may_overlap_twice() -> None:
-    # Three quarters of a circle each, begun opposite each other.
+    # Three quarters of a circle each, starting at opposite points.
     three = np.tan(np.radians(67.5))
     assert len(shared(((10, 0), (0, -10), three), ((-10, 0), (0, 10), three))) == 4
 
@@ -96,7 +96,7 @@ bulges = st.one_of(st.just(0.0), st.floats(-2.0, 2.0).filter(lambda b: abs(b) > 
 @given(st.tuples(*[places] * 8), bulges, bulges)
 # Two arcs that end where they touch.
 @example((-4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), 0.1875, 0.1875)
-def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
+def test_common_points_are_on_both_segments_and_none_is_missed(
     places: tuple[float, float, float, float, float, float, float, float], b1: float, b2: float
 ) -> None:
     ends = np.array(places).reshape(4, 1, 2)
@@ -109,10 +109,10 @@ def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
         for segment, share in ((one, found.first), (two, found.second)):
             on = arc.point_at(*segment, share[:, i])[0]
             np.testing.assert_allclose(on, found.points[0, i], atol=1e-5)
-    # The other way round it is the same.
+    # Exchanging the segments gives the same points.
     again = intersect_pairs(*two, *one)
     assert again.count[0] == count
-    # Walk along the first: wherever it changes sides of the second, a crossing must stand.
+    # Wherever the first segment changes sides of the second, there must be a common point.
     fine = arc.points_along(*one, 400)[0]
     if b2 == 0.0:
         a, d = ends[2, 0], ends[3, 0] - ends[2, 0]
@@ -135,7 +135,7 @@ def test_points_lie_on_both_where_they_are_said_to_and_none_is_missed(
         assert np.hypot(*(found.points[0, :count] - at).T).min() < 3.0 * step + 1e-6
 
 
-def test_many_pairs_go_through_one_call() -> None:
+def test_many_pairs_are_intersected_in_one_call() -> None:
     rows = 1000
     x = np.arange(rows, dtype=float)
     found = intersect_pairs(

@@ -1,4 +1,4 @@
-"""Work shared out to cores comes back in order, and what fails says so."""
+"""Results of parallel calls are in order, and exceptions are raised again."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ def _fails() -> int:
     raise ZeroDivisionError
 
 
-def test_runs_cover_everything_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_chunks_cover_the_range_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parallel, "core_count", lambda: 3)
     assert parallel.chunks(10, 2) == [(0, 3), (3, 6), (6, 10)]
     assert parallel.chunks(10, 6) == [(0, 10)]
     assert parallel.chunks(0, 6) == [(0, 0)]
 
 
-def test_what_is_done_of_each_run_is_in_the_order_of_the_runs() -> None:
+def test_results_are_in_the_order_of_the_items() -> None:
     assert parallel.parallel_map(lambda run: run * run, [3, 1, 2]) == [9, 1, 4]
 
 
 @pytest.mark.parametrize("machine", [1, 2])
-def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_pair_returns_the_results_in_order(machine: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parallel, "core_count", lambda: machine)
     assert parallel.parallel_pair(lambda: "one", lambda: "other") == ("one", "other")
     for pair in ((_fails, int), (int, _fails)):
@@ -31,11 +31,11 @@ def test_two_things_at_once_are_told_apart(machine: int, monkeypatch: pytest.Mon
             parallel.parallel_pair(*pair)
 
 
-def test_nothing_to_do_is_done() -> None:
+def test_no_items_give_no_results() -> None:
     assert parallel.parallel_map(lambda _: _fails(), []) == []
 
 
-def test_all_runs_are_done_before_the_first_error_is_raised() -> None:
+def test_all_items_are_processed_before_the_first_error_is_raised() -> None:
     seen = []
 
     def done(run: int) -> None:
@@ -48,9 +48,9 @@ def test_all_runs_are_done_before_the_first_error_is_raised() -> None:
     assert sorted(seen) == [0, 1, 2, 3]
 
 
-def test_work_within_work_waits_for_nobody() -> None:
+def test_nested_calls_do_not_deadlock() -> None:
     def outer(run: int) -> int:
         return sum(parallel.parallel_map(lambda inner: run * inner, [1, 2, 3]))
 
-    # More at once than there are cores, each with work of its own to share out.
+    # More items than cores, each with a parallel call of its own.
     assert parallel.parallel_map(outer, list(range(40))) == [6 * run for run in range(40)]

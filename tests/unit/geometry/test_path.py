@@ -1,4 +1,4 @@
-"""Paths cut back, turned round and begun elsewhere."""
+"""Paths trimmed, reversed and started elsewhere."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ def test_a_trimmed_path_ends_inside_its_arc() -> None:
 
 
 @given(a=st.floats(0, 40), b=st.floats(0, 40))
-def test_what_is_trimmed_is_what_is_missing(a: float, b: float) -> None:
+def test_the_trimmed_lengths_are_missing(a: float, b: float) -> None:
     short, _ = trim_ends(HOOK, np.array([a]), np.array([b]))
     assert short.lengths[0] == pytest.approx(HOOK.lengths[0] - a - b, abs=1e-5)
 
 
-def test_nothing_trimmed_is_the_same_to_the_last_bit() -> None:
+def test_trimming_by_zero_returns_equal_segments_bit_for_bit() -> None:
     same, _ = trim_ends(HOOK, np.zeros(1), np.zeros(1))
     np.testing.assert_array_equal(same.end, HOOK.end)
     np.testing.assert_array_equal(same.bulge, HOOK.bulge)
@@ -56,7 +56,7 @@ def test_a_reversed_path_bends_the_other_way() -> None:
     assert back.bulge[1] == -QUARTER
 
 
-def test_a_closed_path_begins_in_the_middle_of_its_longest_line() -> None:
+def test_a_closed_path_starts_in_the_middle_of_its_longest_line() -> None:
     corners = np.array([[0, 0], [10, 0], [10, 40], [0, 40], [0, 0]], float)
     both = Paths(
         np.concatenate([corners[:-1], HOOK.start]),
@@ -71,14 +71,14 @@ def test_a_closed_path_begins_in_the_middle_of_its_longest_line() -> None:
     np.testing.assert_allclose(moved.lengths, both.lengths)
 
 
-def test_a_circle_begins_in_the_middle_of_an_arc() -> None:
+def test_a_circle_starts_in_the_middle_of_an_arc() -> None:
     circle = path_through(np.array([[0.0, 0.0], [20.0, 0.0], [0.0, 0.0]]), np.ones(2))
     moved, _ = start_in_middle(circle, circle.closed)
     np.testing.assert_allclose(moved.start[0], [10.0, -10.0], atol=1e-12)
     np.testing.assert_allclose(moved.bulge, [QUARTER, 1.0, QUARTER])
 
 
-def test_a_point_along_a_path_knows_its_heading() -> None:
+def test_point_along_returns_point_azimuth_and_segment() -> None:
     xy, heading, row = point_along(HOOK, np.array([30.0 + 2.5 * np.pi]))
     eighth = 10.0 * np.sin(np.pi / 4)
     np.testing.assert_allclose(xy, [[30.0 + eighth, 10.0 - eighth]])
@@ -86,7 +86,7 @@ def test_a_point_along_a_path_knows_its_heading() -> None:
     assert row.tolist() == [1]
 
 
-def test_a_path_may_be_taken_twice() -> None:
+def test_a_path_may_be_selected_twice() -> None:
     twice, rows = select_paths(HOOK, np.array([0, 0], np.int32))
     assert len(twice) == 2
     assert rows.tolist() == [0, 1, 2, 0, 1, 2]

@@ -1,4 +1,4 @@
-"""Sets that are joined two at a time, against walking from each thing to all it is joined to."""
+"""Union-find, compared with a search of all indices connected to each index."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _PAIRS = st.lists(st.tuples(st.integers(0, 19), st.integers(0, 19)), max_size=30
 
 
 @given(_PAIRS)
-def test_the_least_of_all_that_hang_together_stands_for_them(pairs: list[tuple[int, int]]) -> None:
+def test_the_root_is_the_least_index_of_a_connected_set(pairs: list[tuple[int, int]]) -> None:
     parent = np.arange(20)
     beside: list[set[int]] = [{one} for one in range(20)]
     for one, other in pairs:

@@ -1,4 +1,4 @@
-"""Equal rows of whole numbers, held against numpy's own answer."""
+"""Distinct rows of integers, compared with numpy's result."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from knifetip.geometry.unique_rows import unique_rows
 
 
 @pytest.mark.parametrize("kinds", [1, 3, 700, 40_000])
-def test_rows_of_few_and_of_many_kinds_are_told_apart(kinds: int) -> None:
+def test_few_and_many_distinct_rows_are_found(kinds: int) -> None:
     rng = np.random.default_rng(kinds)
     table = rng.integers(-(1 << 40), 1 << 40, (kinds, 3))[rng.integers(0, kinds, 60_000)]
     first, kind = unique_rows(table)
     _, expected, inverse = np.unique(table, axis=0, return_index=True, return_inverse=True)
-    # In the order of the rows, where numpy's is that of the values.
+    # Ordered by row, while numpy orders by value.
     np.testing.assert_array_equal(first, np.sort(expected))
     np.testing.assert_array_equal(first[kind], expected[inverse.ravel()])
 
 
-def test_columns_of_one_table_and_columns_by_themselves_are_the_same() -> None:
+def test_a_table_gives_the_same_result_as_its_columns() -> None:
     one, two = np.array([5, 5, 5, 7]), np.array([1, 2, 1, 1], np.int32)
     for result in (unique_rows(one, two), unique_rows(np.column_stack([one, two]))):
         assert [column.tolist() for column in result] == [[0, 1, 3], [0, 1, 0, 2]]
 
 
-def test_nothing_has_no_kinds() -> None:
+def test_no_rows_give_no_distinct_rows() -> None:
     assert [len(column) for column in unique_rows(np.zeros(0, np.int64))] == [0, 0]

@@ -1,4 +1,4 @@
-"""[controller] of a machine that reads HPGL: checked when the file is loaded."""
+"""The settings of HPGL machines, which are validated when the machine's file is loaded."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def machine(tmp_path: Path, text: str) -> Machine:
     return load.machine(str(file))
 
 
-def test_the_shipped_machine() -> None:
+def test_the_settings_of_the_shipped_machine_are_valid() -> None:
     plotter = load.machine("flat-cutter-hpgl").controller
     assert isinstance(plotter, Plotter)
     assert plotter.device.units == 40.0
@@ -65,7 +65,7 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_a_wrong_file_is_refused_with_the_reason(
+def test_an_invalid_file_is_refused_with_the_reason(
     tmp_path: Path, old: str, new: str, said: str
 ) -> None:
     assert old in TEXT
@@ -78,6 +78,6 @@ def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
         with_language(load.machine("demo-table"), "hpgl")
 
 
-def test_programs_are_downloaded_and_not_streamed() -> None:
+def test_hpgl_has_no_driver_and_a_hint_to_download() -> None:
     with pytest.raises(ControllerError, match=r"HPGL cannot be streamed.*Download the program"):
         find_language("hpgl").load_driver()

@@ -1,4 +1,4 @@
-"""Languages: found by name, from this package or another, and checked when a machine is read."""
+"""Controller languages: found by name, here or in another package, and validated with a machine."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROOM = Path(registry.__file__).parent
 
 
 @pytest.mark.parametrize("name", registry.language_names())
-def test_every_part_of_a_language_can_be_imported(name: str) -> None:
+def test_every_component_of_a_language_can_be_imported(name: str) -> None:
     language = find_language(name)
     for part in PARTS:
         assert language.load_part(part) is not None
@@ -55,7 +55,7 @@ def test_a_machine_with_an_unknown_language_is_refused_when_it_is_read(tmp_path:
         load.machine(str(file))
 
 
-def test_settings_are_refused_where_the_language_has_none(tmp_path: Path) -> None:
+def test_settings_of_a_language_without_settings_are_refused(tmp_path: Path) -> None:
     text = (Path(load.__file__).parent / "machines" / "demo-table.toml").read_text("utf-8")
     file = tmp_path / "table.toml"
     file.write_text(text + "\n[controller]\nbaud = 9600\n", "utf-8")
@@ -85,7 +85,7 @@ Install = Callable[[str, str], None]
 
 @pytest.fixture
 def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install]:
-    """Install a package with a language, as the metadata of an installed one declares it."""
+    """Return a function that installs a package which declares a language as an entry point."""
 
     def install(declared: str, name: str) -> None:
         (tmp_path / "elsewhere.py").write_text(FOREIGN.format(name=name), "utf-8")
@@ -111,7 +111,7 @@ def test_a_language_of_another_package_is_found_by_its_entry_point(package: Inst
     assert emitter(None, machine, tolerance=0.01, notes=()) == "elsewhere"
 
 
-def test_an_entry_point_that_is_another_language_is_refused(package: Install) -> None:
+def test_an_entry_point_with_the_name_of_another_language_is_refused(package: Install) -> None:
     package("elsewhere", "nowhere")
     with pytest.raises(LibraryError, match="is not a controller language of this name"):
         find_language("elsewhere")
@@ -131,7 +131,7 @@ def test_the_language_reaches_the_time_estimate() -> None:
     assert (halting.seconds, halting.program.text) == (own.seconds, own.program.text)
 
 
-def test_reading_a_record_does_not_import_its_parts() -> None:
+def test_reading_a_record_does_not_import_its_components() -> None:
     code = (
         "import sys; from knifetip.languages import registry\n"
         f"[registry.find_language(name) for name in {registry.language_names()!r}]\n"
@@ -142,7 +142,7 @@ def test_reading_a_record_does_not_import_its_parts() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_no_other_room_names_a_language() -> None:
+def test_no_other_package_names_a_language() -> None:
     own = {"languages", "rs274", "hpgl", "grbl.py", "linuxcnc.py"}
     package = ROOM.parent
     for file in package.rglob("*.py"):

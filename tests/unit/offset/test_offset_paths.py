@@ -1,4 +1,4 @@
-"""The equidistant: by hand, and against shapely, which flattens what is kept as arcs here."""
+"""Offsets, compared with paths computed by hand and with shapely, which flattens arcs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tests.support.shapes import paths as paths_of
 from tests.support.shapes import rotation
 
 SQUARE = [(0, 0), (100, 0), (100, 60), (0, 60)]
-#: Two rooms of 40 × 60 with a door of 10 between them.
+#: Two chambers of 40 × 60 with an opening of 10 between them.
 DUMBBELL = [
     (0, 0), (40, 0), (40, 25), (60, 25), (60, 0), (100, 0),
     (100, 60), (60, 60), (60, 35), (40, 35), (40, 60), (0, 60),
@@ -69,7 +69,7 @@ def stars(count: int, corners: int, seed: int, arcs: bool = False) -> Paths:
 
 
 def simple(paths: Paths) -> Paths:
-    """Return the paths that do not cross themselves, not even by a hair at a sharp corner."""
+    """Return the paths that do not cross themselves, not even slightly at a sharp corner."""
     good = []
     for low, high in zip(paths.first[:-1], paths.first[1:], strict=True):
         one, two = np.triu_indices(high - low, 1)
@@ -129,7 +129,7 @@ def clearance(made: OffsetPaths, paths: Paths, pieces: int = 16) -> float:
 
 
 def region(paths: Paths) -> Any:
-    """Return what closed paths enclose, holes left out."""
+    """Return the area that closed paths enclose, as a shapely geometry without holes."""
     found = shapely.Polygon()
     for ring in flattened(paths, 64):
         found = found.symmetric_difference(shapely.Polygon(ring).buffer(0.0))
@@ -137,7 +137,7 @@ def region(paths: Paths) -> Any:
 
 
 def tight(made: OffsetPaths) -> bool:
-    """Return whether every result path hangs together and has no specks."""
+    """Return whether every result path is connected and has no tiny segments."""
     paths = made.paths
     chord = np.hypot(*(paths.end - paths.start).T)
     joined = np.ones(len(chord), bool)
@@ -146,7 +146,7 @@ def tight(made: OffsetPaths) -> bool:
     return bool(joined.all() and (chord >= 1e-6).all())
 
 
-# By hand.
+# Compared with paths computed by hand.
 
 
 def test_inside_a_rectangle_the_path_is_a_smaller_rectangle() -> None:
@@ -162,7 +162,7 @@ def test_inside_a_rectangle_the_path_is_a_smaller_rectangle() -> None:
     ("kind", "length", "inserted"),
     [(Corner.B, 10.0 * np.pi, 4), (Corner.C, 40.0, 8), (Corner.D, 10.0 * np.pi / 2 + 20.0, 12)],
 )
-def test_outside_a_rectangle_each_type_goes_round_its_own_way(
+def test_outside_a_rectangle_each_type_has_its_own_transition(
     kind: Corner, length: float, inserted: int
 ) -> None:
     made = offset_paths(rings(SQUARE), 5.0, -1, corner=kind, k=0.5)
@@ -170,7 +170,7 @@ def test_outside_a_rectangle_each_type_goes_round_its_own_way(
     assert made.paths.lengths[0] == pytest.approx(320.0 + length)
     assert made.inserted.sum() == inserted
     assert made.unreached[0] == 0.0
-    # A transition has the segment after its corner.
+    # A transition has the segment after its corner as its source.
     assert made.source[made.inserted].tolist() == np.repeat(np.arange(4), inserted // 4).tolist()
 
 
@@ -179,7 +179,7 @@ def test_each_corner_may_have_its_own_type() -> None:
     assert np.bincount(made.source[made.inserted]).tolist() == [1, 2, 3, 1]
 
 
-def test_a_circle_stays_a_circle() -> None:
+def test_the_offset_of_a_circle_is_a_circle() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     for side, radius in ((1, 7.0), (-1, 13.0)):
         made = offset_paths(circle, 3.0, side)
@@ -189,7 +189,7 @@ def test_a_circle_stays_a_circle() -> None:
         np.testing.assert_array_equal(made.paths.bulge, [1.0, 1.0])
 
 
-def test_nothing_is_left_of_a_circle_as_small_as_the_tool() -> None:
+def test_a_circle_with_the_radius_of_the_tool_has_no_offset_inside() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     made = offset_paths(circle, 12.0, 1)
     assert len(made.paths) == 0
@@ -206,7 +206,7 @@ def test_smooth_joints_need_no_transition() -> None:
         assert made.unreached[0] == pytest.approx(0.0, abs=1e-9)
 
 
-def test_a_door_too_narrow_makes_two_rooms() -> None:
+def test_an_opening_too_narrow_gives_two_paths() -> None:
     made = offset_paths(rings(DUMBBELL), 7.0, 1)
     assert made.owner.tolist() == [0, 0]
     assert made.paths.closed.all()
@@ -218,19 +218,19 @@ def test_a_door_too_narrow_makes_two_rooms() -> None:
     assert made.unreached[0] == pytest.approx(shape.area - swept.area, abs=0.02)
 
 
-def test_a_door_wide_enough_is_passed() -> None:
+def test_an_opening_wide_enough_gives_one_path() -> None:
     assert len(offset_paths(rings(DUMBBELL), 4.9, 1).paths) == 1
     assert len(offset_paths(rings(DUMBBELL), 5.1, 1).paths) == 2
 
 
-def test_a_pocket_too_small_is_left_alone() -> None:
+def test_a_pocket_too_small_has_no_offset() -> None:
     made = offset_paths(rings(SQUARE), 30.5, 1)
     assert len(made.paths) == 0
     assert len(made.source) == 0
     assert made.unreached[0] == pytest.approx(6000.0)
 
 
-def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
+def test_a_horseshoe_whose_mouth_is_too_narrow_gives_a_path_inside() -> None:
     shoe = rings(
         [
             (0, 0),
@@ -252,16 +252,16 @@ def test_a_horseshoe_that_closes_leaves_a_ring_inside() -> None:
     assert clearance(made, shoe) >= 5.0 - DISTANCE_TOLERANCE
     outer, inner = areas(made.paths)
     assert outer > 0.0 > inner
-    # Inside, 40 × 40 less 5 all round, and both posts of the mouth keep their distance.
+    # Inside, 40 × 40 less 5 on each side, and the corners of the mouth keep their distance.
     assert -inner == pytest.approx(900.0, abs=3.0)
 
 
-def test_an_island_is_kept_clear_of() -> None:
+def test_the_tool_keeps_clear_of_an_island() -> None:
     outline = rings(SQUARE, [(45, 25), (45, 35), (55, 35), (55, 25)])
     apart = offset_paths(outline, 5.0, 1, group=[0, 0])
     assert len(apart.paths) == 2
     assert apart.paths.lengths.sum() == pytest.approx(280.0 + 40.0 + 10.0 * np.pi)
-    # Too wide to pass above and below the island: left and right of it remain.
+    # The tool is too wide to pass above and below the island, so the left and the right remain.
     made = offset_paths(outline, 14.0, 1, group=[0, 0])
     assert len(made.paths) == 2
     want = shapely.Polygon(SQUARE, [[(45, 25), (45, 35), (55, 35), (55, 25)]])
@@ -269,11 +269,11 @@ def test_an_island_is_kept_clear_of() -> None:
     assert areas(made.paths).sum() == pytest.approx(inside.area, rel=1e-5)
     swept = inside.buffer(14.0, quad_segs=200)
     assert made.unreached.sum() == pytest.approx(want.area - swept.area, abs=0.1)
-    # Alone, neither knows of the other.
+    # As groups of their own, they do not affect each other.
     assert offset_paths(outline, 14.0, 1).owner.tolist() == [0, 1]
 
 
-def test_an_island_that_fills_the_pocket_leaves_nothing() -> None:
+def test_a_pocket_filled_by_an_island_has_no_offset() -> None:
     outline = rings(SQUARE, [(10, 10), (10, 50), (90, 50), (90, 10)])
     assert len(offset_paths(outline, 6.0, 1, group=[0, 0]).paths) == 0
 
@@ -282,7 +282,7 @@ def test_an_island_that_fills_the_pocket_leaves_nothing() -> None:
 
 
 @pytest.mark.parametrize(("side", "y"), [(1, 3.0), (-1, -3.0)])
-def test_beside_a_line_runs_a_line(side: int, y: float) -> None:
+def test_the_offset_of_a_line_is_a_parallel_line(side: int, y: float) -> None:
     made = offset_paths(strip((0, 0), (10, 0)), 3.0, side)
     np.testing.assert_allclose(made.paths.start, [[0, y]], atol=1e-12)
     np.testing.assert_allclose(made.paths.end, [[10, y]], atol=1e-12)
@@ -299,24 +299,24 @@ def test_an_open_angle_is_shortened_inside_and_rounded_outside() -> None:
 
 
 def test_an_open_path_keeps_clear_of_its_own_ends_and_back() -> None:
-    # A hook that comes back to 6 mm from its own beginning.
+    # A hook that returns to 6 mm from its start.
     hook = strip((0, 0), (40, 0), (40, 30), (20, 30), (20, 6))
     for side in (1, -1):
         made = offset_paths(hook, 8.0, side)
         assert clearance(made, hook) >= 8.0 - DISTANCE_TOLERANCE
         assert tight(made)
         assert not made.paths.closed[0]
-        # Left of it, what it encloses is a pocket of its own.
+        # On its left, the hook encloses a pocket.
         assert len(made.paths) == (2 if side == 1 else 1)
 
 
-# Against shapely.
+# Compared with shapely.
 
 
 @pytest.mark.parametrize(
     ("side", "radius"), [(1, 0.5), (1, 3.0), (1, 9.0), (-1, 0.5), (-1, 4.0), (-1, 30.0)]
 )
-def test_a_thousand_stars_enclose_what_shapely_says(side: int, radius: float) -> None:
+def test_offsets_of_a_thousand_stars_enclose_the_areas_of_shapely(side: int, radius: float) -> None:
     paths = stars(1000, 17, seed=int(radius * 2) + side)
     made = offset_paths(paths, radius, side)
     shapes = shapely.polygons(paths.start.reshape(1000, 17, 2))
@@ -334,13 +334,13 @@ def test_a_thousand_stars_enclose_what_shapely_says(side: int, radius: float) ->
     points = arc.points_along(made.paths.start, made.paths.end, made.paths.bulge, 9)
     own = np.repeat(ring[made.owner[made.paths.path_of]], 9)
     assert shapely.distance(own, shapely.points(points.reshape(-1, 2))).min() >= radius - 1e-9
-    # Arcs are arcs: no more of them than corners, and none cut small.
+    # Arcs are not split: there are at most as many as corners, and no tiny ones.
     most = np.bincount(made.owner[made.paths.path_of], made.paths.bulge != 0.0, minlength=1000)
     assert most.max() <= 2 * 17
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed: int) -> None:
+def test_hausdorff_distance_to_shapely_is_the_error_of_its_chords(seed: int) -> None:
     paths = stars(60, 14, seed)
     for side, radius in ((1, 4.0), (-1, 8.0)):
         made = offset_paths(paths, radius, side)
@@ -366,7 +366,9 @@ def test_hausdorff_distance_to_shapely_is_that_of_the_chords(seed: int) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.2, 20.0), side=st.sampled_from([1, -1]))
-def test_contours_with_arcs_enclose_what_shapely_says(seed: int, radius: float, side: int) -> None:
+def test_offsets_of_contours_with_arcs_enclose_the_areas_of_shapely(
+    seed: int, radius: float, side: int
+) -> None:
     paths = simple(stars(1, 12, seed, arcs=True))
     if len(paths) == 0:
         return
@@ -388,7 +390,7 @@ def test_contours_with_arcs_enclose_what_shapely_says(seed: int, radius: float, 
 
 @settings(max_examples=40, deadline=None)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.5, 12.0))
-def test_islands_in_pockets_against_shapely(seed: int, radius: float) -> None:
+def test_pockets_with_islands_enclose_the_areas_of_shapely(seed: int, radius: float) -> None:
     random = np.random.default_rng(seed)
     outer = stars(1, 12, seed).start * 3.0
     holes = [
@@ -415,11 +417,11 @@ def test_islands_in_pockets_against_shapely(seed: int, radius: float) -> None:
     assert made.unreached.sum() == pytest.approx(lost, abs=2e-4 * radius * want.length + 0.1)
 
 
-# What every engine answers to.
+# Properties of every engine.
 
 
 def described(made: OffsetPaths) -> tuple[float, float, float, int, int]:
-    """Return what must not change when the board is turned."""
+    """Return figures that do not change when the board is rotated."""
     size = np.bincount(made.owner, areas(made.paths), minlength=len(made.unreached))
     arcs = int((made.paths.bulge != 0.0).sum())
     return abs(size[0]), made.paths.lengths.sum(), made.unreached[0], arcs, len(made.paths)
@@ -441,7 +443,7 @@ def alike(
     turn=st.floats(-180.0, 180.0),
     shift=st.integers(1, 10),
 )
-def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
+def test_rotation_mirroring_direction_and_start_do_not_change_the_offset(
     seed: int, radius: float, side: int, kind: Corner, turn: float, shift: int
 ) -> None:
     paths = simple(stars(1, 11, seed, arcs=True))
@@ -468,7 +470,7 @@ def test_turned_mirrored_reversed_or_begun_elsewhere_it_is_the_same(
     side=st.sampled_from([1, -1]),
     k=st.floats(0.0, 1.0),
 )
-def test_c_and_d_stay_as_clear_as_b_and_never_shorter(
+def test_types_c_and_d_keep_the_distance_and_are_never_shorter_than_b(
     seed: int, radius: float, side: int, k: float
 ) -> None:
     paths = simple(stars(1, 13, seed, arcs=True))
@@ -481,7 +483,7 @@ def test_c_and_d_stay_as_clear_as_b_and_never_shorter(
         assert tight(made)
 
 
-def test_a_batch_is_the_same_as_one_by_one() -> None:
+def test_a_batch_gives_the_same_offsets_as_single_calls() -> None:
     paths = simple(stars(120, 12, 5, arcs=True))
     count = len(paths)
     assert count > 20
@@ -504,7 +506,7 @@ def test_a_batch_is_the_same_as_one_by_one() -> None:
     assert at == len(made.source)
 
 
-def test_no_radius_gives_the_paths_back() -> None:
+def test_a_radius_of_zero_returns_the_paths() -> None:
     paths = stars(5, 9, 2, arcs=True)
     made = offset_paths(paths, 0.0, 1)
     np.testing.assert_array_equal(made.paths.start, paths.start)
@@ -528,8 +530,8 @@ def test_no_paths_give_none() -> None:
     assert len(made.unreached) == 0
 
 
-def test_round_both_sides_of_a_slit() -> None:
-    # There and back again: the tool goes round both ends.
+def test_a_slit_is_offset_around_both_ends() -> None:
+    # The slit is drawn forth and back; the tool goes around both ends.
     made = offset_paths(rings([(0, 0), (40, 0)]), 5.0, -1)
     assert areas(made.paths)[0] == pytest.approx(400.0 + 25.0 * np.pi)
     assert (made.paths.bulge != 0.0).sum() == 2
@@ -544,7 +546,7 @@ def test_twenty_thousand_segments_with_notches() -> None:
     assert areas(made.paths).sum() == pytest.approx(want.area, rel=1e-6)
 
 
-# Refusals.
+# Errors.
 
 
 def test_refuse_names_the_segments_and_the_depth() -> None:
@@ -554,20 +556,20 @@ def test_refuse_names_the_segments_and_the_depth() -> None:
     assert {int(row) for row in caught.value.source} <= set(range(4, 16))
 
 
-def test_refuse_says_how_much_too_tight_an_arc_is() -> None:
+def test_refuse_names_the_missing_radius_of_an_arc() -> None:
     circle = rings([(10, 0), (-10, 0)], bulge=[1.0, 1.0])
     with pytest.raises(CompensationError, match="cut 2 mm into"):
         offset_paths(circle, 12.0, 1, interference="refuse")
 
 
-def test_refuse_accepts_what_fits() -> None:
+def test_refuse_accepts_contours_that_the_tool_fits() -> None:
     paths = rings(SQUARE, DUMBBELL)
     for side in (1, -1):
         assert len(offset_paths(paths, 4.0, side, interference="refuse").paths) == 2
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_a_coordinate_that_is_no_number_is_refused(value: float) -> None:
+def test_a_coordinate_that_is_not_finite_is_refused(value: float) -> None:
     start = np.array(SQUARE, float)
     end = np.roll(start, -1, axis=0)
     start[2, 1] = value
@@ -591,7 +593,7 @@ def test_a_segment_without_length_is_refused() -> None:
         ({"corner": Corner.D, "k": np.nan}, "k = nan"),
     ],
 )
-def test_what_makes_no_sense_is_refused(given_: dict[str, Any], words: str) -> None:
+def test_invalid_arguments_are_refused(given_: dict[str, Any], words: str) -> None:
     with pytest.raises((GeometryError, CompensationError), match=words):
         offset_paths(rings(SQUARE), **({"distance": 1.0, "side": 1} | given_))
 

@@ -1,4 +1,4 @@
-"""The equidistant of drawings as they are: rounded, nearly touching, crossing by micrometres."""
+"""Offsets of imprecise drawings: rounded, nearly touching, crossing by micrometres."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def points(made: OffsetPaths) -> NDArray[Any]:
     radius=st.floats(0.3, 8.0),
     side=st.sampled_from([1, -1]),
 )
-def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(
+def test_edges_split_and_rounded_give_the_same_offset(
     seed: int, jitter: float, radius: float, side: int
 ) -> None:
     random = np.random.default_rng(seed)
@@ -66,8 +66,8 @@ def test_edges_drawn_in_pieces_and_rounded_make_the_same_path(
 
 
 @pytest.mark.parametrize("over", [1e-4, 1e-5, 2e-6])
-def test_walls_that_cross_by_micrometres_are_named_with_their_place(over: float) -> None:
-    # A notch in the upper edge whose walls cross on their way down.
+def test_walls_that_cross_by_micrometres_are_refused_with_their_position(over: float) -> None:
+    # A notch in the upper edge whose walls cross halfway down.
     contour = [(0, 0), (100, 0), (100, 60), (50 + over, 60), (50 - over, 30), (50 + over, 30),
                (50 - over, 60), (0, 60)]  # fmt: skip
     with pytest.raises(CompensationError, match="touches itself at") as caught:
@@ -79,12 +79,14 @@ def test_walls_that_cross_by_micrometres_are_named_with_their_place(over: float)
 
 @pytest.mark.parametrize("apart", [1e-4, 1e-5, 2e-6])
 @pytest.mark.parametrize("side", [1, -1])
-def test_a_slit_of_micrometres_is_gone_round_or_over(apart: float, side: int) -> None:
+def test_a_slit_of_micrometres_is_offset_inside_and_ignored_outside(
+    apart: float, side: int
+) -> None:
     contour = [(0, 0), (100, 0), (100, 60), (50 + apart, 60), (50, 30), (50 - apart, 60), (0, 60)]
     made = offset_paths(ring(contour), 3.0, side)
     assert shapely.distance(shapely.LinearRing(contour), points(made)).min() >= 3.0 - 1e-9
     assert made.paths.closed.all()
-    # Round the slit's end inside; outside the tool does not see it.
+    # Inside, the offset goes around the slit's end; outside, the slit has no effect.
     assert made.paths.lengths.sum() == pytest.approx(
         296.0 + 60.0 - 6.0 + 3.0 * np.pi - 6.0 if side == 1 else 320.0 + 6.0 * np.pi, abs=0.01
     )
@@ -131,7 +133,7 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
     assert not made.paths.closed.any()
     line = shapely.LineString(xy)
     assert shapely.distance(line, points(made)).min() >= radius - 1e-9
-    # An end that is reached is the contour's, square to its side.
+    # An end that is reached is perpendicular to the contour's end.
     for at, chord, mine in (
         (xy[0], xy[1] - xy[0], made.paths.start[0]),
         (xy[-1], xy[-1] - xy[-2], made.paths.end[-1]),
@@ -144,7 +146,7 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
 
 @settings(max_examples=40, deadline=None)
 @given(kind=st.sampled_from([Corner.C, Corner.D]), k=st.floats(0, 1), radius=st.floats(0.5, 12.0))
-def test_islands_with_c_and_d_corners_stay_within_what_b_leaves(
+def test_offsets_of_islands_with_c_and_d_corners_are_inside_those_with_b(
     kind: Corner, k: float, radius: float
 ) -> None:
     outline = [(0, 0), (100, 0), (100, 60), (0, 60)]

@@ -1,4 +1,4 @@
-"""B, C and D round a convex corner: the lengths of the table, and what D promises."""
+"""Transitions of types B, C and D: lengths of the patent's table, and properties of D."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ radii = st.floats(0.01, 100.0)
 def round_corner(
     kind: Corner, degrees: float, radius: float = 1.0, side: int = 1, k: float = 0.5
 ) -> Paths:
-    """Travel due east, turn away from the tool by so many degrees."""
+    """Return the transition at a corner between a line due east and one turned by an angle."""
     out = rotation(-side * degrees) @ [1.0, 0.0]
     return transitions(kind, np.array([[1.0, 0.0]]), out[None], np.zeros((1, 2)), radius, side, k)
 
@@ -55,7 +55,7 @@ def test_b_is_one_arc_about_the_vertex() -> None:
     assert path.bulge[0] < 0.0
 
 
-def test_c_at_a_right_angle_goes_over_the_outer_corner_of_the_square() -> None:
+def test_c_at_a_right_angle_passes_the_outer_corner_of_the_square() -> None:
     path = round_corner(Corner.C, 90.0, radius=2.0)
     np.testing.assert_allclose(path.end, [[2.0, 2.0], [2.0, 0.0]], atol=1e-15)
 
@@ -66,7 +66,7 @@ def test_c_beyond_a_right_angle_is_cut_off() -> None:
 
 
 @given(degrees=angles, radius=radii, k=knobs, side=st.sampled_from([-1, 1]))
-def test_d_is_as_long_as_k_says_between_b_and_c(
+def test_the_length_of_d_is_interpolated_between_b_and_c_by_k(
     degrees: float, radius: float, k: float, side: int
 ) -> None:
     b, c, d = (round_corner(kind, degrees, radius, side, k).lengths[0] for kind in Corner)
@@ -80,7 +80,7 @@ def test_d_is_as_long_as_k_says_between_b_and_c(
     k=knobs,
     side=st.sampled_from([-1, 1]),
 )
-def test_d_turns_no_corner_and_touches_the_vertex_only_at_its_ends(
+def test_d_is_smooth_and_touches_the_vertex_only_at_its_ends(
     degrees: float, radius: float, k: float, side: int
 ) -> None:
     path = round_corner(Corner.D, degrees, radius, side, k)
@@ -108,7 +108,7 @@ def test_k_of_0_is_b_and_k_of_1_up_to_a_right_angle_is_c() -> None:
 
 
 @given(degrees=angles, turn=st.floats(-180.0, 180.0), kind=st.sampled_from(Corner))
-def test_corners_turn_with_the_board_and_mirror_with_the_side(
+def test_transitions_rotate_with_the_board_and_mirror_with_the_side(
     degrees: float, turn: float, kind: Corner
 ) -> None:
     plain = round_corner(kind, degrees)
@@ -147,7 +147,7 @@ def test_a_corner_that_is_concave_for_the_tool_has_no_transition() -> None:
         (Corner.B, -1.0, 0.5, "radius is not a number"),
     ],
 )
-def test_what_makes_no_sense_is_refused(kind: Any, radius: float, k: float, words: str) -> None:
+def test_invalid_arguments_are_refused(kind: Any, radius: float, k: float, words: str) -> None:
     with pytest.raises(CompensationError, match=words):
         round_corner(kind, 90.0, radius, 1, k)
 

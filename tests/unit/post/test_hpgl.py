@@ -1,4 +1,4 @@
-"""HPGL: the instructions of small toolpaths, written out by hand in plotter units (0.025 mm)."""
+"""HPGL programs of small toolpaths, compared with programs written by hand (unit 0.025 mm)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.
 CUT, CREASE = 24000.0, 18000.0
 Move = tuple[int, Motion, float, float, float, float, float]
 
-#: station, motion, x, y, z, bulge, feed: where each move ends.
+#: Station, motion, x, y, z, bulge and feed of the end of a move.
 SQUARE: list[Move] = [
     (1, R, 20, 20, 5, 0, 0),
     (1, P, 20, 20, -0.3, 0, 6000),
@@ -50,7 +50,7 @@ def with_device(**changes: object) -> Machine:
     return replace(MACHINE, controller=Plotter(device, pens))
 
 
-def test_one_cut() -> None:
+def test_a_cut_is_a_travel_a_plunge_and_a_work_move() -> None:
     assert instructions(toolpath(*SQUARE)) == [
         "IN;", "PA;", "PU;", "SP1;", "FS30;", "VS40;",
         "PU800,800;", "PD;", "PD4800,800;", "PU;",
@@ -58,13 +58,13 @@ def test_one_cut() -> None:
     ]  # fmt: skip
 
 
-def test_each_line_has_its_row() -> None:
+def test_each_line_has_the_row_of_its_move() -> None:
     program = process(toolpath(*SQUARE), MACHINE)
     assert program.source.tolist() == [-1] * 6 + [0, 1, 2, 3] + [-1, -1]
     assert program.dialect == "hpgl"
 
 
-def test_a_pen_is_the_work_of_a_station() -> None:
+def test_each_kind_of_work_of_a_station_selects_its_pen() -> None:
     lines = instructions(
         toolpath(
             (2, R, 10, 10, 5, 0, 0),
@@ -83,13 +83,13 @@ def test_a_pen_is_the_work_of_a_station() -> None:
     assert selected == [
         "SP2;", "FS24;", "VS30;", "SP3;", "FS12;", "VS40;", "SP1;", "FS30;", "VS40;", "SP0;",
     ]  # fmt: skip
-    # The tool is up and changed before the head goes to its work.
+    # The tool is lifted and changed before the head travels to the next cut.
     at = lines.index("SP1;")
     assert lines[at - 2 : at] == ["PU;", "PU;"]
     assert lines[at + 3 : at + 5] == ["PU800,800;", "PD;"]
 
 
-def test_points_are_rounded_as_points_and_brief_moves_vanish() -> None:
+def test_positions_are_rounded_independently_and_moves_of_no_length_are_omitted() -> None:
     lines = instructions(
         toolpath(
             (1, R, 20.013, 20, 5, 0, 0),
@@ -123,7 +123,7 @@ def test_an_arc_becomes_chords_within_half_the_tolerance() -> None:
     assert 60 <= len(lines) <= 90
 
 
-def test_a_device_has_only_the_instructions_that_its_record_names() -> None:
+def test_only_instructions_that_the_device_supports_are_written() -> None:
     bare = instructions(toolpath(*SQUARE), with_device(speed=None, force=None))
     assert bare == [
         "IN;", "PA;", "PU;", "SP1;", "PU800,800;", "PD;", "PD4800,800;", "PU;", "PU;", "SP0;",
@@ -136,13 +136,13 @@ def test_a_device_has_only_the_instructions_that_its_record_names() -> None:
     ]  # fmt: skip
 
 
-def test_the_origin_is_that_of_the_device() -> None:
+def test_positions_are_relative_to_the_origin_of_the_device() -> None:
     centred = with_device(zero=(650.0, 450.0), area=(-26000, -18000, 26000, 18000))
     lines = instructions(toolpath(*SQUARE), centred)
     assert lines[6:9] == ["PU-25200,-17200;", "PD;", "PD-21200,-17200;"]
 
 
-def test_the_speed_is_written_where_it_changes() -> None:
+def test_the_speed_is_written_when_it_changes() -> None:
     slower = [*SQUARE[:3], (1, F, 120, 60, -0.3, 0, 12000.0), (1, F, 60, 60, -0.3, 0, 12000.0)]
     lines = instructions(toolpath(*slower, (1, L, 60, 60, 2.4, 0, 6000)))
     assert lines[5:12] == [
@@ -165,12 +165,12 @@ def test_the_speed_is_written_where_it_changes() -> None:
         ([SQUARE[0]], "never goes down"),
     ],
 )
-def test_what_hpgl_cannot_express_is_refused(moves: list[Move], what: str) -> None:
+def test_a_move_that_hpgl_cannot_express_is_refused(moves: list[Move], what: str) -> None:
     with pytest.raises(ProgramError, match=what):
         process(toolpath(*moves), MACHINE)
 
 
-def test_work_without_a_pen_is_refused() -> None:
+def test_a_kind_of_work_without_a_pen_is_refused() -> None:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
     bare = replace(MACHINE, controller=replace(plotter, pens=plotter.pens[1:]))

@@ -134,7 +134,7 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers() -> None:
     program = process(
         toolpath(*TWO_STATIONS), TABLE, "grblhal", notes=["placement X20.0000 Y20.0000"]
     )
-    # The wheel stands at X +60, Z -1.5; the quarter of r 10 is 15.708 mm at 24,000 mm/min.
+    # The wheel's datum is X +60, Z -1.5; the quarter circle of r 10 is 15.708 mm at 24,000 mm/min.
     assert program.text.decode().splitlines() == [
         "(placement X20.0000 Y20.0000)",
         "G21 G90 G91.1 G17 G40 G49 G94 G54",
@@ -177,7 +177,7 @@ def test_a_program_for_grblhal_has_the_datums_in_its_numbers() -> None:
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_every_program_begins_and_ends_by_lifting_and_then_releasing_everything(
+def test_every_program_starts_and_ends_with_a_lift_and_then_releases_all_outputs(
     dialect: str,
 ) -> None:
     # Two stations share output 2, and one is mounted 4 mm above the others.
@@ -208,7 +208,7 @@ def test_leaving_the_oscillating_knife_stops_it_and_lifts_its_piston() -> None:
     assert lines[at + 1 : at + 6] == ["M65 P0", "M5", "T3 M6 G43", "M64 P2", "G4 P0.15"]
 
 
-def test_no_words_for_missing_pistons_and_settling_time() -> None:
+def test_stations_without_piston_and_settling_time_get_no_such_words() -> None:
     bare = replace(TABLE, stations=(replace(TABLE.stations[1], output=-1),), settle=0.0)
     text = process(toolpath(rapid(1, 1, station=2)), bare, "linuxcnc").text
     for word in (b"M64", b"M65", b"G4 ", b"M3"):
@@ -221,7 +221,7 @@ def test_the_first_move_of_a_station_has_words_for_all_axes() -> None:
     assert grblhal(*rows)[-1] == "G0 X65.0000 Y0.0000 Z18.5000 C0.0000"
 
 
-def test_words_are_printed_only_where_they_change_at_the_printed_place() -> None:
+def test_words_are_written_only_if_their_printed_value_changes() -> None:
     rows = [rapid(1, 1), feed(10, 1.00004), feed(10.00004, 2), feed(10.00004, 2)]
     assert linuxcnc(*rows) == [
         "G0 X1.0000 Y1.0000 Z20.0000 C0.0000",
@@ -230,7 +230,7 @@ def test_words_are_printed_only_where_they_change_at_the_printed_place() -> None
     ]
 
 
-def test_a_move_that_rounds_to_nothing_has_no_line_and_the_next_row_keeps_its_number() -> None:
+def test_a_move_that_rounds_to_zero_has_no_line_and_the_next_row_keeps_its_number() -> None:
     program = process(
         toolpath(rapid(1, 1), feed(2, 1), feed(2.00001, 1), feed(3, 1)),
         TABLE,
@@ -251,7 +251,7 @@ def test_zero_is_printed_without_a_sign() -> None:
 
 
 def test_an_arc_is_consistent_with_its_rounded_ends() -> None:
-    # Ends off the grid: the centre is found again from what is printed.
+    # The ends are not on the grid of printed numbers; the centre is computed from the printed ends.
     rows = [
         rapid(0.00003, 0),
         feed(0.00003, 0, -0.3),
@@ -284,7 +284,7 @@ def test_an_arc_smaller_than_linuxcnc_reads_becomes_a_line(radius: float, code: 
     assert linuxcnc(*rows)[-1].split()[0] == code
 
 
-def test_a_tiny_arc_becomes_a_line_or_a_turn_on_the_spot() -> None:
+def test_a_tiny_arc_becomes_a_line_or_a_turn_without_travel() -> None:
     rows = [
         rapid(0, 0),
         feed(0, 0),
@@ -330,46 +330,46 @@ def test_the_end_lifts_the_last_tool_by_its_own_datum() -> None:
     assert text.endswith(b"G0 Z18.5000\nG4 P0\nM65 P0\nM65 P1\nM65 P2\nM5\nG49\nM30\n")
 
 
-def halts(*rows: Row) -> list[int]:
+def exact_stops(*rows: Row) -> list[int]:
     """Return the rows after which LinuxCNC must stop exactly."""
     program = process(toolpath(*rows), TABLE, "linuxcnc")
     lines = program.lines()
     return [int(program.source[n - 1]) for n, line in enumerate(lines) if line == b"G4 P0"]
 
 
-def test_linuxcnc_halts_where_c_begins_or_ends_to_turn_and_not_within_a_circle() -> None:
+def test_linuxcnc_stops_exactly_if_c_starts_or_stops_turning_and_not_within_a_circle() -> None:
     start = [rapid(0, 0), feed(0, 0), feed(50, 0)]
     circle = [
         feed(60, 10, c=90, bulge=QUARTER),
         feed(50, 20, c=180, bulge=QUARTER),
         feed(40, 10, c=270, bulge=QUARTER),
     ]
-    assert halts(*start, *circle, feed(40, -50, c=270), feed(50, -50, c=270)) == [2, 5]
-    # grblHAL needs none: its only ones are those before its outputs.
+    assert exact_stops(*start, *circle, feed(40, -50, c=270), feed(50, -50, c=270)) == [2, 5]
+    # grblHAL needs no exact stops; its only dwells are before outputs.
     grblhal = process(toolpath(*start, *circle), TABLE, "grblhal").text
     assert grblhal.count(b"G4 P0\n") == grblhal.count(b"G4 P0\nM6") == 2
 
 
-def test_linuxcnc_halts_between_arcs_that_bend_to_different_sides() -> None:
+def test_linuxcnc_stops_exactly_between_arcs_that_bend_to_different_sides() -> None:
     wave = [feed(10, 10, c=90, bulge=QUARTER), feed(20, 20, c=0, bulge=-QUARTER)]
-    assert halts(rapid(0, 0), feed(0, 0), *wave) == [1, 2]
+    assert exact_stops(rapid(0, 0), feed(0, 0), *wave) == [1, 2]
 
 
 def test_linuxcnc_blends_slow_and_slight_bends() -> None:
     # From a line into an arc of r = 1,000 mm at v: aside = (v² / a)² / 2r, a = 8,000 mm/s².
-    # 5 micrometres of it, half the tolerance, come with 159.05 mm/s.
+    # 5 micrometres, half the tolerance, are reached at 159.05 mm/s.
     c = np.degrees(4 * np.arctan(0.1))
     for speed, expected in ((159.0, []), (159.2, [2])):
         rows = [rapid(0, 0), (1, Motion.PLUNGE, (0, 0, -0.3, 0), 0.0, 6000.0)]
         rows.append((1, Motion.FEED, (100, 0, -0.3, 0), 0.0, speed * 60))
         end = (100 + 1000 * np.sin(np.radians(c)), 1000 * (1 - np.cos(np.radians(c))), -0.3, c)
         rows.append((1, Motion.FEED, end, 0.1, speed * 60))
-        assert halts(*rows) == expected
+        assert exact_stops(*rows) == expected
 
 
-def test_a_tool_turns_before_it_goes_down_but_rapids_are_blended() -> None:
+def test_a_tool_turns_before_it_plunges_but_rapids_are_blended() -> None:
     rows = [rapid(0, 0), rapid(50, 50, c=90), rapid(50, 50, c=180), feed(50, 50, c=180)]
-    assert halts(*rows) == [2]
+    assert exact_stops(*rows) == [2]
 
 
 def test_a_drag_knife_swivels_at_its_swivel_feed() -> None:
@@ -419,7 +419,7 @@ def test_blending_takes_half_the_tolerance_and_never_more_than_five_micrometres(
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, 0.0001, float("nan")])
-def test_no_tolerance_is_refused_because_p0_means_no_limit(tolerance: float) -> None:
+def test_a_tolerance_too_small_is_refused_because_p0_means_no_limit(tolerance: float) -> None:
     with pytest.raises(ProgramError, match="tolerance"):
         process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance)
 
@@ -485,7 +485,7 @@ def test_a_move_that_cannot_be_written_is_refused_with_its_row(
         process(toolpath(rapid(0, 0), row, rapid(1, 1)), TABLE, dialect)
 
 
-def test_no_moves_are_refused() -> None:
+def test_a_toolpath_without_moves_is_refused() -> None:
     empty = toolpath_of(np.zeros((1, 4)), [])
     with pytest.raises(ProgramError, match="no moves"):
         process(empty, TABLE, "grblhal")
@@ -513,14 +513,14 @@ def test_a_rotating_cutter_without_a_speed_is_refused() -> None:
 
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
-def test_a_router_turns_at_its_speed_before_it_goes_down_and_stops_after(dialect: str) -> None:
+def test_a_spindle_starts_before_the_plunge_and_stops_after_the_lift(dialect: str) -> None:
     router = Cutter(3.0, 1000.0, 500.0, speed=18000.0, spin_up=2.5)
     table = replace(TABLE, stations=(replace(TABLE.stations[0], tool=router),))
     text = process(toolpath(rapid(1, 1), feed(5, 1, -0.3)), table, dialect).text
     head, work = text.split(b"M3 S18000\nG4 P2.5\n")
     assert b"G1 " not in head
     assert b"M5\n" in work
-    # Only at the head of the program, before the station comes down.
+    # Only at the start of the program, before the station plunges.
     assert head.count(b"M5\n") == 1
     assert head.index(b"M5\n") < head.index(b"M64")
 
@@ -532,8 +532,8 @@ def test_the_longer_of_piston_and_spindle_time_is_used() -> None:
     assert b"M3 S18000\nG4 P0.15\n" in text
 
 
-def test_a_line_too_long_for_grbl_is_refused() -> None:
-    # A climbing arc with every number at its longest.
+def test_a_program_line_too_long_for_grbl_is_refused() -> None:
+    # A helical arc with every number at its longest.
     rows = [
         rapid(-1234.5678, -1234.5678, c=-1080.1234),
         feed(-1234.5678, -1234.5678, -10.0, c=-1080.1234),
@@ -562,7 +562,7 @@ def test_the_program_for_grbl_matches_the_toolpath_within_half_a_unit(
     rows = [rapid(*walk[0][:2], c=walk[0][3], station=2)]
     height = walk[0][2]
     for x, y, z, c, bulge, speed in walk:
-        # Only lines climb: a climbing arc with the longest numbers would not fit.
+        # Only lines change Z: a helical arc with the longest numbers would not fit.
         rows.append((2, Motion.FEED, (x, y, height, c), bulge, speed))
         rows.append((2, Motion.FEED, (x, y, z, c), 0.0, speed))
         height = z
