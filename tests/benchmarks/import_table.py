@@ -38,19 +38,19 @@ SEEDS = 3000
 TONGUES = 20
 PAGE = ROOT / "backend" / "docs" / "import.md"
 
-HEAD = """# What becomes of drawings by other hands
+HEAD = """# Import of drawings from other sources
 
 Made by `python -m tests.benchmarks.import_table`; times are of one run on a shared two-core
 machine, the kernels warm.
 
-![The page: one question, and what was dropped and where](import.png)
+![The page: one question, and the dropped entities with their positions](import.png)
 
 ## Every drawing of the corpus
 
-Entities are those of the file, with what INSERTs stand for. *Kept*, *merged* (drawn twice) and
-*dropped* (texts, hatches, paper space …) are theirs. *Edges* are lines and arcs; *worked* are those
-that are left to be worked on once overlaps and specks are gone and collinear pieces are one.
-Classified by the profile `default`; *asked* is what nobody has decided.
+Entities are those of the file, with INSERTs expanded. *Kept*, *merged* (drawn twice) and
+*dropped* (texts, hatches, paper space …) count entities. *Edges* are lines and arcs; *worked* are the
+edges that remain after cleaning has removed overlaps and debris and merged collinear edges.
+Classified by the profile `default`; *asked* edges have no line type yet.
 
 | file | entities | kept | merged | dropped | edges | worked | unit | classes | questions | s |
 |---|--:|--:|--:|--:|--:|--:|---|---|--:|--:|
@@ -60,54 +60,53 @@ TRUTH = """
 ## Drawings whose truth is known
 
 Right, asked about, and silently wrong, in per cent of the edges and of their length, by the profile
-`default`. *No names* puts everything on layer 0; *one style* takes colours and linetypes too, so
-that shape alone speaks.
+`default`. *No names* puts every edge on layer 0; *one style* also removes colours and linetypes,
+so that shape is the only evidence.
 
 | file | as | right | asked | wrong | right mm | asked mm | wrong mm | questions |
 |---|---|--:|--:|--:|--:|--:|--:|--:|
 """
 
 NOTES = """
-What is wrong under *one style*: four creases of the 0200 are drawn on its outline, where the cut
-takes them in any case; the box of InkPacking lacks the top edge of a panel, so that three creases
-have the panel on one side and nothing on the other; the crosses beside the CF2 are not cut, as its
-line type says they are. With what the files say of colours and types all are asked about, or right.
+Errors with *one style*: four creases of the 0200 are drawn on its outline, where the cut replaces
+them in any case; the box of InkPacking lacks the top edge of a panel, so that three creases have a
+panel on one side only; the crosses beside the CF2 are not cut, although their line type is cut.
+With the colours and linetypes of the files all of them are right, or asked about.
 """
 
 BY_HOUSE = """
-## Cartons as other houses draw them
+## Cartons in the styles of other companies
 
 {kinds} kinds of cartons (slotted cases with slots and with slits, trays, tuck ends, mailers,
 displays, pillows, bags, crash locks, folders …), each drawn as a file in the style of each of
-{houses} houses (`tests/support/cartons`): layer names of CAD programs and of
+{houses} companies (`tests/support/cartons`): layer names of CAD programs and of
 {tongues} languages, colours, one style for all; with dimensions inside and outside, frames,
-legends, crosses, bleeds, words turned to lines, glue marks; in pieces, with gaps, with creases
-that stop short, three and six at once; and with headers that lie about the unit. Read from the
-file by the profile `default`.
+legends, crosses, bleeds, texts turned into lines, glue marks; edges split into pieces, with
+gaps, with creases that stop short, three and six blanks in one file; and with wrong units in the
+header. Classified by the profile `default`.
 
 Right, asked about and silently wrong in per cent of the edges and of their length; questions for
 a drawing; and whether the unit was found, asked about, or wrong.
 
-| house | right | asked | wrong | right mm | asked mm | wrong mm | questions | unit |
+| style | right | asked | wrong | right mm | asked mm | wrong mm | questions | unit |
 |---|--:|--:|--:|--:|--:|--:|--:|---|
 """
 
 AFTER_HOUSES = """
-What is asked most: which line through the flaps is the slit, where everything has one style;
-letters, crosses and bleeds that lie on the layer of the cuts, where the rule and the shape disagree
-(one question each); and a carton's unit, where no header and no word gives it. With other
-sizes two kinds of lines have been seen to come out wrong: arrowheads whose ends happen to lie on
-another line, and the shared cuts of several blanks in one style, of which too few panels are alike
-to see that they are several.
+The most frequent questions: which line through the flaps is the slit, if the drawing has one style;
+letters, crosses and bleeds on the layer of the cuts, for which the rule and the shape disagree (one
+question each); and the unit, if neither the header nor a text states it. With other sizes two kinds
+of lines were classified wrong: arrowheads whose ends happen to be on another line, and the shared
+cuts of several blanks in one style that have too few equal panels to be recognised as several.
 """
 
 DECILES = """
-## Drawings of our own: {seeds:,} cartons, {edges:,} edges
+## Generated drawings: {seeds:,} cartons, {edges:,} edges
 
 Slotted cases, trays, tuck-end and sleeve cartons, rolled trays and grooved blanks, with holes,
 slits, perforations and half-cuts, drawn with frames, title blocks, dimensions, dashes, doubled
-lines and ends 0.02 mm off (`tests/support/cartons/random_drawings.py`). Confidence is that of the
-guess, whether it was asked about or not; what is below 0.8 is asked.
+lines and ends 0.02 mm off (`tests/support/cartons/random_drawings.py`). Confidence is the
+confidence of the guess, whether it was asked about or not; guesses below 0.8 are asked about.
 
 | confidence | edges | wrong guesses | error rate |
 |---|--:|--:|--:|
@@ -121,10 +120,9 @@ DRAWN = """
 MISLAID = """
 ## One line on the wrong layer
 
-The cartons above with the layers CUT and CREASE, in each of them one line moved to the other of
-the two. A cut on the layer of the creases shows on the outline. A crease on the layer of the cuts
-may as well be a slit: it is found where its mirror image is folded, or where it would cut a panel
-off.
+The cartons above with the layers CUT and CREASE; in each carton one line is moved to the other
+layer. A cut on the layer of the creases is recognised on the outline. A crease on the layer of the
+cuts may be a slit: it is recognised if its mirror image is a fold, or if it would cut off a panel.
 
 | moved | drawings | asked about | silently wrong |
 |---|--:|--:|--:|

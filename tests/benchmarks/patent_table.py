@@ -213,11 +213,11 @@ def table(rows: list[Row], version: str) -> str:
 
 
 PAGE = """\
-# B, C and D round the same corners, measured
+# Corner types B, C and D, measured on the same corners
 
-![B, C and D round one corner](corners.svg)
+![The path of the centre around one corner in types B, C and D](corners.svg)
 
-Written by `python -m tests.benchmarks.patent_table`; the figures of every run are in
+`python -m tests.benchmarks.patent_table` writes this page; the figures of every run are in
 [d-type-table.log](d-type-table.log).
 
 Regular polygons of {side:g} mm sides (and a rhombus, whose corners turn by 150° and 30°) are milled
@@ -225,27 +225,27 @@ from outside on LinuxCNC ({version}), headless, with its own planner: G64 P0.005
 axes of 8,000 mm/s² and 1,500 mm/s, k = {knob:g}.  Times are servo periods of 1 ms that LinuxCNC's
 `sampler` counted.
 
-- **way** is the centre's path round the polygon once.
-- **lap** is what going round once takes.
-- **touch** is how long the disc touches one corner on the mean: its centre is within
-  r + {touch:g} mm of it.  The burnt corner of the patent.  Some of it is the way along the sides
-  before B₀ and after E₀, in every type.
-- **slowest** is the least speed nearer than 1.5 r to a corner.
+- **path** is the length of the centre's path once around the polygon.
+- **lap** is the time of one turn around the polygon.
+- **contact** is the mean time for which the disc touches one corner, that is, its centre is within
+  r + {touch:g} mm of the corner.  A long contact burns the corner, as the patent states.  Part of it is the
+  path along the sides before B₀ and after E₀, in every type.
+- **slowest** is the least speed within 1.5 r of a corner.
 
-What the patent claims, and what came out of {count} cases:
+Claims of the patent, and the results of {count} cases:
 
 - D is longer than B and shorter than C: in all {count}, by construction.
 - D leaves the corner sooner than B: in {smoother} of {count}.
 - D is quicker than C, which stops at its bends: in {quicker} of {count}.
-- B is quicker than D, whose arc is tighter: in {lost} of {count}.  So time alone does not ask for
-  D: "auto" takes B until its touch would burn the corner, and D then.
+- B is quicker than D, whose arc is tighter: in {lost} of {count}.  So D is not chosen for its
+  time: "auto" selects B unless its contact would burn the corner, and D then.
 
-What `compensation/corner.py` expects D to take longer than B at a corner is off by {d_off:.1f} ms
-on the median and {d_worst:.1f} ms at worst, and C by {c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC
-leaves √3/2 of the acceleration to arcs (83 mm/s at r 1 mm, where the model has 89), and blends a
-little of C's stops.
+`compensation/corner.py` computes the additional time of D over B at a corner with an error of
+{d_off:.1f} ms (median) and {d_worst:.1f} ms (largest), and that of C with {c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC
+uses √3/2 of the acceleration on arcs (83 mm/s at r 1 mm, the model 89), and blends the
+stops of C slightly.
 
-| turn | r mm | feed m/min | way B mm | C | D | lap B ms | C | D | touch B ms | C | D \
+| turn | r mm | feed m/min | path B mm | C | D | lap B ms | C | D | contact B ms | C | D \
 | slowest B mm/s | C | D |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 {rows}

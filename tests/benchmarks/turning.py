@@ -148,19 +148,19 @@ def main() -> None:
 
 TEXT = """# Turning between tracks
 
-From the end of one track to the start of the next the head goes straight, C turns by the shorter
-way within its travel, and the tool is lifted along its own axis by what would else cut the board,
-and by the machine's clearance: `knifetip.sequencing.air_moves`, after the turning paper's sections
-1 to 3. It retracts fully only where the tool changes. `python -m tests.benchmarks.turning` writes
+From the end of one track to the start of the next the head moves straight, C turns by the smaller
+angle within its travel, and the tool is lifted along its own axis by the height at which it would
+otherwise cut the board, plus the machine's clearance (`knifetip.sequencing.air_moves`, after the
+turning paper, sections 1 to 3). It retracts fully only at tool changes. `python -m tests.benchmarks.turning` writes
 this page.
 
-## What the least lift saves
+## Time saved by the least lift
 
 The same tracks in the same order on the demo table, once with a full retract to travel height
-(20 mm) at every turn, links and turns inside tracks alike, once with the least lift. Seconds by
-`sequencing.duration`, which stays within 2 % of the simulated table on the samples. The same three
-on a headless LinuxCNC took 12 to 21 % longer than it says (23.2, 46.3 and 22.4 s instead of 19.2,
-39.2 and 19.9): its planner's own way of blending is not modelled, only its halts.
+(20 mm) at every turn, between tracks and inside them, once with the least lift. Seconds by
+`sequencing.duration`, which stays within 2 % of the simulated table on the samples. Three of them
+on a headless LinuxCNC took 12 to 21 % longer than computed (23.2, 46.3 and 22.4 s instead of 19.2,
+39.2 and 19.9): the blending of its planner is not modelled, only its exact stops.
 
 | drawing | turns | full retracts, s | least lift, s | saved, s | saved |
 |---|---|---|---|---|---|
@@ -168,25 +168,25 @@ on a headless LinuxCNC took 12 to 21 % longer than it says (23.2, 46.3 and 22.4 
 
 ## Outside the board
 
-Where the board's own outline is given (`sequence(toolpaths, machine, outline)`), a tool whose whole
-tip circle has left it, and stays off it all the way, turns without a lift; only the mat is kept
-clear. Ten V-grooves that run out on both sides of a pre-cut board:
+If the outline of the board is given (`sequence(toolpaths, machine, outline)`), a tool whose tip
+circle is off the board, and remains off it during the move, turns without a lift; it only keeps
+clear of the mat. Ten V-grooves that run out on both sides of a pre-cut board:
 
 | turns | s | saved |
 |---|---|---|
 {grooves}
 
-The pipeline gives no outline: what a drawing shows is the blank, and around it lies the rest of the
-sheet. Neither does the verifier know of board that is not there.
+The pipeline passes no outline: a drawing shows the blank, which is surrounded by the rest of the
+sheet. The verifier assumes board everywhere too.
 
 ## Order of tracks
 
-1,000 strokes of 20 mm on a square metre, the nearest end each time against what is used. Time is
-that of the slowest axis from rest to rest, C among them; distance is the same search with axes that
-need no time to start and a free C (so the larger of X and Y is made short, and the table says the
-straight line).
+1,000 strokes of 20 mm on a square metre, ordered by the nearest end (greedy) and by the order that
+knifetip uses (now). Time is the time of the slowest axis, C included, from rest to rest. Distance is
+the same search with infinite acceleration and a free C, so that it minimises the larger of X and Y;
+the table has the straight distance.
 
-| strokes from | made short | greedy | now | saved | computed in |
+| strokes from | minimised | greedy | now | saved | computed in |
 |---|---|---|---|---|---|
 {orders}
 """

@@ -1,4 +1,4 @@
-"""The paper's own listing beside ours: how far the tip is off, over all azimuths.
+"""The listing of the paper compared with knifetip: tip error over all azimuths.
 
     python -m tests.benchmarks.vgroove_listing     writes backend/docs/vgroove-listing.md
 
@@ -64,7 +64,7 @@ def worst(length: float, d: float) -> tuple[float, float]:
 
 
 def page() -> str:
-    """The page, with its table worked out."""
+    """Return the text of the page, with its table."""
     rows = []
     for d in BACKS:
         for length in LENGTHS:
@@ -73,20 +73,20 @@ def page() -> str:
             rows.append(f"| {d:g} | {length:g} | {theirs:.4f} | {bound} |")
     return "\n".join(
         [
-            "# The V-groove listing of the paper, and ours",
+            "# The V-groove listing of the paper compared with knifetip",
             "",
             "Yang, Du, Shu & Qian print the function that their machine used (section 4.3). It",
-            "tells edges that stand upright or lie level by differences cut off to 0.01 mm, so",
-            "an edge within 0.01 mm of an axis is taken for one along it. The table has the worst",
-            "tip error over 360,000 azimuths, a thousandth of a degree apart, in mm, for a blade",
-            f"with r = {HALF_WIDTH:g} mm.",
+            "detects vertical and horizontal edges by coordinate differences truncated to 0.01 mm,",
+            "so an edge within 0.01 mm of an axis is treated as parallel to it. The table has the",
+            "largest tip error over 360,000 azimuths, a thousandth of a degree apart, in mm, for a",
+            f"blade with r = {HALF_WIDTH:g} mm.",
             "`python -m tests.benchmarks.vgroove_listing` writes this page; a test compares.",
             "",
             "| d (mm) | edge (mm) | the listing (mm) | ours (mm) |",
             "|---|---|---|---|",
             *rows,
             "",
-            "An edge without length has no azimuth: the listing answers 270°, we refuse it.",
+            "An edge without length has no azimuth: the listing returns 270°, knifetip refuses the edge.",
             "",
         ]
     )
