@@ -59,7 +59,8 @@ def turn_angles(paths: Paths, side: int) -> F64:
 def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
     """Return the length l of both lines and the radius r′ of the arc of D corners, (n,) mm each.
 
-    l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond; r′ = r − l cot(φ/2).
+    l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond, with L_B and L_C the path
+    lengths of types B and C; r′ = r − l cot(φ/2).
 
     Parameters
     ----------
@@ -101,7 +102,14 @@ def c_type_length(turn: F64, radius: float) -> F64:
 def corner_lengths(turn: F64, radius: float, k: F64) -> F64:
     """Return the path length of each corner as type B, C and D, (n, 3) mm.
 
-    The arguments are those of ``d_type_shape``.
+    Parameters
+    ----------
+    turn : (n,) radians, in (0, π]
+        Turn of each corner.
+    radius : mm
+        Radius of the cutter.
+    k : (n,), in [0, 1]
+        Parameter of type D: 0 gives a B corner, 1 a C corner.
     """
     straight, bend = d_type_shape(turn, radius, k)
     return np.stack(
@@ -118,9 +126,12 @@ def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> 
     Parameters
     ----------
     turn : (n,) radians
+        Turn of each corner.
     radius : mm
+        Radius of the cutter.
     feed : mm/s
     acceleration : mm/s²
+        Largest acceleration across the path, which limits the speed on the arc.
     """
     duration: F64 = b_type_length(turn, radius) / _arc_speed(
         np.full(len(turn), radius), feed, acceleration
@@ -131,15 +142,18 @@ def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> 
 def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration: float) -> F64:
     """Return the duration of each corner as type B, C and D, (n, 3) s.
 
-    The duration includes the path around the corner, from B₀ to E₀, and the time lost by slowing
-    down before it and speeding up after it: (v − w)² / (2 a v) for each change between feed v and
-    speed w.
+    The duration includes the path around the corner and the time lost by slowing down before it and
+    speeding up after it: (v − w)² / (2 a v) for each change between the feed v and a speed w, with
+    a the acceleration.
 
     Parameters
     ----------
     turn : (n,) radians, in (0, π]
+        Turn of each corner.
     radius : mm
+        Radius of the cutter.
     k : (n,), in [0, 1]
+        Parameter of type D: 0 gives a B corner, 1 a C corner.
     feed : mm/s
     acceleration : mm/s²
         Along the path and across it; infinite to compare lengths only.
@@ -169,7 +183,10 @@ def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration
 
 
 def _arc_speed(radius: F64, feed: float, acceleration: float) -> F64:
-    """Return the speed on arcs of the given radii, (n,) mm/s: the feed, at most √(a r′)."""
+    """Return the speed on arcs, (n,) mm/s: the feed, or less if the acceleration requires it.
+
+    On an arc of radius r′ (mm) the acceleration a (mm/s²) permits √(a r′).
+    """
     if acceleration == np.inf:
         return np.full(len(radius), feed)
     speed: F64 = np.minimum(feed, np.sqrt(acceleration * np.maximum(radius, 0.0)))
@@ -181,7 +198,8 @@ def select_corner_types(operation: Operation) -> tuple[U8, F64]:
 
     "auto" selects the type with the shortest duration, and B only if its contact is not longer than
     the cutter's ``dwell``.  It limits the k of the operation so that type D keeps the feed if
-    possible: k ≤ 1 − v² / (a r), so that r′ ≥ v² / a up to 90°.
+    possible: k ≤ 1 − v² / (a r) with feed v, acceleration a and cutter radius r, so that the arc's
+    radius is at least v² / a up to 90°.
 
     Raises
     ------

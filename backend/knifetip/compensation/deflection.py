@@ -1,8 +1,10 @@
 """deflection: compensate the deflection of a cutter under load by aiming deeper into the board.
 
-A contour that runs at angle a pushes the cutter off it by Δ = σ (−δx sin a, δy cos a), so the
-centre is programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: that is, every point of
-the offset moves by −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
+A contour that runs at azimuth a pushes the cutter off it by Δ = σ (−δx sin a, δy cos a), with δx
+and δy the largest deflections along X and Y, and σ = +1 if the cutter is left of travel, −1 if
+right.  So for a contour point P with left normal n and a cutter of radius r, the centre is
+programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: every point of the offset moves by
+−σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
 
 Source: radius paper, eqs 6–12.  The paper does not state the side of the correction; here it is
 into the board.
@@ -35,18 +37,18 @@ FIT_TOLERANCE: Final = 0.0005
 
 
 def deflection_at(tangent: F64, side: int, x: float, y: float) -> F64:
-    """Return the deflection of a cutter, (n, 2) mm, for tangents (n, 2) of any length.
+    """Return the deflection of a cutter, (n, 2) mm, at points of contours with given tangents.
 
     Δ = σ (−δx sin a, δy cos a): radius paper, eqs 6–9; its eq 9 prints ΔXmax instead of ΔYmax.
 
     Parameters
     ----------
     tangent : (n, 2)
-        Directions of travel, at azimuth a.
+        Directions of travel, of any length; a is their azimuth.
     side
         σ, +1 if the cutter is left of travel, −1 if right.
     x, y : mm
-        δx, δy.
+        δx, δy: largest deflections along X and Y.
     """
     displacement: F64 = side * np.array([x, y]) * left_normal(unit_vectors(tangent))
     return displacement
@@ -55,9 +57,9 @@ def deflection_at(tangent: F64, side: int, x: float, y: float) -> F64:
 def programmed_centre(
     point: F64, tangent: F64, side: int, radius: float, x: float, y: float
 ) -> F64:
-    """Return where to program the centre of a cutter to cut given contour points, (n, 2) mm.
+    """Return the positions of a cutter's centre that cut given contour points, (n, 2) mm.
 
-    P + σ diag(r − δx, r − δy) n, eq 5 less eq 11.
+    P + σ diag(r − δx, r − δy) n with n the left normal: eq 5 less eq 11 of the radius paper.
 
     Parameters
     ----------
@@ -67,8 +69,10 @@ def programmed_centre(
         Directions of travel at the points.
     side
         σ, +1 if the cutter is left of travel, −1 if right.
-    radius, x, y : mm
-        r, δx, δy.
+    radius : mm
+        r, radius of the cutter.
+    x, y : mm
+        δx, δy: largest deflections along X and Y.
     """
     return (
         point
@@ -78,13 +82,14 @@ def programmed_centre(
 
 
 def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float]:
-    """Return δx and δy (mm), fitted by least squares to the deflection at one or more points.
+    """Return δx and δy (mm), the largest deflections along X and Y, fitted to measured points.
 
-    ::
+    With a the azimuth of the contour at a point, least squares give::
 
         δx = −σ Σ ΔX sin a / Σ sin² a        δy = σ Σ ΔY cos a / Σ cos² a
 
-    For one point this is the solution of eq 10, which divides by sin a₀ and cos a₀.
+    For one point this is the solution of eq 10 of the radius paper, which divides by sin a₀ and cos
+    a₀.
 
     Parameters
     ----------
@@ -126,7 +131,7 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
 def shift_centres(
     paths: Paths, side: int, x: float, y: float, tolerance: float = FIT_TOLERANCE
 ) -> tuple[Paths, I32]:
-    """Return centre paths aimed deeper by the deflection, and the input segment of each segment.
+    """Return paths of a cutter's centre aimed deeper into the board by the deflection.
 
     Valid for corner types B, C and D: only the direction of travel of the centre matters, which is
     the direction of the contour wherever the cutter touches it.  At jumps of direction (a bend of
@@ -135,13 +140,20 @@ def shift_centres(
     Parameters
     ----------
     paths
-        Offsets of the contours: paths of the cutter's centre.
+        Offsets of the contours: paths of the cutter's centre without deflection.
     side
         σ, +1 if the cutter is left of travel, −1 if right.
     x, y : mm
-        δx, δy.
+        δx, δy: largest deflections along X and Y.
     tolerance : mm
         Largest distance of the returned arcs from the exact elliptical arcs.
+
+    Returns
+    -------
+    paths : Paths
+        Shifted paths with m segments.
+    rows : (m,)
+        Input segment that each segment comes from.
 
     Raises
     ------

@@ -3,13 +3,14 @@
 The leading edge of the blade slants by α, so the cut in the top face is ahead of the cut in the
 bottom face, where the tip is, by T tan α for a thickness T.  A closed path therefore runs past its
 start by this lead, as does an end that meets another cut; an end inside a panel or at a bridge
-stops earlier, at the point that the cut in the *top* face must not exceed.  Around a blank the
-knife may enter from the waste and leave into it along a quarter circle.  At sharp corners the knife
-is lifted and turned above the board.
+stops earlier, so that the cut in the *top* face does not pass it.  Around a blank the knife may
+enter from the waste and leave into it along a quarter circle.  At sharp corners the knife is lifted
+and turned above the board.
 
-A drag knife trails its axis by e: the head is at tip + e u and swings around the tip at corners.
+A drag knife trails the head's axis by e: the head is at tip + e u, with u the direction of travel,
+and swings around the tip at corners.
 
-Source: our derivation; Yang, Du, Shu & Qian, section 5, suggest the like for other tools.
+Source: our derivation; Yang, Du, Shu & Qian, section 5, suggest the same for other tools.
 """
 
 from __future__ import annotations
@@ -73,16 +74,23 @@ def knife_toolpath(operation: Operation) -> Toolpath:
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
-    """Return the head positions, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
+    """Return the positions of the head, (n, 2) mm, for tips (n, 2) mm and headings c (n,) degrees."""
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head
 
 
 def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return the paths, shortened or extended at their ends, with lead-ins and lead-outs.
+    """Return the paths of an operation, shortened or extended at their ends, with leads.
 
-    Also returns for each segment the input segment and its Motion: LEAD_IN, FEED or LEAD_OUT.
+    Returns
+    -------
+    paths : Paths
+        Paths with n segments, including lead-ins and lead-outs.
+    rows : (n,)
+        Segment of the operation that each segment comes from.
+    motion : (n,)
+        ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
     """
     paths, finish = operation.paths, operation.finish
     last = paths.first[1:] - 1
@@ -134,15 +142,18 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first ``size`` (p,) mm of each path, and the input segment of each segment.
+    """Return the first ``size`` (p,) mm of each path, which a closed path passes twice.
 
-    A closed path is cut there twice.
+    Also returns the input segment of each returned segment.
     """
     return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight extensions of path ends by ``size`` (p,) mm, and the extended segments."""
+    """Return straight extensions of path ends by ``size`` (p,) mm, 0 for none.
+
+    Also returns the input segment that each extension continues.
+    """
     last = (paths.first[1:] - 1)[size > 0.0]
     _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])
     ahead /= np.hypot(*ahead.T)[:, None]

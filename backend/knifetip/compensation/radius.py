@@ -91,7 +91,10 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
 
 def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:
-    """Raise an error if a path of the operation has none of its segments in ``segment``."""
+    """Raise an error if a path of the operation has no offset.
+
+    ``segment`` has the segment of the operation that each offset segment comes from.
+    """
     owner = operation.paths.path_of
     missing = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])
     if len(missing):
@@ -261,10 +264,19 @@ def _add_bridge_gaps(
 def _add_leads(
     operation: Operation, cutter: DiscTool, centre: CentrePaths, held: Bool
 ) -> tuple[Paths, I32, U8]:
-    """Return the centre paths with leads, and each segment's segment of the operation and Motion.
+    """Return the centre paths with lead-ins and lead-outs.
 
-    ``held`` marks the paths with bridges; they get no leads, since a lead-in would make the bridge
+    Paths with bridges, marked by ``held``, get no leads, since a lead-in would make the bridge
     narrower.
+
+    Returns
+    -------
+    paths : Paths
+        Paths with n segments, including leads.
+    segment : (n,)
+        Segment of the operation that each segment comes from.
+    motion : (n,)
+        ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
     """
     paths = centre.paths
     fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)
@@ -330,11 +342,24 @@ def _add_leads(
 def _lead_in(
     operation: Operation, cutter: DiscTool, start: F64, ahead: F64, side: int
 ) -> tuple[F64, F64, F64]:
-    """Return lead-ins as ``set_up_offset`` does, shortened near other contours.
+    """Return lead-ins to centre paths, shortened near other contours.
 
-    ``start`` (m, 2) mm are the start points of centre paths, ``ahead`` (m, 2) their unit tangents.
     A lead-in whose disc would enter a contour is halved, then omitted: the tool plunges beside the
     contour and touches it.
+
+    Parameters
+    ----------
+    start : (m, 2) mm
+        Start points of the centre paths.
+    ahead : (m, 2)
+        Unit tangents of the centre paths at their starts.
+    side
+        +1 if the cutter is left of travel, −1 if right.
+
+    Returns
+    -------
+    from, to, bulge
+        Straight lead-in and arc after it, as ``set_up_offset`` returns them.
     """
     r, paths = cutter.radius, operation.paths
     on_line = start - side * r * left_normal(ahead)

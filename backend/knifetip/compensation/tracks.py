@@ -27,7 +27,7 @@ _LIFT = int(Motion.LIFT)
 
 
 def headings(paths: Paths) -> tuple[F64, F64]:
-    """Return the C angle at the start and at the end of every segment, (n,) degrees each.
+    """Return the angle of the C axis at the start and at the end of every segment, (n,) degrees each.
 
     The first heading of a path is its azimuth in [0, 360); along an arc C turns with the tangent,
     at a corner by the smaller angle.  Headings of a path have no jumps of 360°.
@@ -53,7 +53,7 @@ def at_height(pose: F64, height: float) -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Strokes:
-    """Segments in machining order, n ≥ 1, with the pose of the head at both ends of each.
+    """n ≥ 1 segments of the tip's path in machining order, with the poses of the head at both ends.
 
     A segment with equal ends is a press: the tool plunges and lifts without travel.
     """

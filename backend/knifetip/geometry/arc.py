@@ -88,9 +88,9 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the tangent of each segment at a fraction of its length, (n, 2), for fractions (n,).
+    """Return the tangent of each segment at a fraction (n,) of its length, (n, 2).
 
-    Each tangent has the length of the chord.
+    Each tangent has the length of the segment's chord.
     """
     return _rotate(end - start, sweep(bulge) * (fraction - 0.5))
 
@@ -128,9 +128,10 @@ def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
 
 
 def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
-    """Return the part of each segment between two fractions of its length, (n,) each.
+    """Return the parts of segments between two fractions of their lengths.
 
-    The result is the start (n, 2), end (n, 2) and bulge (n,) of the parts.
+    The parts go from fraction ``first`` (n,) to fraction ``last`` (n,).  The result is the start
+    (n, 2), end (n, 2) and bulge (n,) of the parts.
     """
     return (
         point_at(start, end, bulge, first),

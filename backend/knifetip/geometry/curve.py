@@ -214,9 +214,10 @@ def _halve_until_fitted(
 def _merge_collinear(
     start: F64, end: F64, bulge: F64, which: I64, min_length: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Return segments without those shorter than ``min_length`` mm, collinear lines merged.
+    """Return the segments longer than ``min_length`` mm, with collinear neighbours merged.
 
-    ``which`` (n,) is the curve of each segment; segments of different curves are not merged.
+    Arguments and results are start (n, 2), end (n, 2), bulge (n,) and the curve ``which`` (n,) of
+    each segment; segments of different curves are not merged.
     """
     # A piece that is a single arc or line has its joint at its end, so its second segment is empty.
     length = np.hypot(*(end - start).T)

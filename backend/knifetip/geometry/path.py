@@ -75,9 +75,10 @@ def path_through(xy: F64, bulge: F64) -> Paths:
 
 
 def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
-    """Return paths shortened at both ends, and the input segment of each segment.
+    """Return paths shortened at both ends.
 
-    A path that is not longer than the removed lengths has no segments.
+    Also returns the input segment that each returned segment comes from.  A path that is not longer
+    than the removed lengths has no segments.
 
     Parameters
     ----------
@@ -107,7 +108,9 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
 
 
 def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
-    """Return some of the paths, and the input segment of each segment.
+    """Return some of the paths.
+
+    Also returns the input segment that each returned segment comes from.
 
     Parameters
     ----------
@@ -154,16 +157,16 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     last = np.flatnonzero(np.roll(first, -1))
     following[last] = middle[first] + length[path[last]]
     begin[gapped], end[gapped] = middle + gap / 2.0, following - gap / 2.0
-    twice, rows = _repeat_twice(paths, many > 0)
+    twice, rows = _traverse_twice(paths, many > 0)
     repeated, again = select_paths(twice, owner)
     pieces, order = trim_ends(repeated, begin, np.maximum(repeated.lengths - end, 0.0))
     return pieces, owner, rows[again[order]]
 
 
-def _repeat_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, with the segments of paths in the mask ``which`` (p,) repeated once more.
+def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+    """Return the paths, and those in the mask ``which`` (p,) with all segments twice in order.
 
-    Also returns the input segment of each segment.
+    Also returns the input segment of each returned segment.
     """
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)
@@ -204,7 +207,9 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
 
 
 def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some of them reversed, and the input segment of each segment.
+    """Return the paths, some of them reversed.
+
+    Also returns the input segment that each returned segment comes from.
 
     Parameters
     ----------
@@ -230,12 +235,11 @@ def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some closed paths starting in the middle of a segment.
+    """Return the paths, with some closed paths starting in the middle of a segment.
 
     The segment is the longest line of the path, or its longest arc if it has no line, so that the
     blade enters and leaves at a smooth point.  It is split in two, which become first and last.
-
-    Also returns the input segment of each segment.
+    Also returns the input segment that each returned segment comes from.
 
     Parameters
     ----------
