@@ -74,7 +74,7 @@ def knife_toolpath(operation: Operation) -> Toolpath:
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
-    """Return the positions of the head, (n, 2) mm, for tips (n, 2) mm and headings c (n,) degrees."""
+    """Return the positions of the head, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head

@@ -27,7 +27,7 @@ _LIFT = int(Motion.LIFT)
 
 
 def headings(paths: Paths) -> tuple[F64, F64]:
-    """Return the angle of the C axis at the start and at the end of every segment, (n,) degrees each.
+    """Return the C angle of the tool at the start and end of every segment, (n,) degrees each.
 
     The first heading of a path is its azimuth in [0, 360); along an arc C turns with the tangent,
     at a corner by the smaller angle.  Headings of a path have no jumps of 360°.

@@ -79,7 +79,7 @@ def _equal_rows(table: I64_2, row: int, other: int) -> bool:
 
 @kernel
 def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
-    """Return the slot of the hash table ``slots`` at which the search for a row of a table begins."""
+    """Return the slot of a hash table at which the search for a row of ``table`` begins."""
     key = np.uint64(0)
     for column in range(table.shape[1]):
         key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)
