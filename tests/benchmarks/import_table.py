@@ -48,8 +48,8 @@ machine, the kernels warm.
 ## Every drawing of the corpus
 
 Entities are those of the file, with INSERTs expanded. *Kept*, *merged* (drawn twice) and
-*dropped* (texts, hatches, paper space …) count entities. *Edges* are lines and arcs; *worked* are the
-edges that remain after cleaning has removed overlaps and debris and merged collinear edges.
+*dropped* (texts, hatches, paper space …) count entities. *Edges* are lines and arcs; *worked* are
+the edges that remain after cleaning has removed overlaps and debris and merged collinear edges.
 Classified by the profile `default`; *asked* edges have no line type yet.
 
 | file | entities | kept | merged | dropped | edges | worked | unit | classes | questions | s |
