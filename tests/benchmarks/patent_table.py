@@ -228,8 +228,8 @@ axes of 8,000 mm/s² and 1,500 mm/s, k = {knob:g}.  Times are servo periods of 1
 - **path** is the length of the centre's path once around the polygon.
 - **lap** is the time of one turn around the polygon.
 - **contact** is the mean time for which the disc touches one corner, that is, its centre is within
-  r + {touch:g} mm of the corner.  A long contact burns the corner, as the patent states.  Part of it is the
-  path along the sides before B₀ and after E₀, in every type.
+  r + {touch:g} mm of the corner.  A long contact burns the corner, as the patent states.
+  Part of it is the path along the sides before B₀ and after E₀, in every type.
 - **slowest** is the least speed within 1.5 r of a corner.
 
 Claims of the patent, and the results of {count} cases:
@@ -241,9 +241,9 @@ Claims of the patent, and the results of {count} cases:
   time: "auto" selects B unless its contact would burn the corner, and D then.
 
 `compensation/corner.py` computes the additional time of D over B at a corner with an error of
-{d_off:.1f} ms (median) and {d_worst:.1f} ms (largest), and that of C with {c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC
-uses √3/2 of the acceleration on arcs (83 mm/s at r 1 mm, the model 89), and blends the
-stops of C slightly.
+{d_off:.1f} ms (median) and {d_worst:.1f} ms (largest), and that of C with
+{c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC uses √3/2 of the acceleration on arcs (83 mm/s at r 1 mm, the
+model 89), and blends the stops of C slightly.
 
 | turn | r mm | feed m/min | path B mm | C | D | lap B ms | C | D | contact B ms | C | D \
 | slowest B mm/s | C | D |

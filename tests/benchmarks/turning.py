@@ -151,8 +151,8 @@ TEXT = """# Turning between tracks
 From the end of one track to the start of the next the head moves straight, C turns by the smaller
 angle within its travel, and the tool is lifted along its own axis by the height at which it would
 otherwise cut the board, plus the machine's clearance (`knifetip.sequencing.air_moves`, after the
-turning paper, sections 1 to 3). It retracts fully only at tool changes. `python -m tests.benchmarks.turning` writes
-this page.
+turning paper, sections 1 to 3). It retracts fully only at tool changes.
+`python -m tests.benchmarks.turning` writes this page.
 
 ## Time saved by the least lift
 
@@ -182,8 +182,8 @@ sheet. The verifier assumes board everywhere too.
 ## Order of tracks
 
 1,000 strokes of 20 mm on a square metre, ordered by the nearest end (greedy) and by the order that
-knifetip uses (now). Time is the time of the slowest axis, C included, from rest to rest. Distance is
-the same search with infinite acceleration and a free C, so that it minimises the larger of X and Y;
+knifetip uses (now). Time is the time of the slowest axis, C included, from rest to rest. Distance
+is the same search with infinite acceleration and a free C, so that it minimises the larger of X and Y;
 the table has the straight distance.
 
 | strokes from | minimised | greedy | now | saved | computed in |

@@ -86,7 +86,7 @@ def page() -> str:
             "|---|---|---|---|",
             *rows,
             "",
-            "An edge without length has no azimuth: the listing returns 270°, knifetip refuses the edge.",
+            "An edge without length has no azimuth: the listing returns 270°, knifetip refuses it.",
             "",
         ]
     )
