@@ -242,8 +242,8 @@ Claims of the patent, and the results of {count} cases:
 
 `compensation/corner.py` computes the additional time of D over B at a corner with an error of
 {d_off:.1f} ms (median) and {d_worst:.1f} ms (largest), and that of C with
-{c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC uses √3/2 of the acceleration on arcs (83 mm/s at r 1 mm, the
-model 89), and blends the stops of C slightly.
+{c_off:.1f} and {c_worst:.1f} ms.  LinuxCNC uses √3/2 of the acceleration on arcs (83 mm/s at
+r 1 mm, the model 89), and blends the stops of C slightly.
 
 | turn | r mm | feed m/min | path B mm | C | D | lap B ms | C | D | contact B ms | C | D \
 | slowest B mm/s | C | D |

@@ -183,8 +183,8 @@ sheet. The verifier assumes board everywhere too.
 
 1,000 strokes of 20 mm on a square metre, ordered by the nearest end (greedy) and by the order that
 knifetip uses (now). Time is the time of the slowest axis, C included, from rest to rest. Distance
-is the same search with infinite acceleration and a free C, so that it minimises the larger of X and Y;
-the table has the straight distance.
+is the same search with infinite acceleration and a free C, so that it minimises the larger of
+X and Y; the table has the straight distance.
 
 | strokes from | minimised | greedy | now | saved | computed in |
 |---|---|---|---|---|---|
