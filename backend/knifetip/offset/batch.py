@@ -24,7 +24,7 @@ _MIN_SEGMENTS: Final = 10_000
 
 
 def offset_on_all_cores(
-    paths: Paths, member: I32, members: I32, signed: F64, corner: U8, k: F64, refuse: bool
+    paths: Paths, member: I32, group_first: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
     """Return the columns that ``groups.offset_groups`` returns, computed on all cores.
 
@@ -32,9 +32,10 @@ def offset_on_all_cores(
     ----------
     paths : Paths
         p contours with n segments.
-    member, members : (p,) and (g + 1,)
-        Paths in the order of their groups, and the position in ``member`` at which each group
-        begins.
+    member : (p,)
+        Path numbers in the order of their groups.
+    group_first : (g + 1,)
+        Position in ``member`` at which each group begins, and p.
     signed : (p,) mm
         Radius of the tool for each path, positive if the tool is left of travel.
     corner, k : (n,) or (1,)
@@ -42,7 +43,7 @@ def offset_on_all_cores(
     refuse
         Whether a position where the tool does not fit is a failure.
     """
-    runs = _split_groups(paths.first, member, members, core_count())
+    runs = _split_groups(paths.first, member, group_first, core_count())
 
     contours = Contours(paths.start, paths.end, paths.bulge, paths.first)
     corners = CornerTypes(corner, k, 0 if len(corner) == 1 else 1)
@@ -64,15 +65,27 @@ def offset_on_all_cores(
     return (*columns, first, owner, unreached, failure)
 
 
-def _split_groups(first: I32, member: I32, members: I32, number: int) -> list[I32]:
-    """Return runs of groups with nearly equal numbers of segments, at most ``number``.
+def _split_groups(first: I32, member: I32, group_first: I32, number: int) -> list[I32]:
+    """Split the groups of paths into at most ``number`` runs with nearly equal numbers of segments.
 
-    A run is a slice of ``members``: the start of each of its groups, and the end of the last one.
+    Parameters
+    ----------
+    first : (p + 1,)
+        First segment of each path.
+    member : (p,)
+        Path numbers in the order of their groups.
+    group_first : (g + 1,)
+        Position in ``member`` at which each group begins, and p.
+
+    Returns
+    -------
+    list of slices of ``group_first``
+        For each run the position at which each of its groups begins, and the end of the last group.
     """
-    before = np.append(0, np.cumsum(np.diff(first)[member]))[members]
-    count = int(min(number, before[-1] // _MIN_SEGMENTS, len(members) - 1))
+    before = np.append(0, np.cumsum(np.diff(first)[member]))[group_first]
+    count = int(min(number, before[-1] // _MIN_SEGMENTS, len(group_first) - 1))
     if count < 2:
-        return [members]
+        return [group_first]
     cuts = np.searchsorted(before, before[-1] * np.arange(1, count) / count)
-    bounds = np.unique([0, *cuts.tolist(), len(members) - 1]).tolist()
-    return [members[a : b + 1] for a, b in pairwise(bounds)]
+    bounds = np.unique([0, *cuts.tolist(), len(group_first) - 1]).tolist()
+    return [group_first[a : b + 1] for a, b in pairwise(bounds)]

@@ -158,7 +158,7 @@ def is_clear(
             and corners.kind[i] > 0
             and _in_transition(
                 corners.kind[i],
-                corners.share[i],
+                corners.k[i],
                 corners.moved.table,
                 corners.before[i],
                 i,

@@ -28,7 +28,7 @@ from knifetip.offset.trim import offset_simple
 
 @kernel
 def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
-    """Return ``out`` with capacity for ``wanted`` rows; the first ``used`` rows are kept."""
+    """Return ``out`` with capacity for ``wanted`` rows; its first ``used`` rows are kept."""
     if wanted <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
     size = 2 * wanted

@@ -103,9 +103,9 @@ def offset_paths(
     share = _broadcast(k, same, np.float64)
     check_corners(kinds, share)
     signed = radius * sides
-    member, members = _order_by_group(group, signed)
+    member, group_first = _order_by_group(group, signed)
     start, end, bulge, source, inserted, first, owner, unreached, failure = offset_on_all_cores(
-        paths, member, members, signed, kinds, share, interference == "refuse"
+        paths, member, group_first, signed, kinds, share, interference == "refuse"
     )
     if failure[0] != NO_FAILURE:
         raise _failure_error(failure, radius, paths)
@@ -133,8 +133,8 @@ def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
     Returns
     -------
     member : (p,)
-        Paths in the order of their groups.
-    members : (g + 1,)
+        Path numbers in the order of their groups.
+    group_first : (g + 1,)
         Position in ``member`` at which each group begins, and p.
 
     Raises
@@ -159,10 +159,14 @@ def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
 def _failure_error(
     failure: tuple[int, int, int, float], radius: F64, paths: Paths
 ) -> GeometryError | CompensationError:
-    """Return the error for a failure of the engine.
+    """Return the exception for a failure of the offset kernels.
 
-    ``failure`` has a code of ``raw_segments``, two segments and a depth (mm); ``radius`` is (p,)
-    mm.
+    Parameters
+    ----------
+    failure
+        Failure code of ``raw_segments``, two segments and a depth (mm).
+    radius : (p,) mm
+        Radius of the tool for each path.
     """
     code, row, other, depth = failure
     if code == NO_LENGTH:

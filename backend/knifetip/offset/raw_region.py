@@ -1,4 +1,4 @@
-"""raw_region: the raw offset of a region, path by path, before pieces are selected."""
+"""raw_region: move the segments of all paths of a region, before pieces are selected."""
 
 from __future__ import annotations
 
@@ -88,10 +88,10 @@ def region_paths(contours: Contours, members: I32_1) -> RegionPaths:
 def region_corners(
     contours: Contours, paths: RegionPaths, corners: CornerTypes, source: OutI64_1, origin: OutF64_2
 ) -> RegionCorners:
-    """Return the corners of a region, with capacity for its moved segments, and write its segments.
+    """Return the corners of a region, and write its contour segments to two arrays.
 
-    Writes the contour segment of each of the n segments to ``source`` (n,), and x0, y0, x1, y1 and
-    bulge to ``origin`` (n, 5).
+    ``source`` (n,) gets the number of each contour segment, ``origin`` (n, 5) its x0, y0, x1, y1
+    and bulge.  The moved segments in the result are allocated but not computed.
     """
     total = len(source)
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
@@ -112,7 +112,7 @@ def region_corners(
             source[here] = i
             before[here] = here - 1 if i > a else at + b - a - 1
             kind[here] = corners.kind[corners.step * i]
-            share[here] = corners.share[corners.step * i]
+            share[here] = corners.k[corners.step * i]
             capped |= corners.kind[corners.step * i] > 0
     return RegionCorners(segments, before, kind, share, capped)
 
@@ -121,7 +121,10 @@ def region_corners(
 def _write_trimmed(
     made: OffsetSegments, count: int, closed: bool, raw: RawRows, put: int, m: int
 ) -> int:
-    """Append a trimmed path to the raw rows, as path ``m``, and return the next free row."""
+    """Append the segments of a trimmed path to ``raw``, and return the next free row.
+
+    ``m`` is the number of the path in the region, ``count`` the number of its segments in ``made``.
+    """
     for r in range(count):
         raw.rows[put, 0] = made.start[r, 0]
         raw.rows[put, 1] = made.start[r, 1]
@@ -147,14 +150,14 @@ def write_raw_region(
     follow: OutI64_1,
     rows: OutF64_2,
 ) -> tuple[int, int, int, int]:
-    """Write the offset of each path of a region, as if it were the only path, to the raw rows.
+    """Write the moved segments of all paths of a region to ``raw``, each path as if it were alone.
 
-    Also writes the successor of each raw row, -1 for none, to ``follow``.
+    Also writes the successor of each row of ``raw``, -1 for none, to ``follow``.
 
     Returns
     -------
     put
-        Next free row.
+        Next free row of ``raw``.
     lost
         A contour segment that has no offset at all, because its arc is too small for the tool, or
         -1.
@@ -207,9 +210,10 @@ def write_raw_region(
 def write_far_side(
     contours: Contours, low: int, high: int, signed: float, raw: RawRows, put: int
 ) -> int:
-    """Append the offset of an open path's other side, and arcs around its ends, to the raw rows.
+    """Append the offset on the other side of an open path, and arcs around its ends, to ``raw``.
 
-    These rows split other rows, but do not belong to the result.  Returns the next free row.
+    These rows split other rows, but do not belong to the result.  The path has the segments
+    low … high - 1.  Returns the next free row.
     """
     count = high - low
     back = Contours(

@@ -30,10 +30,10 @@ class Contours(NamedTuple):
 
 
 class CornerTypes(NamedTuple):
-    """Type and parameter k of the transition at each convex corner, the start of a segment."""
+    """Type of the transition at the start of each segment, used if the corner there is convex."""
 
     kind: U8_1  #: (n,) or (1,) ``transition.Corner``
-    share: F64_1  #: (n,) or (1,) parameter k of type D: 0 as B, 1 as C
+    k: F64_1  #: (n,) or (1,) parameter k of type D: 0 as B, 1 as C
     step: int  #: 1, or 0 if all corners have the first type
 
 
@@ -76,7 +76,7 @@ class RegionCorners(NamedTuple):
     moved: MovedSegments  #: the moved segments
     before: OutI64_1  #: (n,) segment before each segment
     kind: OutI64_1  #: (n,) ``transition.Corner``
-    share: OutF64_1  #: (n,) parameter k of type D
+    k: OutF64_1  #: (n,) parameter k of type D
     capped: bool  #: whether any corner is of type C or D
 
 

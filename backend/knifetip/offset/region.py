@@ -63,7 +63,11 @@ def _build_tree(rows: F64_2, count: int) -> BoxTree:
 
 @kernel
 def _failure(code: int, row: int, other: int, depth: float) -> RegionOffset:
-    """Return the result of a region that could not be offset."""
+    """Return the result of a region that could not be offset.
+
+    ``code`` is a failure code, ``row`` and ``other`` the segments concerned, ``depth`` a depth in
+    mm.
+    """
     line = np.empty((0, 5))
     tag = np.empty((0, 4), np.int64)
     return RegionOffset(line, tag, np.zeros(1, np.int64), 0, 0.0, False, code, row, other, depth)
@@ -204,7 +208,7 @@ def offset_region(
     refuse: bool,
     scratch: Scratch,
 ) -> RegionOffset:
-    """Return the offset of one region with all its contours, split and connected.
+    """Return the offset of one region with all its contours.
 
     Parameters
     ----------
@@ -288,7 +292,8 @@ def unreached_area(
 ) -> float:
     """Return the area of a region that the tool cannot reach (mm²).
 
-    It is the area between the contours and the offset of the contours' offset back by the radius.
+    The offset of the region is offset back by the radius; the area is between the contours and this
+    second offset.
     """
     rows = region.bounds[region.chains]
     back = Contours(

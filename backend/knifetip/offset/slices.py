@@ -127,7 +127,14 @@ def find_cuts(
 def split_rows(
     rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
-    """Return the pieces of the first ``real`` rows, split at the points that ``find_cuts`` returns.
+    """Return the pieces of the first ``real`` rows, split at given points.
+
+    Parameters
+    ----------
+    rows : (m, 5)
+        x0, y0, x1, y1, bulge.
+    which, place, cuts
+        Row, position and number of the split points, as ``find_cuts`` returns them.
 
     Returns
     -------

@@ -56,7 +56,7 @@ def area_under_edge(
     corner_arcs: OutF64_2,
     arc_row: int,
 ) -> tuple[float, float, float, int]:
-    """Return twice the area under the edge that a tool leaves beside a chain, and the edge's end.
+    """Return twice the area between the origin and the edge that a tool leaves beside a chain.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def area_under_edge(
 
 @kernel
 def area_under_path(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
-    """Return twice the area under segments low … high - 1, without a closing chord (mm²)."""
+    """Return twice the signed area between the origin and the segments low … high - 1 (mm²)."""
     twice = 0.0
     for i in range(low, high):
         twice += start[i, 0] * end[i, 1] - start[i, 1] * end[i, 0]

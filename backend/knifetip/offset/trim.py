@@ -110,7 +110,7 @@ def concave_crossing(
     x, y : mm
         The intersection.
     cosine, sine
-        Of the angle between the contact points of a disc at the intersection.
+        Cosine and sine of the angle between the contact points of a disc at the intersection.
     twice : mm²
         Twice the area between corner and contact points that the disc cannot reach, plus twice the
         area of the disc's sector.
@@ -281,7 +281,11 @@ def _trim_corners(
 def _trimmed_bulge(
     contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
 ) -> float:
-    """Return the bulge of segment i trimmed at its start or end, NaN if no part remains."""
+    """Return the bulge of the moved contour segment i after trimming, NaN if no part remains.
+
+    ``begins`` and ``ends`` state whether it is trimmed at its start and at its end; ``here`` is its
+    row in ``segments``.
+    """
     table = segments.table
     dx = table[here, EX] - table[here, SX]
     dy = table[here, EY] - table[here, SY]
@@ -339,7 +343,7 @@ def _write_corner(
         u2x,
         u2y,
         signed,
-        corners.share[corners.step * i],
+        corners.k[corners.step * i],
         rows,
         0,
     )

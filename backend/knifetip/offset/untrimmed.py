@@ -182,7 +182,7 @@ def raw_offset(
                 table[here, U1X],
                 table[here, U1Y],
                 signed,
-                corners.share[corners.step * (low + i)],
+                corners.k[corners.step * (low + i)],
                 rows,
                 put,
             )

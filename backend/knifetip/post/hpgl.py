@@ -113,7 +113,10 @@ def _format_comment(note: str) -> str:
 
 
 def _select_pen(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
-    """Return the lines that select a pen, its force and the first of the speeds, (n,) cm/s."""
+    """Return the program lines that select a pen, its force, and the speed of its first moves.
+
+    ``speed`` (n,) are the speeds of the moves in cm/s, 0 with the tool up.
+    """
     force = [f"FS{pen.force};"] if plotter.device.force else []
     working = speed[speed > 0]
     first = [f"VS{working[0]};"] if len(working) else []
@@ -231,9 +234,14 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
 
 
 def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
-    """Return the index of the pen for a station's kind of work.
+    """Return the index of the pen for a station and its kind of work.
 
     ``key`` is twice the number of the station, plus 1 for through cuts.
+
+    Raises
+    ------
+    ProgramError
+        The plotter has no such pen.
     """
     station = machine.station(key // 2)
     work = PenWork.CUT if key % 2 else PenWork.HALF_CUT
@@ -246,9 +254,14 @@ def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
 
 
 def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
-    """Return the lines of the moves ``rows``, and the toolpath row of each line, -1 for VS lines.
+    """Return the program lines of some moves, and the toolpath row of each line, -1 for speed changes.
 
-    The mask ``with_speed`` marks the moves that get a VS line before their own line.
+    Parameters
+    ----------
+    rows
+        Numbers of the moves.
+    with_speed
+        Mask of the moves before which the speed is set by a line of its own.
     """
     shown = moves.kind[rows] != _NONE
     rows, with_speed = rows[shown], with_speed[shown]
@@ -271,6 +284,6 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
 
 def _text_columns(text: bytes, where: Bool) -> Characters:
-    """Return a text as columns of characters in the rows of a mask, zeros in other rows, (n, k)."""
+    """Return a text as columns of characters, (n, k), in the rows of a mask (n,); zeros elsewhere."""
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

@@ -15,8 +15,8 @@ class Dialect:
 
     name: str  #: name of the controller language
     decimals: int  #: number of decimals of X Y Z C I J
-    rotary: str  #: letter of the axis that turns the tool, C by default; some builds of grbl use A
-    tool_table: bool  #: whether Tn M6 G43 adds the datum; else numbers include it
+    rotary: str  #: letter of the axis that turns the tool: C, or A in some builds of grbl
+    tool_table: bool  #: whether Tn M6 G43 adds the datum of a station
     blending: bool  #: whether the controller supports G64 P Q
     inverse_arcs: bool  #: whether G94 counts degrees as mm, so that an arc with C needs G93
     eager_outputs: bool  #: whether M64 and M65 are executed while earlier moves still run

@@ -123,7 +123,8 @@ def format_lines(
     moves = _convert_arcs(toolpath, first, last, datum, dialect)
     words = _compose_words(moves, machine, dialect, blending)
     texts = [
-        _render(words, slice(at, at + BATCH), dialect) for at in range(0, len(words.row), BATCH)
+        _render_lines(words, slice(at, at + BATCH), dialect)
+        for at in range(0, len(words.row), BATCH)
     ]
     row = np.insert(words.row, np.flatnonzero(words.exact_stop) + 1, np.int32(-1))
     if words.inverse[-1]:
@@ -225,10 +226,11 @@ def _exact_stops(
 
     If C starts or stops turning between two moves, LinuxCNC's planner overlaps the moves for the
     time that the slower axis needs to change its speed, whatever the P of G64 is.  If the moves
-    bend differently, the corner is cut.  With t the time of the change, the tip then leaves the
-    path by up to::
+    bend differently, the corner is cut.  With v the greater speed of the two moves, a and α the
+    accelerations of X, Y and of C, κ the turn of C per mm, and t the time of the change, the tip
+    leaves the path by up to::
 
-        Δκ (v t)² / 2        t = max(v / a, v Δκ / α)        κ = turn of C per mm
+        Δκ (v t)² / 2        t = max(v / a, v Δκ / α)
 
     Measured on LinuxCNC 2.9 with the acceleration of the demo table, arcs of 5 … 200 mm followed by
     lines at 100 … 400 mm/s: 0.003 … 3.5 mm without stops, 0.0004 mm with them.
@@ -293,7 +295,7 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     return emit
 
 
-def _render(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
+def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
     """Return the text of the lines in a slice of the words.
 
     Raises
@@ -337,9 +339,9 @@ def _render(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
 
 
 def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without one.
+    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without such a word.
 
-    The masks ``inverse`` and ``ends_inverse``, (n,), mark the lines with G93 and with G94.
+    ``inverse`` (n,) marks the lines with G93, ``ends_inverse`` (n,) the lines with G94.
     """
     modes = np.frombuffer(b"\0\0\0\0G93 G94 ", np.uint8).reshape(3, 4)
     return modes[inverse + 2 * ends_inverse]
