@@ -254,7 +254,9 @@ def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
 
 
 def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
-    """Return the program lines of some moves, and the toolpath row of each line, -1 for speed changes.
+    """Return the program lines of some moves, and the toolpath row of each line.
+
+    Lines that set the speed have row -1.
 
     Parameters
     ----------
@@ -284,6 +286,6 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
 
 def _text_columns(text: bytes, where: Bool) -> Characters:
-    """Return a text as columns of characters, (n, k), in the rows of a mask (n,); zeros elsewhere."""
+    """Return a text as columns of characters, (n, k), zeros in rows outside a mask (n,)."""
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

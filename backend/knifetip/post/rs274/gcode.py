@@ -339,7 +339,7 @@ def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
 
 
 def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without such a word.
+    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without them.
 
     ``inverse`` (n,) marks the lines with G93, ``ends_inverse`` (n,) the lines with G94.
     """
