@@ -53,6 +53,7 @@ from knifetip.formats import format_of
 from knifetip.geometry.columns import U8
 from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
+from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.interpretations import drawing_columns, interpretation_of
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.tables import Drawing
@@ -107,7 +108,7 @@ def add_drawing(
     if row is None:
         interpretation = Interpretation(unit, profile, rules)
         reading = read_drawing(here, name, content, interpretation)
-        row = here.store.drawings.add(
+        new = NewDrawing(
             name=name,
             content=content,
             sha256=sha256,
@@ -115,9 +116,8 @@ def add_drawing(
             summary=reading.summary,
             edges=reading.edges,
             import_report=reading.import_report,
-            key=key,
-            fingerprint=request,
         )
+        row = here.store.drawings.add(new, key=key, fingerprint=request)
     drawing = drawing_out(here, row)
     if response is not None:
         response.headers["Location"] = f"/api/drawings/{row.id}"
@@ -168,8 +168,8 @@ def change_drawing(
             custom_profiles.parse_text(profile, rules)
         elif patch.profile is not None:
             profile, rules = patch.profile, customer_rules(here, patch.profile)
-        why = f"unit {unit or 'open'}, profile {profile}"
-        return _Change(Interpretation(unit, profile, rules, row.overrides), why)
+        event = Message("drawing.reinterpreted", unit=unit, profile=profile)
+        return _Change(Interpretation(unit, profile, rules, row.overrides), event)
 
     return _apply_change(here, response, id, match, decide)
 
@@ -207,8 +207,8 @@ def override_edges(
 
     def decide(row: Drawing) -> _Change:
         overrides = merge_overrides(row.edges, row.overrides, patch.overrides)
-        why = f"{len(patch.overrides)} override{'s' * (len(patch.overrides) != 1)}"
-        return _Change(interpretation_of(row, overrides), why)
+        event = Message("drawing.types-set", count=len(patch.overrides))
+        return _Change(interpretation_of(row, overrides), event)
 
     return _apply_change(here, response, id, match, decide)
 
@@ -266,7 +266,7 @@ class _Change:
     """New interpretation of a drawing and the reason for the event log."""
 
     interpretation: Interpretation
-    why: str
+    event: Message
 
 
 def _apply_change(
@@ -296,7 +296,7 @@ def _apply_change(
             changed = here.store.drawings.change(
                 row.id,
                 row.version,
-                change.why,
+                change.event,
                 **drawing_columns(final),
                 summary=reading.summary,
                 edges=reading.edges,

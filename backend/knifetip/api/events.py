@@ -22,7 +22,9 @@ from fastapi.sse import EventSourceResponse, ServerSentEvent
 
 from knifetip.api.drawings import summary_out
 from knifetip.api.jobs import job_out, jobs_out
+from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.service import Service
+from knifetip.api.waiting import WaitingFor
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import State
@@ -49,7 +51,7 @@ class Stream:
         self._lock = asyncio.Lock()
         self._last = 0
         self._sent_progress: dict[str, tuple[object, ...]] = {}
-        self._waits: dict[str, tuple[str, str, str]] = {}
+        self._waits: dict[str, tuple[WaitingFor, MessageOut | None]] = {}
         self._refreshed = 0.0
 
     async def run(self) -> None:
@@ -113,9 +115,7 @@ class Stream:
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
         shown = jobs_out(self._service.store, rows)
-        waits: dict[str, tuple[str, str, str]] = {
-            job.id: (job.waiting_for, job.reason, job.hint) for job in shown
-        }
+        waits = {job.id: (job.waiting_for, job.message) for job in shown}
         news = [
             _message("job", job.model_dump_json())
             for job in shown

@@ -10,6 +10,7 @@ from fastapi.responses import PlainTextResponse
 from knifetip.api.jobs import job_out
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
+from knifetip.api.schemas.messages import MessageIn
 from knifetip.api.service import Here, bytes_response, check_library_name
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, WrongState
@@ -18,6 +19,8 @@ from knifetip.jobs.job import ON_TABLE, State
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
 from knifetip.library import load
+from knifetip.messages import Message
+from knifetip.messages.codes import STORED
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
@@ -106,12 +109,19 @@ async def finish(here: Here, report: FinishIn) -> JobOut:
     return await here.threads.reports(_finish_job, here, report)
 
 
+def _cause(why: str | MessageIn) -> Message | None:
+    """Return the cause that a gateway has reported, None if it is empty."""
+    if isinstance(why, MessageIn):
+        return why.message
+    return Message(STORED, text=why, hint="") if why else None
+
+
 def _finish_job(here: Here, report: FinishIn) -> JobOut:
     row = here.store.gateways.finish(
         report.job,
         report.epoch,
         report.outcome,
-        report.why,
+        _cause(report.why),
         line=report.line,
         copies_done=report.copies_done,
     )

@@ -41,9 +41,12 @@ from knifetip.jobs import tasks
 from knifetip.jobs.columns import unpacked
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import State
+from knifetip.jobs.job_store import JobOrder
+from knifetip.jobs.operator_actions import allowed_actions
 from knifetip.jobs.readings import StoredDrawing
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Drawing, Job
+from knifetip.messages import hint, render
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.verdict import EDGE_COLUMNS
@@ -80,17 +83,15 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
     )
     if questions:
         raise OpenQuestions(questions)
-    return here.store.jobs.add(
-        drawing,
+    ordered = JobOrder(
         machine=order.machine,
         board=order.board,
         interpretation=interpretation,
         copies=order.copies,
         priority=order.priority,
         release=order.release,
-        key=key,
-        fingerprint=request,
     )
+    return here.store.jobs.add(drawing, ordered, key=key, fingerprint=request)
 
 
 def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpretation:
@@ -142,7 +143,8 @@ def get_job_events(here: Here, id: str) -> list[JobEvent]:
                 "at": event.at,
                 "state": event.state,
                 "who": event.who,
-                "why": event.why,
+                "why": render(event.message) if event.message else "",
+                "message": event.message,
             }
         )
         for event in here.store.events.of_job(id)
@@ -267,20 +269,27 @@ def job_out(store: Store, row: Job) -> JobOut:
 
 def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
     """Return the API models of jobs."""
-    return [_job_out(row, waits) for row, waits in zip(rows, waiting_of(store, rows), strict=True)]
+    now = store.database.clock()
+    return [
+        _job_out(row, waiting, now)
+        for row, waiting in zip(rows, waiting_of(store, rows), strict=True)
+    ]
 
 
-def _job_out(row: Job, waits: Waiting) -> JobOut:
-    computed = {"verdict", "progress", "waiting_for"}
+def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
+    message = waiting.message if waiting.waiting_for else row.message
+    computed = {"verdict", "progress", "waiting_for", "actions", "reason", "hint", "message"}
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
     }
-    if waits.waiting_for:
-        fields |= {"reason": waits.reason, "hint": waits.hint}
     return JobOut.model_validate(
         {
             **fields,
-            "waiting_for": waits.waiting_for,
+            "waiting_for": waiting.waiting_for,
+            "message": message,
+            "reason": render(message) if message else "",
+            "hint": hint(message) if message else "",
+            "actions": allowed_actions(row, now),
             "verdict": row.verdict_summary,
             "progress": progress(row),
         }

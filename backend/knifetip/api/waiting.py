@@ -1,8 +1,6 @@
-"""What a job waits for: a field for programs, reason and hint for the operator.
+"""What a job waits for: a field for programs and a message for the operator.
 
-    job rows + queues of their machines -> waiting_for, reason, hint
-
-``waiting_for`` is one of
+The field ``waiting_for`` is one of
 
 - ``confirmation``: the operator must confirm table, board and tools before the first line,
 - ``sheet``: the operator must confirm the sheet of the next copy,
@@ -23,6 +21,7 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.languages.registry import find_language
 from knifetip.library import load
+from knifetip.messages import Message
 
 WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn"]
 
@@ -31,11 +30,10 @@ ABSENT = 6.0
 
 
 class Waiting(NamedTuple):
-    """What a job waits for."""
+    """What a job waits for: the field for programs and the message for the operator."""
 
     waiting_for: WaitingFor = ""
-    reason: str = ""
-    hint: str = ""
+    message: Message | None = None
 
 
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
@@ -47,65 +45,65 @@ def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
 
 def _waiting(row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
-        return _to_confirm(row)
-    if row.confirmation == Confirmation.SHEET:
-        return Waiting(
-            "sheet",
-            f"Copy {row.copies_done} of {row.copies} is done.",
-            f"Put a new sheet of {board_in_words(row.board)} on the table and confirm.",
+        code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
+        message = Message(
+            code, machine=_title(row.machine), board=board_message(row.board), tools=_tools(row)
         )
+        return Waiting("confirmation", message)
+    if row.confirmation == Confirmation.SHEET:
+        message = Message(
+            "waiting.for-sheet",
+            copy=row.copies_done,
+            copies=row.copies,
+            board=board_message(row.board),
+        )
+        return Waiting("sheet", message)
     if row.state == State.QUEUED and queue is not None:
         return _queued(row, queue)
     return Waiting()
 
 
-def _to_confirm(row: Job) -> Waiting:
-    place = f"board {board_in_words(row.board)}"
-    if row.tools:
-        tools = ", ".join(f"{one['name']} (station {one['station']})" for one in row.tools)
-        place += f", tools: {tools}"
-    if row.state == State.QUEUED:
-        return Waiting(
-            "confirmation",
-            f"Waiting for the operator at {_title(row.machine)}: table clear, {place}.",
-            "Confirm to start.",
-        )
-    return Waiting(
-        "confirmation",
-        f"{_title(row.machine)} was started without the operator's confirmation: {place}.",
-        "Look at the table. Confirm to let the job go on, or cancel it.",
-    )
+def _tools(row: Job) -> Message | None:
+    """Return the stations that the program uses, None if they are not known."""
+    tools = [
+        Message("waiting.tool", name=tool["name"], station=tool["station"]) for tool in row.tools
+    ]
+    return Message("waiting.tools", tools=tools) if tools else None
 
 
 def _queued(row: Job, queue: Queue) -> Waiting:
     title = _title(row.machine)
     if row.confirmation == Confirmation.GIVEN:
-        return Waiting("machine", f"Confirmed; {title} is starting.")
+        return Waiting("machine", Message("waiting.confirmed", machine=title))
     if row.id != queue.first:
-        return Waiting("turn", f"Waiting for its turn at {title}; other jobs come first.")
+        return Waiting("turn", Message("waiting.for-turn", machine=title))
     if queue.ahead:
-        reason = f"{title} is taken by job {queue.ahead}, which is {queue.ahead_state}."
-        if queue.ahead_state == State.INTERRUPTED:
-            hint = "Mark that job finished, queue it again or scrap it first."
-            return Waiting("machine", reason, hint)
-        if queue.ahead_state == State.QUEUED:
-            reason = f"{title} is taken by job {queue.ahead}, which waits for its confirmation."
-        return Waiting("machine", reason)
+        return Waiting("machine", _taken(title, queue))
     if not queue.connected:
-        return Waiting(
-            "machine",
-            f"No gateway of {title} asks for work.",
-            _how_to_connect(row.machine),
-        )
-    return Waiting("machine", f"Waiting until {title} takes it.")
+        return Waiting("machine", _no_gateway(row.machine, title))
+    return Waiting("machine", Message("waiting.for-machine", machine=title))
 
 
-def _how_to_connect(machine: str) -> str:
+def _taken(title: str, queue: Queue) -> Message:
+    """Return the message about the job that is on the table of a machine."""
+    match queue.ahead_state:
+        case State.INTERRUPTED:
+            return Message("waiting.taken-interrupted", machine=title, job=queue.ahead)
+        case State.QUEUED:
+            return Message("waiting.taken-unconfirmed", machine=title, job=queue.ahead)
+        case state:
+            return Message("waiting.taken", machine=title, job=queue.ahead, state=state)
+
+
+def _no_gateway(machine: str, title: str) -> Message:
+    """Return the message about a machine without a connected gateway."""
     try:
         language = find_language(load.machine(machine, files=False).dialect)
     except LibraryError:
-        return "Switch on the machine and its gateway."
-    return language.no_driver or "Switch on the machine and its gateway."
+        return Message("waiting.for-gateway", machine=title)
+    if language.no_driver:
+        return Message("waiting.for-person", machine=title, advice=language.no_driver)
+    return Message("waiting.for-gateway", machine=title)
 
 
 def _title(machine: str) -> str:
@@ -115,9 +113,10 @@ def _title(machine: str) -> str:
         return machine
 
 
-def board_in_words(board: str) -> str:
-    """Return a board's name and caliper; the name alone where the library has it no more."""
+def board_message(board: str) -> Message:
+    """Return a board's name and caliper; the name alone if it is not in the library any more."""
     try:
-        return f"{board} ({load.board(board, files=False).caliper:g} mm)"
+        caliper = load.board(board, files=False).caliper
     except LibraryError:
-        return board
+        return Message("board.not-in-library", name=board)
+    return Message("board.named", name=board, caliper=caliper)

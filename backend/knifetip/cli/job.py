@@ -17,7 +17,7 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.terminal import print_json
 from knifetip.errors import JobError
-from knifetip.messages import from_json
+from knifetip.messages import from_json, hint, render
 
 Server = Annotated[
     str, typer.Option(envvar="KNIFETIP_SERVER", help="URL of the server.", show_default=True)
@@ -111,7 +111,7 @@ def register(app: typer.Typer) -> None:
         limit: Annotated[int, typer.Option(min=1, max=500)] = 50,
         json: Json = False,
     ) -> None:
-        """List jobs, newest first."""
+        """List jobs, newest first, with the allowed actions in brackets."""
         params: dict[str, Any] = {"limit": limit, "state": state or []}
         rows = JobClient(server, key).request("GET", params=params)
         if json:
@@ -119,14 +119,15 @@ def register(app: typer.Typer) -> None:
             return
         for row in rows:
             waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
+            actions = f"  [{', '.join(row['actions'])}]" if row["actions"] else ""
             typer.echo(
                 f"{row['id']}  {row['state']:11} {row['machine']:14} {row['board']:14} "
-                f"{row['drawing_name']}{waits}"
+                f"{row['drawing_name']}{waits}{actions}"
             )
 
     @job.command("show")
     def show_job(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
-        """Show state and progress of a job, and what it waits for."""
+        """Show state and progress of a job, what it waits for, and the allowed actions."""
         row = JobClient(server, key).job(id)
         if json:
             print_json(row)
@@ -195,11 +196,15 @@ def _print_job(row: dict[str, Any]) -> None:
     if row["tools"]:
         tools = ", ".join(f"{tool['name']} (station {tool['station']})" for tool in row["tools"])
         typer.echo(f"  tools: {tools}")
-    if row["state"] not in ("received", "compiling", "refused"):
+    if row["lines"]:
         typer.echo(
             f"  line {row['line']} of {row['lines']}, copies {row['copies_done']} of "
             f"{row['copies']}"
         )
-    for text in (row["reason"], row["hint"]):
-        if text:
-            typer.echo(f"  {text}")
+    if row["message"] is not None:
+        message = from_json(row["message"])
+        for text in (render(message), hint(message)):
+            if text:
+                typer.echo(f"  {text}")
+    if row["actions"]:
+        typer.echo(f"  actions: {', '.join(row['actions'])}")

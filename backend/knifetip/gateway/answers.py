@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from knifetip.gateway.controller import State
 from knifetip.gateway.motion import Pose
+from knifetip.messages import Message
 
 _STATES = {
     "Idle": State.IDLE,
@@ -25,74 +26,74 @@ _STATES = {
 }
 
 ERRORS = {
-    1: "a word without its letter",
-    2: "a number that cannot be read",
-    3: "a $ command that it does not know",
-    4: "a negative value where none may be",
-    5: "homing is switched off in its settings",
-    6: "a step pulse that is too short",
-    7: "its settings could not be read and were set to defaults",
-    8: "this is possible only while it is idle",
-    9: "it is locked by an alarm or jogs",
-    10: "soft limits need homing",
-    11: "the line is too long",
-    12: "a setting beyond its step rate",
-    13: "a safety door is open",
-    14: "its stored build line is too long",
-    15: "a jog beyond the travel",
-    16: "a jog without a feed, or with a word that has no place in it",
-    17: "laser mode without a variable output",
-    18: "it was reset and waits",
-    20: "a command that it does not know",
-    21: "two commands of one modal group in a line",
-    22: "no feed has been set",
-    23: "a command that must be a whole number is not",
-    24: "two commands in a line want the axis words",
-    25: "a word twice in a line",
-    26: "a command without the axis words that it needs",
-    27: "a line number out of range",
-    28: "a command without its P or L word",
-    29: "a work offset that it does not have",
-    30: "G53 without G0 or G1",
-    31: "axis words that no command uses",
-    32: "an arc without axis words in its plane",
-    33: "an arc whose ends do not lie on one circle",
-    34: "an arc whose radius cannot be worked out",
-    35: "an arc without I and J",
-    36: "words that no command uses",
-    37: "a tool length offset on the wrong axis",
-    38: "a tool number that is too high",
-    39: "a value out of range",
-    60: "its memory card could not be opened",
-    79: "an emergency stop is pressed",
+    1: Message("grbl.error-1"),
+    2: Message("grbl.error-2"),
+    3: Message("grbl.error-3"),
+    4: Message("grbl.error-4"),
+    5: Message("grbl.error-5"),
+    6: Message("grbl.error-6"),
+    7: Message("grbl.error-7"),
+    8: Message("grbl.error-8"),
+    9: Message("grbl.error-9"),
+    10: Message("grbl.error-10"),
+    11: Message("grbl.error-11"),
+    12: Message("grbl.error-12"),
+    13: Message("grbl.error-13"),
+    14: Message("grbl.error-14"),
+    15: Message("grbl.error-15"),
+    16: Message("grbl.error-16"),
+    17: Message("grbl.error-17"),
+    18: Message("grbl.error-18"),
+    20: Message("grbl.error-20"),
+    21: Message("grbl.error-21"),
+    22: Message("grbl.error-22"),
+    23: Message("grbl.error-23"),
+    24: Message("grbl.error-24"),
+    25: Message("grbl.error-25"),
+    26: Message("grbl.error-26"),
+    27: Message("grbl.error-27"),
+    28: Message("grbl.error-28"),
+    29: Message("grbl.error-29"),
+    30: Message("grbl.error-30"),
+    31: Message("grbl.error-31"),
+    32: Message("grbl.error-32"),
+    33: Message("grbl.error-33"),
+    34: Message("grbl.error-34"),
+    35: Message("grbl.error-35"),
+    36: Message("grbl.error-36"),
+    37: Message("grbl.error-37"),
+    38: Message("grbl.error-38"),
+    39: Message("grbl.error-39"),
+    60: Message("grbl.error-60"),
+    79: Message("grbl.error-79"),
 }
 
 ALARMS = {
-    1: "a limit switch was hit; its position is lost",
-    2: "a move would have left the travel of the machine",
-    3: "it was reset while moving; its position may be lost",
-    4: "the probe was not in the expected state",
-    5: "the probe did not touch",
-    6: "homing was reset",
-    7: "the door was opened during homing",
-    8: "homing could not leave the limit switch",
-    9: "homing did not find the limit switch",
-    10: "an emergency stop is pressed",
-    11: "it must be homed first",
-    12: "a limit switch is closed",
-    14: "the spindle did not reach its speed",
-    17: "a motor driver reports a fault",
+    1: Message("grbl.alarm-1"),
+    2: Message("grbl.alarm-2"),
+    3: Message("grbl.alarm-3"),
+    4: Message("grbl.alarm-4"),
+    5: Message("grbl.alarm-5"),
+    6: Message("grbl.alarm-6"),
+    7: Message("grbl.alarm-7"),
+    8: Message("grbl.alarm-8"),
+    9: Message("grbl.alarm-9"),
+    10: Message("grbl.alarm-10"),
+    11: Message("grbl.alarm-11"),
+    12: Message("grbl.alarm-12"),
+    14: Message("grbl.alarm-14"),
+    17: Message("grbl.alarm-17"),
 }
 
 
-def error_text(code: int) -> str:
+def error_meaning(code: int) -> Message:
     """Return the meaning of ``error:code``."""
-    return ERRORS.get(code, "an error that has no name here")
+    return ERRORS.get(code, Message("grbl.unknown-error"))
 
 
-def alarm_text(code: int) -> str:
+def alarm_meaning(code: int) -> Message:
     """Return the meaning of ``ALARM:code``."""
-    return ALARMS.get(code, "an alarm that has no name here")
+    return ALARMS.get(code, Message("grbl.unknown-alarm"))
 
 
 @dataclass(frozen=True, slots=True)

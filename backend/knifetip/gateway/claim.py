@@ -29,7 +29,7 @@ import hashlib
 import logging
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import aclosing, suppress
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from urllib.parse import urljoin
@@ -41,6 +41,7 @@ from knifetip.gateway.controller import Controller, SafeState, State
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
+from knifetip.messages import Message, with_text
 from knifetip.model.machine import Machine
 
 #: Longest pause between two attempts to connect (s).
@@ -89,6 +90,10 @@ class _Cancelled(Exception):
 
 class _Returned(Exception):
     """The lease is returned: the machine cannot start, and nothing was sent to it."""
+
+    def __init__(self, cause: Message) -> None:
+        super().__init__(cause)
+        self.cause = cause
 
 
 class JobRun:
@@ -148,20 +153,36 @@ class JobEnd:
     job: str
     epoch: int
     outcome: str
-    why: str
+    cause: Message | None
     line: int  #: executed lines of the running copy; 0 between two copies
     copies_done: int  #: under this lease
 
     @classmethod
-    def of(cls, run: JobRun, outcome: str, why: str) -> JobEnd:
+    def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
         line = run.line if run.begun or outcome == "done" else 0
-        return cls(run.claim.job, run.claim.epoch, outcome, why, line, run.copies_done)
+        return cls(run.claim.job, run.claim.epoch, outcome, cause, line, run.copies_done)
+
+    def report(self) -> dict[str, object]:
+        """Return the body of the request that reports the end."""
+        return {
+            "job": self.job,
+            "epoch": self.epoch,
+            "outcome": self.outcome,
+            "why": "" if self.cause is None else with_text(self.cause),
+            "line": self.line,
+            "copies_done": self.copies_done,
+        }
 
 
-def _withdrawal_reason(run: JobRun) -> str:
-    if run.waiting:
-        return "The server took the job back before its start; nothing was sent to the machine."
-    return "The server took the job back; the machine was stopped."
+def _not_idle(controller: Controller, state: State) -> Message:
+    return Message("gateway.controller-not-idle", name=controller.name, state=state.value)
+
+
+def _cause_of(error: KnifetipError | OSError) -> Message:
+    """Return the message of an error that ended a job."""
+    if isinstance(error, KnifetipError):
+        return error.message
+    return Message("gateway.system-error", reason=error)
 
 
 class _GatewayLoop:
@@ -210,12 +231,12 @@ class _GatewayLoop:
         """Report a job during which the gateway was switched off, until the server answers."""
         if (left := self._journal.unfinished()) is None:
             return
-        outcome, why = left.outcome, left.why
+        outcome, cause = left.outcome, left.cause
         if not outcome and left.copies_done >= left.copies:
-            outcome, why = "done", "The gateway was switched off before it could report."
+            outcome, cause = "done", Message("gateway.switched-off-before-report")
         elif not outcome:
-            outcome, why = "interrupted", "The gateway was switched off."
-        ended = JobEnd(left.job, left.epoch, outcome, why, left.line, left.copies_done)
+            outcome, cause = "interrupted", Message("gateway.switched-off")
+        ended = JobEnd(left.job, left.epoch, outcome, cause, left.line, left.copies_done)
         await self._finish(ended)
 
     async def _recover(self) -> None:
@@ -239,7 +260,7 @@ class _GatewayLoop:
                 if status.state is State.IDLE:
                     self._complaint = ""
                     return
-                complaint = f"{controller.name} is not idle: it reports {status.state.value}."
+                complaint = str(_not_idle(controller, status.state))
             except (ControllerError, OSError) as error:
                 complaint = str(error)
             if complaint != self._complaint:
@@ -268,34 +289,37 @@ class _GatewayLoop:
     async def _run_job(self, claim: Lease) -> None:
         run = JobRun(claim, self._now())
         heartbeats = asyncio.create_task(self._heartbeats(run), name="heartbeats")
-        outcome, why = "interrupted", ""
+        outcome: str = "interrupted"
+        cause: Message | None = None
         try:
             try:
                 await self._wait_for_confirmation(run)
                 await self._run_copies(run)
                 outcome = "done"
-            except _Returned as reason:
-                outcome, why = "returned", str(reason)
+            except _Returned as returned:
+                outcome, cause = "returned", returned.cause
             except _Cancelled:
-                outcome, why = "cancelled", f"Cancelled by the operator at line {run.line}."
+                outcome, cause = "cancelled", Message("gateway.cancelled", line=run.line)
             except _Stale:
                 # The server may still record this report, as evidence of where the machine stopped.
-                why = _withdrawal_reason(run)
-                _log.warning("Job %s: %s", claim.job, why)
+                cause = Message(
+                    "gateway.job-withdrawn-before-start" if run.waiting else "gateway.job-withdrawn"
+                )
+                _log.warning("Job %s: %s", claim.job, cause)
             except (KnifetipError, OSError) as error:
-                why = str(error)
+                cause = _cause_of(error)
             except asyncio.CancelledError:
                 if run.waiting:
-                    outcome, why = "returned", "The gateway was switched off."
+                    outcome, cause = "returned", Message("gateway.switched-off")
                 else:
-                    why = "The gateway was switched off; the machine was stopped."
+                    cause = Message("gateway.switched-off-in-run")
                 with suppress(asyncio.CancelledError):
-                    await self._finish(JobEnd.of(run, outcome, why), tries=1)
+                    await self._finish(JobEnd.of(run, outcome, cause), tries=1)
                 raise
         finally:
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)
-        await self._finish(JobEnd.of(run, outcome, why))
+        await self._finish(JobEnd.of(run, outcome, cause))
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
         """Wait until the operator has confirmed the job; the controller must stay idle."""
@@ -307,9 +331,9 @@ class _GatewayLoop:
                 controller = await self._connected_controller()
                 state = (await controller.status()).state
             except (ControllerError, OSError) as error:
-                raise _Returned(str(error)) from error
+                raise _Returned(_cause_of(error)) from error
             if state is not State.IDLE:
-                raise _Returned(f"{controller.name} is not idle: it reports {state.value}.")
+                raise _Returned(_not_idle(controller, state))
 
     async def _run_copies(self, run: JobRun) -> None:
         claim = run.claim
@@ -457,9 +481,9 @@ class _GatewayLoop:
 
     async def _finish(self, ended: JobEnd, tries: int | None = None) -> None:
         """Report the result of a job until the server answers, or ``tries`` times."""
-        job, epoch, outcome, why = ended.job, ended.epoch, ended.outcome, ended.why
-        self._journal.outcome(job, outcome, why)
-        body = asdict(ended)
+        job, epoch, outcome, cause = ended.job, ended.epoch, ended.outcome, ended.cause
+        self._journal.outcome(job, outcome, cause)
+        body = ended.report()
         pause = FIRST_PAUSE
         while True:
             try:
@@ -476,7 +500,7 @@ class _GatewayLoop:
                 return
             await asyncio.sleep(pause)
             pause = min(2.0 * pause, LONGEST_PAUSE)
-        self._journal.end(job, epoch, outcome, why)
+        self._journal.end(job, epoch, outcome, cause)
 
 
 async def work(

@@ -224,7 +224,7 @@ class Grbl:
             # Leaving check mode resets the controller, banner and all.
             banners, self._banner_due = self._banners, True
             await self.command(b"$C")
-            await self._until(lambda: self._banners > banners, "the end of its check mode")
+            await self._until(lambda: self._banners > banners, "controller.check-end-not-confirmed")
         finally:
             self._checking = False
         if self._refusals:
@@ -358,7 +358,7 @@ class Grbl:
         banners, self._banner_due = self._banners, True
         self._clear_flight()
         await self._transport.write(b"\x18")
-        await self._until(lambda: self._banners > banners, "its reset")
+        await self._until(lambda: self._banners > banners, "controller.reset-not-confirmed")
         self._heard = self._moved = self._now()
 
     async def command(self, text: bytes) -> list[str]:
@@ -378,7 +378,7 @@ class Grbl:
                 "controller.rejected-command",
                 name=self.name,
                 command=text.decode(),
-                error=answers.error_text(code),
+                error=answers.error_meaning(code),
                 code=code,
             )
         return info
@@ -427,19 +427,21 @@ class Grbl:
         if self.fault is not None:
             raise self.fault
 
-    async def _until(self, true: Callable[[], bool], what: str = "") -> None:
-        """Wait for a condition; the watch limits the time unless ``what`` names it."""
+    async def _until(self, true: Callable[[], bool], code: str = "") -> None:
+        """Wait until ``true()`` returns True.
+
+        With ``code``, fail after the limit of silence with the error of that code; without it
+        the watch limits the time.
+        """
         try:
-            async with asyncio.timeout(self._silence if what else None):
+            async with asyncio.timeout(self._silence if code else None):
                 while not true():
                     self._raise()
                     self._news.clear()
                     await self._news.wait()
         except TimeoutError:
             raise self._fail(
-                ControllerSilent(
-                    "controller.no-confirmation", name=self.name, what=what, seconds=self._silence
-                )
+                ControllerSilent(code, name=self.name, seconds=self._silence)
             ) from None
         self._raise()
 
@@ -576,7 +578,7 @@ class Grbl:
                 name=self.name,
                 line=sent.number,
                 text=_shown(sent.text),
-                error=answers.error_text(code),
+                error=answers.error_meaning(code),
                 code=code,
             )
             if self._checking:
@@ -655,7 +657,7 @@ class Grbl:
                 "controller.alarm",
                 name=self.name,
                 code=code,
-                alarm=answers.alarm_text(code),
+                alarm=answers.alarm_meaning(code),
                 due=where,
             )
         )

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from knifetip.messages import Message, from_json
+
 #: A longer journal (bytes) is renamed to ``.1`` when the next job starts.
 LONG = 8_000_000
 
@@ -30,7 +32,7 @@ class Unfinished:
     copies_done: int = 0  #: executed to their last line
     line: int = 0  #: executed lines of the copy that was under way
     outcome: str = ""  #: how it ended; empty if it did not end
-    why: str = ""
+    cause: Message | None = None  #: cause of the end; None if none was recorded
 
 
 class Journal:
@@ -77,14 +79,26 @@ class Journal:
         """Record that a copy was executed to its last line and the machine is at rest."""
         self._append({"event": "copy", "job": job, "copies_done": copies_done}, safe=True)
 
-    def outcome(self, job: str, outcome: str, why: str) -> None:
+    def outcome(self, job: str, outcome: str, cause: Message | None) -> None:
         """Record how a job ended, before it is reported to the server."""
-        self._append({"event": "outcome", "job": job, "outcome": outcome, "why": why}, safe=True)
+        row: dict[str, object] = {
+            "event": "outcome",
+            "job": job,
+            "outcome": outcome,
+            "why": _plain(cause),
+        }
+        self._append(row, safe=True)
 
-    def end(self, job: str, epoch: int, outcome: str, why: str) -> None:
+    def end(self, job: str, epoch: int, outcome: str, cause: Message | None) -> None:
         """Record that the server has answered the report of how a job ended."""
         self._append(
-            {"event": "end", "job": job, "epoch": epoch, "outcome": outcome, "why": why},
+            {
+                "event": "end",
+                "job": job,
+                "epoch": epoch,
+                "outcome": outcome,
+                "why": _plain(cause),
+            },
             safe=True,
         )
 
@@ -111,6 +125,10 @@ class Journal:
                 os.fsync(file.fileno())
 
 
+def _plain(cause: Message | None) -> dict[str, Any] | None:
+    return None if cause is None else cause.as_json()
+
+
 def _end_last_line(path: Path) -> None:
     """Terminate an incomplete last line, so that the next one can be read."""
     with path.open("r+b") as file:
@@ -132,7 +150,9 @@ def _apply(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
     elif event == "copy":
         found.copies_done, found.line = int(row["copies_done"]), 0
     elif event == "outcome":
-        found.outcome, found.why = str(row["outcome"]), str(row["why"])
+        # Earlier versions recorded a text.
+        found.outcome = str(row["outcome"])
+        found.cause = from_json(row["why"]) if row["why"] else None
     elif event == "end":
         return None
     return found

@@ -164,7 +164,7 @@ def _locked(machine: Recoverable) -> ControllerAlarm:
     code = machine.last_alarm
     cause = Message("controller.alarm-unknown")
     if code > 0:
-        cause = Message("controller.alarm-code", code=code, alarm=answers.alarm_text(code))
+        cause = Message("controller.alarm-code", code=code, alarm=answers.alarm_meaning(code))
     return ControllerAlarm("controller.locked", name=machine.name, cause=cause)
 
 

@@ -20,6 +20,9 @@ from knifetip.jobs.tables import Job
 #: Compiles a job that ``CompileStore.begin`` returned.
 Compile: TypeAlias = Callable[[Job], None]
 
+#: Returns whether the kernels that a compile for a machine needs are compiled.
+IsReady: TypeAlias = Callable[[str], bool]
+
 _POLL = 0.5  # seconds between two looks for jobs that another process received
 _PAUSE = 1.0  # seconds before the next attempt after the database could not be used
 
@@ -45,12 +48,18 @@ class TableQueue:
         Name under which jobs are taken.
     at_once
         Number of jobs that are compiled at the same time.
+    is_ready
+        Returns whether the kernels that a compile for a machine needs are compiled.  Jobs for
+        other machines stay ``received``, so that they do not keep ready jobs waiting.
     """
 
-    def __init__(self, store: Store, worker: str, at_once: int) -> None:
+    def __init__(
+        self, store: Store, worker: str, at_once: int, is_ready: IsReady = lambda _machine: True
+    ) -> None:
         self._store = store
         self._worker = worker
         self._at_once = at_once
+        self._is_ready = is_ready
         self._stopping = threading.Event()
         self._received = threading.Event()
         self._threads: list[threading.Thread] = []
@@ -65,12 +74,12 @@ class TableQueue:
             self._threads.append(thread)
 
     def _take_jobs(self, compile: Compile) -> None:
-        """Compile one received job after the other, in the order in which they came."""
+        """Compile one received job after the other, the oldest first of those that are ready."""
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
                 self._received.clear()
                 try:
-                    job = self._store.compiles.begin(self._worker)
+                    job = self._next_job()
                     if job is not None:
                         compile(job)
                         continue
@@ -81,6 +90,14 @@ class TableQueue:
                     self._stopping.wait(_PAUSE)
                 self._received.wait(_POLL)
 
+    def _next_job(self) -> Job | None:
+        """Take the oldest job whose kernels are compiled; None if there is none."""
+        machines = self._store.compiles.received_machines()
+        unready = [machine for machine in machines if not self._is_ready(machine)]
+        for machine in unready:
+            self._store.compiles.note_waiting(machine)
+        return self._store.compiles.begin(self._worker, without=unready) if machines else None
+
     def stop(self) -> None:
         """Take no further jobs, and return when the calls have ended."""
         self._stopping.set()
@@ -89,17 +106,21 @@ class TableQueue:
             thread.join()
 
 
-def queue_of(store: Store, worker: str, at_once: int, *, compiles: bool) -> CompileQueue | None:
+def queue_of(
+    store: Store, worker: str, at_once: int, *, compiles: bool, is_ready: IsReady
+) -> CompileQueue | None:
     """Return the queue for a store; None where this process has nothing to do with it.
 
     Parameters
     ----------
     compiles
         False in a process that only receives jobs.
+    is_ready
+        Returns whether the kernels that a compile for a machine needs are compiled.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS takes 24 MB and polls, so it is imported only where it is used.
         from knifetip.jobs.durable_queue import DurableQueue
 
         return DurableQueue(store, worker, at_once if compiles else 0)
-    return TableQueue(store, worker, at_once) if compiles else None
+    return TableQueue(store, worker, at_once, is_ready) if compiles else None

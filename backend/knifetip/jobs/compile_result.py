@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from knifetip.messages import Message
+
 
 @dataclass(frozen=True, slots=True)
 class CompileResult:
     """Program, tool path, verdict and tools of a compiled job."""
 
     accepted: bool
-    reason: str  #: why the job was refused
+    message: Message | None  #: why the job was refused; None if the verdict is accepted
     program: bytes
     sha256: str
     lines: int

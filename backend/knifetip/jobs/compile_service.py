@@ -19,7 +19,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib.metadata import version
 
-from knifetip.errors import JobError, KnifetipError, OpenQuestions
+from knifetip.errors import JobError, KnifetipError, LibraryError, OpenQuestions
 from knifetip.jobs import tasks
 from knifetip.jobs.compile_queue import CompileQueue, queue_of
 from knifetip.jobs.grace import Grace
@@ -70,9 +70,18 @@ class CompileService:
             self.store.compiles.recover(self.name)
         self._start_thread(self._sweep, "sweep")
         self.warm_up.start(self.pool)
-        self._queue = queue_of(self.store, self.name, self.at_once, compiles=self.compiles)
+        self._queue = queue_of(
+            self.store, self.name, self.at_once, compiles=self.compiles, is_ready=self.is_ready
+        )
         if self._queue is not None:
             self._queue.start(self.compile)
+
+    def is_ready(self, machine: str) -> bool:
+        """Return whether the kernels that a compile for a machine needs are compiled."""
+        try:
+            return self.warm_up.is_ready(*_kernels_for(machine))
+        except LibraryError:
+            return True  # the compile refuses the job
 
     def _start_thread(self, target: Callable[[], None], name: str) -> None:
         thread = threading.Thread(target=target, name=name, daemon=True)
@@ -158,6 +167,4 @@ class CompileService:
         questions: list[dict[str, object]] | None = None,
     ) -> None:
         with contextlib.suppress(JobError):
-            self.store.compiles.refuse(
-                id, epoch, reason.text, reason.hint, reason.source, questions or ()
-            )
+            self.store.compiles.refuse(id, epoch, reason.message, reason.source, questions or ())

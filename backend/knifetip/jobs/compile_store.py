@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import sqlalchemy as sa
@@ -10,12 +10,14 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.database import Database, rows
-from knifetip.jobs.job import Action, State, Who
+from knifetip.jobs.job import CLOCK, Action, Actor, State, Who
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions
+from knifetip.messages import Message
 from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: failed attempts after which a job is refused
+_WORKER = Actor(Who.WORKER)
 _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
 
 
@@ -32,15 +34,42 @@ class CompileStore:
         with self._db.reading() as session:
             return [(id, attempt) for id, attempt in session.execute(query)]
 
-    def begin(self, worker: str, only: tuple[str, int] | None = None) -> Job | None:
+    def received_machines(self) -> list[str]:
+        """Return the machines of the jobs that wait for a compile, each once."""
+        query = sa.select(Job.machine).where(Job.state == State.RECEIVED).distinct()
+        with self._db.reading() as session:
+            return list(session.scalars(query))
+
+    def note_waiting(self, machine: str) -> None:
+        """Store in the received jobs of a machine that they wait for kernels, once for each."""
+        message = Message("job.awaits-kernels", machine=machine)
+        waiting = sa.select(Job.id).where(
+            Job.state == State.RECEIVED, Job.machine == machine, Job.message.is_(None)
+        )
+        with self._db.reading() as session:
+            if session.scalar(waiting.limit(1)) is None:
+                return
+        with self._db.writing() as session:
+            for id in session.scalars(waiting.with_for_update()).all():
+                session.execute(sa.update(Job).where(Job.id == id).values(message=message))
+                self._transitions.note(session, "job", id, State.RECEIVED, _WORKER, message)
+
+    def begin(
+        self,
+        worker: str,
+        only: tuple[str, int] | None = None,
+        without: Collection[str] = (),
+    ) -> Job | None:
         """Take the received job that has waited longest; None if there is none.
 
         Parameters
         ----------
         only
             Id and attempt of the one job that may be taken; any if None.
+        without
+            Machines whose jobs are not taken.
         """
-        query = _NEXT
+        query = _NEXT.where(Job.machine.not_in(without))
         if only is not None:
             query = query.where(Job.id == only[0], Job.attempt == only[1])
         with self._db.reading() as session:
@@ -55,13 +84,13 @@ class CompileStore:
                 session,
                 id,
                 Action.COMPILE,
-                Who.WORKER,
-                f"attempt {row.attempt}",
-                name=worker,
+                Actor(Who.WORKER, worker),
+                Message("job.compile-started", attempt=row.attempt),
                 epoch=row.epoch,
                 new_epoch=row.epoch + 1,
                 owner=worker,
                 lease=self._db.clock() + LEASE,
+                message=None,
                 stage=Stage.READ.value,
                 progress=0.0,
             )
@@ -81,24 +110,23 @@ class CompileStore:
                 session,
                 row.id,
                 Action.RETRY,
-                Who.CLOCK,
-                f"The worker {row.owner} stopped responding in stage {row.stage}.",
+                CLOCK,
+                Message("job.worker-silent", worker=row.owner, stage=row.stage),
                 epoch=row.epoch,
                 attempt=row.attempt + 1,
                 stage="",
                 progress=0.0,
             )
             return
-        why = f"{ATTEMPTS} compiles of the job died, the last in stage {row.stage}."
+        died = Message("job.compiles-died", attempts=ATTEMPTS, stage=row.stage)
         self._transitions.move(
             session,
             row.id,
             Action.REFUSE,
-            Who.CLOCK,
-            why,
+            CLOCK,
+            died,
             epoch=row.epoch,
-            reason=why,
-            hint="Send a smaller drawing, or report this one as a bug.",
+            message=died,
             stage="",
         )
 
@@ -131,30 +159,29 @@ class CompileStore:
             "lease": 0.0,
         }
         with self._db.writing() as session:
-            if not result.accepted:
+            if result.message is not None:
                 self._transitions.move(
                     session,
                     id,
                     Action.REFUSE,
-                    Who.WORKER,
-                    result.reason,
+                    _WORKER,
+                    result.message,
                     epoch=epoch,
-                    reason=result.reason,
+                    message=result.message,
                     source=result.source,
-                    hint="Change the drawing, the line types or the board; nothing was cut.",
                     **kept,
                 )
                 return
             self._transitions.move(
-                session, id, Action.ACCEPT, Who.WORKER, "verified", epoch=epoch, **kept
+                session, id, Action.ACCEPT, _WORKER, Message("job.verified"), epoch=epoch, **kept
             )
             if session.scalar(sa.select(Job.release).where(Job.id == id)):
                 self._transitions.move(
                     session,
                     id,
                     Action.RELEASE,
-                    Who.WORKER,
-                    "released by its order",
+                    _WORKER,
+                    Message("job.released-by-order"),
                     queued=self._db.clock(),
                 )
 
@@ -162,8 +189,7 @@ class CompileStore:
         self,
         id: str,
         epoch: int,
-        reason: str,
-        hint: str,
+        message: Message,
         source: Sequence[str] = (),
         questions: Sequence[dict[str, Any]] = (),
     ) -> None:
@@ -173,11 +199,10 @@ class CompileStore:
                 session,
                 id,
                 Action.REFUSE,
-                Who.WORKER,
-                reason,
+                _WORKER,
+                message,
                 epoch=epoch,
-                reason=reason,
-                hint=hint,
+                message=message,
                 source=list(source),
                 questions=list(questions),
                 stage="",
@@ -193,8 +218,8 @@ class CompileStore:
                 session,
                 id,
                 Action.RETRY,
-                Who.WORKER,
-                "broken off",
+                _WORKER,
+                Message("job.compile-cancelled"),
                 epoch=epoch,
                 attempt=attempt + 1,
                 stage="",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import sqlalchemy as sa
@@ -11,10 +12,24 @@ from sqlalchemy.orm import undefer
 from knifetip.errors import NoSuchJob, StaleRevision, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
-from knifetip.jobs.job import Who, new_id
+from knifetip.jobs.job import OPERATOR, new_id
 from knifetip.jobs.tables import Drawing, Job
 from knifetip.jobs.transitions import Transitions, same_request
+from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
+
+
+@dataclass(frozen=True, slots=True)
+class NewDrawing:
+    """A drawing to store: the file, its interpretation, and the data that were read from it."""
+
+    name: str  #: file name
+    content: bytes  #: the file
+    sha256: str  #: of the file
+    interpretation: Interpretation
+    summary: dict[str, Any]  #: see ``tables.Drawing``
+    edges: bytes  #: see ``columns``
+    import_report: bytes  #: JSON, deflated
 
 
 class DrawingStore:
@@ -26,14 +41,8 @@ class DrawingStore:
 
     def add(
         self,
+        new: NewDrawing,
         *,
-        name: str,
-        content: bytes,
-        sha256: str,
-        interpretation: Interpretation,
-        summary: dict[str, Any],
-        edges: bytes,
-        import_report: bytes,
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
@@ -46,22 +55,29 @@ class DrawingStore:
         """
         row = Drawing(
             id=new_id(),
-            name=name,
+            name=new.name,
             created=self._db.clock(),
-            sha256=sha256,
-            **drawing_columns(interpretation),
+            sha256=new.sha256,
+            **drawing_columns(new.interpretation),
             version=1,
-            summary=summary,
+            summary=new.summary,
             key=key,
             fingerprint=fingerprint,
-            content=content,
-            edges=edges,
-            import_report=import_report,
+            content=new.content,
+            edges=new.edges,
+            import_report=new.import_report,
         )
         try:
             with self._db.writing() as session:
                 session.add(row)
-                self._transitions.note(session, "drawing", row.id, "read", str(Who.OPERATOR), name)
+                self._transitions.note(
+                    session,
+                    "drawing",
+                    row.id,
+                    "read",
+                    OPERATOR,
+                    Message("drawing.read", name=new.name),
+                )
         except IntegrityError:
             if key is None or (earlier := self.find(key, fingerprint)) is None:
                 raise
@@ -101,7 +117,7 @@ class DrawingStore:
         with self._db.reading() as session:
             return list(session.scalars(query))
 
-    def change(self, id: str, version: int, why: str, **changes: Any) -> Drawing:
+    def change(self, id: str, version: int, event: Message, **changes: Any) -> Drawing:
         """Change a drawing if its version is still ``version``; return it with its import report.
 
         Raises
@@ -123,7 +139,7 @@ class DrawingStore:
                 if now is None:
                     raise _no_drawing(id)
                 raise StaleRevision(id, now, str(version))
-            self._transitions.note(session, "drawing", id, "changed", str(Who.OPERATOR), why)
+            self._transitions.note(session, "drawing", id, "changed", OPERATOR, event)
             # As this change left it: another may follow before anything else is read.
             return session.scalars(
                 sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.import_report))
@@ -136,7 +152,9 @@ class DrawingStore:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
-            self._transitions.note(session, "drawing", id, "deleted", str(Who.OPERATOR), "")
+            self._transitions.note(
+                session, "drawing", id, "deleted", OPERATOR, Message("drawing.deleted")
+            )
 
 
 def _no_drawing(id: str) -> NoSuchJob:

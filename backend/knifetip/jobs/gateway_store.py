@@ -13,9 +13,20 @@ from sqlalchemy.orm import Session
 from knifetip.errors import MachineBusy
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.interruption import interruption
-from knifetip.jobs.job import LEASED, ON_TABLE, Action, Confirmation, State, Who, action_between
+from knifetip.jobs.job import (
+    CLOCK,
+    LEASED,
+    ON_TABLE,
+    Action,
+    Actor,
+    Confirmation,
+    State,
+    Who,
+    action_between,
+)
 from knifetip.jobs.tables import Gateway, Job
 from knifetip.jobs.transitions import LEASE, Transitions, stale
+from knifetip.messages import Message
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
 CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
@@ -122,7 +133,7 @@ class GatewayStore:
                 if row is not None and row.owner != gateway:
                     if row.lease >= self._db.clock():
                         raise _busy(machine, row.id)
-                    self.give_back(session, row, Who.CLOCK, SILENT.format(row.owner))
+                    self.give_back(session, row, CLOCK, silent(row.owner))
                     row = None
                 if row is None:
                     following = _following(machine).execution_options(populate_existing=True)
@@ -149,9 +160,9 @@ class GatewayStore:
         if manual:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
             self._change(session, row, changes)
-            why = "claimed, waits for the operator's confirmation"
+            event = Message("job.claimed-to-confirm")
             self._transitions.note(
-                session, "job", row.id, State.QUEUED, f"{Who.GATEWAY} {gateway}", why
+                session, "job", row.id, State.QUEUED, Actor(Who.GATEWAY, gateway), event
             )
             return
         changes |= {"confirmation": Confirmation.NONE.value}
@@ -159,9 +170,8 @@ class GatewayStore:
             session,
             row.id,
             Action.START,
-            Who.GATEWAY,
-            "claimed",
-            name=gateway,
+            Actor(Who.GATEWAY, gateway),
+            Message("job.claimed"),
             epoch=row.epoch,
             new_epoch=changes.pop("epoch"),
             **changes,
@@ -210,8 +220,8 @@ class GatewayStore:
         if row.state == State.QUEUED:
             self._started(session, row, **renewed)
         elif row.state != goal:
-            why = "started" if starts else "held before the first line"
-            self._gateway_moves(session, row, goal, why, **renewed)
+            event = Message("job.started" if starts else "job.held-before-start")
+            self._gateway_moves(session, row, goal, event, **renewed)
         else:
             self._change(session, row, renewed)
         return "start" if starts else "wait"
@@ -219,20 +229,19 @@ class GatewayStore:
     def _started(self, session: Session, row: Job, **changes: Any) -> Job:
         """Move a claimed job to ``running``: it is confirmed, or its gateway already runs it."""
         confirmed = row.confirmation == Confirmation.GIVEN
-        why = "started" if confirmed else "started without the operator's confirmation"
-        self._gateway_moves(session, row, State.RUNNING, why, **changes)
+        event = Message("job.started" if confirmed else "job.started-unconfirmed")
+        self._gateway_moves(session, row, State.RUNNING, event, **changes)
         return self._transitions.locked(session, row.id)
 
     def _gateway_moves(
-        self, session: Session, row: Job, goal: State, why: str, **changes: Any
+        self, session: Session, row: Job, goal: State, event: Message, **changes: Any
     ) -> None:
         self._transitions.move(
             session,
             row.id,
             action_between(State(row.state), goal),
-            Who.GATEWAY,
-            why,
-            name=row.owner,
+            Actor(Who.GATEWAY, row.owner),
+            event,
             epoch=row.epoch,
             **changes,
         )
@@ -262,18 +271,21 @@ class GatewayStore:
             "requested_action": requested,
         }
         goal = State.HELD if report.held else State.RUNNING
-        why = f"at line {report.line}"
+        event = Message("job.at-line", line=report.line)
         if copy_done:
-            why = f"copy {copies_done} of {row.copies} is done"
-            if confirmation == Confirmation.SHEET:
-                why += ": put a new sheet on the table"
+            needs_sheet = confirmation == Confirmation.SHEET
+            event = Message(
+                "job.copy-done-next-sheet" if needs_sheet else "job.copy-done",
+                copy=copies_done,
+                copies=row.copies,
+            )
         if goal != row.state:
-            self._gateway_moves(session, row, goal, why, **heard)
+            self._gateway_moves(session, row, goal, event, **heard)
         else:
             self._change(session, row, heard)
             if copy_done:
                 self._transitions.note(
-                    session, "job", row.id, goal, f"{Who.GATEWAY} {row.owner}", why
+                    session, "job", row.id, goal, Actor(Who.GATEWAY, row.owner), event
                 )
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held
@@ -287,7 +299,7 @@ class GatewayStore:
         id: str,
         epoch: int,
         outcome: str,
-        why: str,
+        cause: Message | None = None,
         *,
         line: int | None = None,
         copies_done: int | None = None,
@@ -302,6 +314,8 @@ class GatewayStore:
         outcome
             ``done``, ``interrupted`` or ``cancelled``; ``returned`` releases a claim that was never
             started, with nothing sent to the machine.
+        cause
+            Cause that the gateway states; None if it states none.
         line, copies_done
             Last executed line, and copies completed under this claim; by default those of the last
             heartbeat.
@@ -323,14 +337,15 @@ class GatewayStore:
             if not (late or owned):
                 raise stale(id, row.state, row.epoch, epoch)
             if returned and row.state == State.QUEUED:
-                self.give_back(session, row, Who.GATEWAY, why or "given back, nothing was sent")
+                owner = Actor(Who.GATEWAY, row.owner)
+                self.give_back(session, row, owner, cause or Message("job.nothing-sent"))
                 return self._transitions.locked(session, id)
             if row.state == State.QUEUED:
                 row = self._started(session, row)
             if goal is State.CANCELLED and late:
                 goal = State.INTERRUPTED
             done = None if copies_done is None else row.copies_before + copies_done
-            self._ended(session, row, goal, why, line, done)
+            self._ended(session, row, goal, cause, line, done)
             return self._transitions.locked(session, id)
 
     def _ended(
@@ -338,7 +353,7 @@ class GatewayStore:
         session: Session,
         row: Job,
         goal: State,
-        why: str,
+        cause: Message | None,
         line: int | None,
         copies_done: int | None,
     ) -> None:
@@ -349,32 +364,29 @@ class GatewayStore:
             "confirmation": Confirmation.NONE.value,
         }
         late = row.state == State.INTERRUPTED
-        reported = why or str(goal)
+        event = cause or Message("job.executed" if goal is State.DONE else "job.cancelled")
         if goal is State.DONE:
             ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
-            ended |= {"reason": "", "hint": ""}
+            ended["message"] = None
             if late:
-                reported = f"reported late: {why or 'every line was executed'}"
+                event = Message("job.late-report", report=event)
         elif goal is State.INTERRUPTED:
-            left = interruption(row, why or "The gateway gave the job up.", line, copies_done)
-            ended |= {"reason": left.reason, "hint": left.hint}
-            ended |= {"line": left.line, "copies_done": left.copies_done}
-            reported = left.reason
+            left = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
+            event = left.message
+            ended |= {"message": event, "line": left.line, "copies_done": left.copies_done}
             if late:
-                if left.reason != row.reason:
+                if event != row.message:
                     self._change(session, row, ended)
-                    who = f"{Who.GATEWAY} {row.owner}"
-                    self._transitions.note(
-                        session, "job", row.id, goal, who, f"reported late: {reported}"
-                    )
+                    owner = Actor(Who.GATEWAY, row.owner)
+                    report = Message("job.late-report", report=event)
+                    self._transitions.note(session, "job", row.id, goal, owner, report)
                 return
         elif line is not None:
             ended["line"] = min(line, row.lines)
-        self._gateway_moves(session, row, goal, reported, **ended)
+        self._gateway_moves(session, row, goal, event, **ended)
 
-    def give_back(self, session: Session, row: Job, who: Who, why: str) -> None:
-        """Return a claimed job that was never started to its place in the queue."""
-        name = row.owner if who is Who.GATEWAY else ""
+    def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
+        """Return a claimed job that was never started to its former position in the queue."""
         self._change(
             session,
             row,
@@ -387,8 +399,8 @@ class GatewayStore:
                 "updated": self._db.clock(),
             },
         )
-        why = f"claim given back: {why}"
-        self._transitions.note(session, "job", row.id, State.QUEUED, f"{who} {name}".strip(), why)
+        event = Message("job.claim-returned", reason=cause)
+        self._transitions.note(session, "job", row.id, State.QUEUED, actor, event)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
         """Change columns of a row that is locked by this transaction."""
@@ -398,7 +410,9 @@ class GatewayStore:
             raise stale(row.id, row.state, row.epoch + 1, row.epoch)
 
 
-SILENT = "The gateway {} fell silent."
+def silent(gateway: str) -> Message:
+    """Return the message about a gateway whose lease has expired."""
+    return Message("job.gateway-fell-silent", gateway=gateway)
 
 
 def _following(machine: str) -> sa.Select[Job]:

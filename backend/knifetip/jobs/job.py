@@ -49,6 +49,20 @@ class Who(StrEnum):
     CLOCK = "clock"  #: an expired lease
 
 
+class Actor(NamedTuple):
+    """Cause of a transition, with the name of the operator, worker or gateway if it is known."""
+
+    kind: Who
+    name: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.name}".strip()
+
+
+#: An operator whose name is not known, and the expiry of a lease.
+OPERATOR, CLOCK = Actor(Who.OPERATOR), Actor(Who.CLOCK)
+
+
 class Confirmation(StrEnum):
     """What the operator must confirm before the machine may move, under the current claim."""
 

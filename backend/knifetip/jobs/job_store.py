@@ -3,18 +3,48 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import WrongState
-from knifetip.jobs.database import Database, rows, short
+from knifetip.jobs.database import Database, short
 from knifetip.jobs.interpretations import job_columns
-from knifetip.jobs.job import ADVICE, LEASED, Action, Confirmation, State, Who, new_id, sources
+from knifetip.jobs.job import (
+    ADVICE,
+    LEASED,
+    OPERATOR,
+    Action,
+    Actor,
+    Confirmation,
+    State,
+    Who,
+    new_id,
+    sources,
+)
+from knifetip.jobs.operator_actions import (
+    OperatorAction,
+    allowed_actions,
+    awaits_confirmation,
+    is_fully_executed,
+)
 from knifetip.jobs.tables import Drawing, Job
-from knifetip.jobs.transitions import Transitions, no_job, same_request
-from knifetip.messages import from_json
+from knifetip.jobs.transitions import Transitions, advice, no_job, same_request
+from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
+
+
+@dataclass(frozen=True, slots=True)
+class JobOrder:
+    """What an operator orders: the machine, the board and the number of copies of a drawing."""
+
+    machine: str
+    board: str
+    interpretation: Interpretation
+    copies: int = 1
+    priority: int = 0  #: jobs with a higher one are claimed first
+    release: bool = False  #: queue the job when it is ready
 
 
 class JobStore:
@@ -27,13 +57,8 @@ class JobStore:
     def add(
         self,
         drawing: Drawing,
+        order: JobOrder,
         *,
-        machine: str,
-        board: str,
-        interpretation: Interpretation,
-        copies: int = 1,
-        priority: int = 0,
-        release: bool = False,
         key: str | None = None,
         fingerprint: str = "",
     ) -> Job:
@@ -50,17 +75,16 @@ class JobStore:
             state=State.RECEIVED.value,
             drawing=drawing.id,
             drawing_name=drawing.name,
-            machine=machine,
-            board=board,
-            **job_columns(interpretation),
-            copies=copies,
-            priority=priority,
-            release=release,
+            machine=order.machine,
+            board=order.board,
+            **job_columns(order.interpretation),
+            copies=order.copies,
+            priority=order.priority,
+            release=order.release,
             created=now,
             updated=now,
             queued=0.0,
-            reason="",
-            hint="",
+            message=None,
             source=[],
             questions=[],
             attempt=1,
@@ -92,7 +116,7 @@ class JobStore:
             with self._db.writing() as session:
                 session.add(row)
                 self._transitions.note(
-                    session, "job", row.id, State.RECEIVED, str(Who.OPERATOR), "ordered"
+                    session, "job", row.id, State.RECEIVED, OPERATOR, Message("job.ordered")
                 )
         except IntegrityError:
             if key is None or (earlier := self.find(key, fingerprint)) is None:
@@ -149,8 +173,8 @@ class JobStore:
                 session,
                 id,
                 Action.RELEASE,
-                Who.OPERATOR,
-                "released",
+                OPERATOR,
+                Message("job.released"),
                 queued=self._db.clock(),
             )
         return self.get(id)
@@ -158,17 +182,19 @@ class JobStore:
     def requeue(self, id: str) -> Job:
         """Queue an interrupted job again, at its former position; the table must be clear."""
         with self._db.writing() as session:
+            row = self._transitions.locked(session, id)
+            if is_fully_executed(row):
+                raise WrongState("job.fully-executed", job=id, lines=row.lines)
             self._transitions.move(
                 session,
                 id,
                 Action.REQUEUE,
-                Who.OPERATOR,
-                "queued again",
+                OPERATOR,
+                Message("job.requeued"),
                 lease=0.0,
                 line=0,
                 position=None,
-                reason="",
-                hint="",
+                message=None,
                 requested_action="",
                 seconds_left=None,
             )
@@ -178,7 +204,7 @@ class JobStore:
         """Scrap an interrupted job and free its table."""
         with self._db.writing() as session:
             self._transitions.move(
-                session, id, Action.SCRAP, Who.OPERATOR, "scrapped", requested_action=""
+                session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
             )
         return self.get(id)
 
@@ -190,12 +216,11 @@ class JobStore:
                 session,
                 id,
                 Action.FINISH,
-                Who.OPERATOR,
-                f"declared finished at line {row.line} of {row.lines}",
+                OPERATOR,
+                Message("job.declared-finished", line=row.line, lines=row.lines),
                 line=row.lines,
                 copies_done=row.copies,
-                reason="",
-                hint="",
+                message=None,
                 requested_action="",
                 lease=0.0,
                 seconds_left=0.0,
@@ -241,21 +266,20 @@ class JobStore:
                 )
                 .execution_options(synchronize_session=False)
             )
-            what = "new sheet" if sheet else "table clear"
-            why = f"confirmed: {what}, board {row.board}"
-            self._transitions.note(
-                session, "job", id, row.state, f"{Who.OPERATOR} {by}".strip(), why
+            event = Message(
+                "job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board
             )
+            self._transitions.note(session, "job", id, row.state, Actor(Who.OPERATOR, by), event)
             return self._transitions.locked(session, id)
 
     def _check_waiting(self, row: Job) -> None:
         """Raise WrongState unless the job waits for the operator's confirmation."""
-        if row.requested_action == "cancel":
+        if awaits_confirmation(row, self._db.clock()):
+            return
+        if row.requested_action == OperatorAction.CANCEL:
             raise WrongState("job.being-cancelled", job=row.id)
         if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
-            if row.state == State.QUEUED and row.lease < self._db.clock():
-                raise WrongState("job.gateway-silent", gateway=row.owner, job=row.id)
-            return
+            raise WrongState("job.gateway-silent", gateway=row.owner, job=row.id)
         match row.state:
             case State.QUEUED:
                 raise WrongState("job.not-taken", job=row.id, machine=row.machine)
@@ -264,66 +288,72 @@ class JobStore:
             case State.RUNNING:
                 raise WrongState("job.nothing-to-confirm", job=row.id)
             case _:
-                advice = from_json(row.hint) if row.hint else ADVICE[State(row.state)]
                 raise WrongState(
-                    "job.no-confirmation-awaited", job=row.id, state=row.state, advice=advice
+                    "job.no-confirmation-awaited",
+                    job=row.id,
+                    state=row.state,
+                    advice=advice(row.state, row.message),
                 )
 
     def hold(self, id: str) -> Job:
         """Request a hold; the job becomes ``held`` when the machine has stopped."""
-        return self._request(id, "hold", (State.RUNNING,), already=State.HELD)
+        return self._request(id, OperatorAction.HOLD)
 
     def resume(self, id: str) -> Job:
         """Request to resume; between two copies this confirms the new sheet."""
-        return self._request(id, "resume", (State.HELD, State.RUNNING))
+        return self._request(id, OperatorAction.RESUME)
 
     def cancel(self, id: str) -> Job:
         """Cancel a job: immediately before it runs, through its gateway while it runs."""
-        before = sources(Action.CANCEL, Who.OPERATOR)
         with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
-            if state in before or state not in LEASED:
+            if state not in LEASED:
                 self._transitions.move(
                     session,
                     id,
                     Action.CANCEL,
-                    Who.OPERATOR,
-                    "cancelled",
+                    OPERATOR,
+                    Message("job.cancelled"),
+                    message=None,
                     stage="",
                     confirmation=Confirmation.NONE.value,
                 )
                 return self._transitions.locked(session, id)
-        return self._request(id, "cancel", LEASED)
+        return self._request(id, OperatorAction.CANCEL)
 
-    def _request(
-        self, id: str, action: str, states: Sequence[State], already: State | None = None
-    ) -> Job:
+    def _request(self, id: str, action: OperatorAction) -> Job:
+        """Record a request for the gateway of a job on a table."""
         with self._db.writing() as session:
             row = self._transitions.locked(session, id)
-            changes = {"requested_action": action, "updated": self._db.clock()}
-            if action == "resume" and row.confirmation == Confirmation.AWAITED:
-                raise WrongState("job.not-confirmed", job=id)
-            if action == "resume" and row.confirmation == Confirmation.SHEET:
+            if action not in allowed_actions(row, self._db.clock()):
+                raise _request_refused(row, action)
+            if row.requested_action == action:
+                return row
+            changes = {"requested_action": action.value, "updated": self._db.clock()}
+            if action is OperatorAction.RESUME and row.confirmation == Confirmation.SHEET:
                 changes["confirmation"] = Confirmation.GIVEN.value
-            if row.state != already and row.requested_action != action:
-                changed = rows(
-                    session,
-                    sa.update(Job)
-                    .where(Job.id == id, Job.state.in_(states), Job.requested_action != "cancel")
-                    .values(**changes),
-                )
-                if not changed and row.requested_action == "cancel":
-                    raise WrongState("job.cancelled-before-request", job=id, request=action)
-                if not changed:
-                    raise WrongState(
-                        "job.wrong-state-for-request",
-                        job=id,
-                        state=row.state,
-                        request=action,
-                        states=states,
-                        advice=ADVICE[State(row.state)],
-                    )
-                self._transitions.note(
-                    session, "job", id, row.state, str(Who.OPERATOR), f"asked to {action}"
-                )
-        return self.get(id)
+            session.execute(
+                sa.update(Job)
+                .where(Job.id == id)
+                .values(**changes)
+                .execution_options(synchronize_session=False)
+            )
+            event = Message("job.action-requested", action=action)
+            self._transitions.note(session, "job", id, row.state, OPERATOR, event)
+            return self._transitions.locked(session, id)
+
+
+def _request_refused(row: Job, action: OperatorAction) -> WrongState:
+    """Return the error for a request that a job does not allow."""
+    if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
+        return WrongState("job.not-confirmed", job=row.id)
+    if row.requested_action == OperatorAction.CANCEL:
+        return WrongState("job.cancelled-before-request", job=row.id, request=action)
+    return WrongState(
+        "job.wrong-state-for-request",
+        job=row.id,
+        state=row.state,
+        request=action,
+        states=sources(Action(action), Who.GATEWAY),
+        advice=ADVICE[State(row.state)],
+    )

@@ -6,13 +6,12 @@ import sqlalchemy as sa
 
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
-from knifetip.jobs.gateway_store import CLAIMED, SILENT, GatewayStore, is_claimed
+from knifetip.jobs.gateway_store import CLAIMED, GatewayStore, is_claimed, silent
 from knifetip.jobs.interruption import interruption
-from knifetip.jobs.job import LEASED, Action, Confirmation, State, Who
+from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions
-
-_MAY_GO_ON = " The machine may have executed more lines than it reported."
+from knifetip.messages import Message
 
 
 class LeaseSweep:
@@ -56,24 +55,23 @@ class LeaseSweep:
             if row is None or row.lease >= now:
                 return
             if row.state in LEASED:
-                left = interruption(row, SILENT.format(row.owner) + _MAY_GO_ON)
+                left = interruption(row, Message("job.gateway-lost", gateway=row.owner))
                 self._transitions.move(
                     session,
                     id,
                     Action.INTERRUPT,
-                    Who.CLOCK,
-                    left.reason,
+                    CLOCK,
+                    left.message,
                     epoch=row.epoch,
                     new_epoch=row.epoch + 1,
                     line=left.line,
                     copies_done=left.copies_done,
-                    reason=left.reason,
-                    hint=left.hint,
+                    message=left.message,
                     seconds_left=None,
                     requested_action="",
                     confirmation=Confirmation.NONE.value,
                 )
             elif is_claimed(row):
-                self._gateways.give_back(session, row, Who.CLOCK, SILENT.format(row.owner))
+                self._gateways.give_back(session, row, CLOCK, silent(row.owner))
             elif row.state == State.COMPILING:
                 self._compiles.take_back(session, row)

@@ -11,6 +11,9 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+from knifetip.jobs.message_column import MessageColumn
+from knifetip.messages import Message
+
 #: Jobs that occupy their machine: on its table, or claimed and waiting for the operator.
 _RESERVES_TABLE = sa.text(
     "state IN ('running', 'held', 'interrupted') OR (state = 'queued' AND confirmation <> '')"
@@ -94,8 +97,8 @@ class Job(Base):
     created: Mapped[float] = mapped_column(sa.Double)
     updated: Mapped[float] = mapped_column(sa.Double)
     queued: Mapped[float] = mapped_column(sa.Double)  #: time of queueing; 0 before
-    reason: Mapped[str] = mapped_column(sa.Text)  #: why it was refused or interrupted
-    hint: Mapped[str] = mapped_column(sa.Text)
+    #: why it was refused or interrupted, or why its compile has not begun
+    message: Mapped[Message | None] = mapped_column(MessageColumn)
     source: Mapped[list[str]] = mapped_column(sa.JSON)
     questions: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
     attempt: Mapped[int]  #: number of compile attempts
@@ -147,7 +150,7 @@ class Event(Base):
     at: Mapped[float] = mapped_column(sa.Double)
     state: Mapped[str] = mapped_column(sa.String(16))
     who: Mapped[str] = mapped_column(sa.String(200))
-    why: Mapped[str] = mapped_column(sa.Text)
+    message: Mapped[Message | None] = mapped_column(MessageColumn)  #: what happened
 
 
 class Gateway(Base):

@@ -32,7 +32,7 @@ from knifetip.jobs.readings import (
 )
 from knifetip.jobs.report import reported, said, unit_of
 from knifetip.library import load
-from knifetip.messages import Message, render
+from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
@@ -258,19 +258,17 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
         "seconds_retracted": finite(made.seconds_retracted),
     }
     text = made.program.text
-    reason = ""
+    message = None
     if not verdict.accepted:
         shown, more = verdict.findings[:_SHOWN], len(findings) - _SHOWN
-        reason = render(
-            Message(
-                "job.program-refused",
-                findings=[finding.located for finding in shown],
-                more=Message("finding.more", count=more) if more > 0 else None,
-            )
+        message = Message(
+            "job.program-refused",
+            findings=[finding.located for finding in shown],
+            more=Message("finding.more", count=more) if more > 0 else None,
         )
     return CompileResult(
         accepted=bool(verdict.accepted),
-        reason=reason,
+        message=message,
         program=text,
         sha256=hashlib.sha256(text).hexdigest(),
         lines=len(made.program),

@@ -13,9 +13,9 @@ from sqlalchemy.orm import Session
 
 from knifetip.errors import KeyReused, NoSuchJob, StaleEpoch, WrongState
 from knifetip.jobs.database import Database, rows, short
-from knifetip.jobs.job import ADVICE, Action, State, Who, sources, target
+from knifetip.jobs.job import ADVICE, Action, Actor, State, sources, target
 from knifetip.jobs.tables import Drawing, Event, Job
-from knifetip.messages import from_json
+from knifetip.messages import Message, hint
 
 LEASE = 10.0  #: duration of a lease (s)
 Row = TypeVar("Row", Drawing, Job)
@@ -32,20 +32,19 @@ class Transitions:
         session: Session,
         id: str,
         action: Action,
-        who: Who,
-        why: str,
+        actor: Actor,
+        event: Message,
         *,
-        name: str = "",
         epoch: int | None = None,
         new_epoch: int | None = None,
         **changes: Any,
     ) -> None:
-        """Perform an action on a job if ``who`` may do so in its state, and write the event.
+        """Perform an action on a job if the actor may do so in its state, and write the event.
 
         Parameters
         ----------
-        name
-            Name of the worker or gateway.
+        event
+            What happened, for the log of events.
         epoch
             Epoch that the job must have.
         new_epoch
@@ -59,7 +58,7 @@ class Transitions:
             The transition is not permitted.
         """
         goal = target(action)
-        statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, who)))
+        statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, actor.kind)))
         if epoch is not None:
             statement = statement.where(Job.epoch == epoch)
         # Rows that this session has loaded keep their values; ``locked`` reloads them.
@@ -69,23 +68,30 @@ class Transitions:
             values["epoch"] = new_epoch
         if not rows(session, statement.values(**values)):
             raise self._refusal(session, id, goal, epoch)
-        self.note(session, "job", id, goal, f"{who} {name}".strip(), why)
+        self.note(session, "job", id, goal, actor, event)
 
     def _refusal(
         self, session: Session, id: str, goal: str, epoch: int | None
     ) -> NoSuchJob | WrongState | StaleEpoch:
-        columns = sa.select(Job.state, Job.epoch, Job.hint).where(Job.id == id)
+        columns = sa.select(Job.state, Job.epoch, Job.message).where(Job.id == id)
         found = session.execute(columns).first()
         if found is None:
             return no_job(id)
-        state, current, hint = found
+        state, current, message = found
         if epoch is not None and epoch != current:
             return stale(id, state, current, epoch)
-        advice = from_json(hint) if hint else ADVICE[State(state)]
-        return WrongState("job.wrong-state", job=id, state=state, goal=goal, advice=advice)
+        return WrongState(
+            "job.wrong-state", job=id, state=state, goal=goal, advice=advice(state, message)
+        )
 
     def note(
-        self, session: Session, kind: str, subject: str, state: str, who: str, why: str
+        self,
+        session: Session,
+        kind: str,
+        subject: str,
+        state: str,
+        actor: Actor,
+        message: Message,
     ) -> None:
         """Write an event of a job or a drawing."""
         session.info["changed"] = True
@@ -95,8 +101,8 @@ class Transitions:
                 subject=subject,
                 at=self._db.clock(),
                 state=str(state),
-                who=who[:200],
-                why=why,
+                who=str(actor)[:200],
+                message=message,
             )
         )
 
@@ -111,6 +117,13 @@ class Transitions:
         if row is None:
             raise no_job(id)
         return row
+
+
+def advice(state: str, message: Message | None) -> Message:
+    """Return what an operator can do about a job: the hint of its message, or of its state."""
+    if message is not None and hint(message):
+        return Message("advice.of-reason", reason=message)
+    return ADVICE[State(state)]
 
 
 def no_job(id: str) -> NoSuchJob:

@@ -189,6 +189,11 @@ class WarmUp:
             if not watch(Stage.PREPARE, progress.compiled / max(progress.total, 1)):
                 raise TaskCancelled
 
+    def is_ready(self, *groups: str) -> bool:
+        """Return whether the kernels of these groups are compiled, or are not waited for."""
+        with self._changed:
+            return self._is_ready(groups)
+
     def _is_ready(self, groups: tuple[str, ...]) -> bool:
         if not self._running or self._closed:
             return True

@@ -33,7 +33,8 @@ def render(message: Message) -> str:
 
 def hint(message: Message) -> str:
     """Return what the user can do about it, empty where there is nothing to add."""
-    return _FORMATTER.vformat(english.HINTS.get(message.code, ""), (), message.arguments)
+    text = _FORMATTER.vformat(english.HINTS.get(message.code, ""), (), message.arguments)
+    return text.strip()  # a hint may begin or end with the empty hint of an argument
 
 
 def with_text(given: Message | Mapping[str, Any] | str) -> dict[str, Any]:

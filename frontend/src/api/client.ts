@@ -46,15 +46,7 @@ export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
 /** Commands of the operator for a job. */
-export type JobCommand =
-  | "release"
-  | "confirm"
-  | "hold"
-  | "resume"
-  | "cancel"
-  | "finish"
-  | "requeue"
-  | "scrap";
+export type JobCommand = Schemas["OperatorAction"];
 
 const api = createClient<paths>({
   // Request needs an absolute URL; tests have no location.

@@ -1444,9 +1444,10 @@ export interface components {
             outcome: "done" | "interrupted" | "cancelled" | "returned";
             /**
              * Why
+             * @description Cause: a message, or a text for which there is no code
              * @default
              */
-            why: string;
+            why: string | components["schemas"]["MessageIn"];
             /**
              * Line
              * @description Last executed line. Default: that of the last heartbeat
@@ -1664,7 +1665,12 @@ export interface components {
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
             /** Who */
             who: string;
-            /** Why */
+            /** @description What happened */
+            message: components["schemas"]["MessageOut"] | null;
+            /**
+             * Why
+             * @description Text of `message` in English
+             */
             why: string;
         };
         /**
@@ -1724,9 +1730,22 @@ export interface components {
              * @enum {string}
              */
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
-            /** Reason */
+            /**
+             * Actions
+             * @description Actions that an operator may perform now; each is a route of the job. All others are refused with 409
+             */
+            actions: components["schemas"]["OperatorAction"][];
+            /** @description Why the job was refused or interrupted, or what it waits for; null if there is nothing to report */
+            message: components["schemas"]["MessageOut"] | null;
+            /**
+             * Reason
+             * @description Text of `message` in English; empty if it is null
+             */
             reason: string;
-            /** Hint */
+            /**
+             * Hint
+             * @description Hint of `message` in English
+             */
             hint: string;
             /** Source */
             source: string[];
@@ -1754,7 +1773,7 @@ export interface components {
             updated: number;
             /**
              * Waiting For
-             * @description What the job waits for: the confirmation of table, board and tools; the confirmation of the next sheet; the machine; its turn in the queue. `reason` and `hint` describe it
+             * @description What the job waits for: the confirmation of table, board and tools; the confirmation of the next sheet; the machine; its turn in the queue. `message` describes it
              * @default
              * @enum {string}
              */
@@ -1940,6 +1959,31 @@ export interface components {
             dy: number;
         };
         /**
+         * MessageIn
+         * @description A message from a gateway; text and hint are used if the server does not have its code.
+         */
+        MessageIn: {
+            /** Code */
+            code: string;
+            /**
+             * Arguments
+             * @default {}
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @default
+             */
+            text: string;
+            /**
+             * Hint
+             * @default
+             */
+            hint: string;
+        };
+        /**
          * MessageOut
          * @description A message: code, arguments, and the text and hint in English.
          */
@@ -1963,6 +2007,12 @@ export interface components {
              */
             hint: string;
         };
+        /**
+         * OperatorAction
+         * @description What an operator can do with a job, in the order in which it is offered.
+         * @enum {string}
+         */
+        OperatorAction: "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
         /**
          * Override
          * @description Set the line type of edges, selected by row, by handle, or by layer (and colour).
@@ -2660,7 +2710,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.queued" | "advice.ready" | "advice.running" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.no-confirmation" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.stale" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unreadable-line" | "import.unreadable-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.being-cancelled" | "job.cancelled-before-request" | "job.compile-crashed" | "job.gateway-silent" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-to-confirm" | "job.other-board" | "job.program-refused" | "job.stale-epoch" | "job.unknown" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "worker.died" | "worker.memory" | "worker.timeout";
+        MessageCode: "stored.text" | "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "board.named" | "board.not-in-library" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.deleted" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unreadable-line" | "import.unreadable-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -2683,6 +2733,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "advice.of-reason";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "advice.queued";
             arguments: Record<string, never>;
         } | {
@@ -2693,6 +2749,19 @@ export interface components {
             /** @constant */
             code: "advice.running";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "board.named";
+            arguments: {
+                name: string;
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "board.not-in-library";
+            arguments: {
+                name: string;
+            };
         } | {
             /** @constant */
             code: "bridges.no-room";
@@ -3183,7 +3252,7 @@ export interface components {
             arguments: {
                 name: string;
                 code: number;
-                alarm: string;
+                alarm: components["schemas"]["Message"];
                 due: components["schemas"]["Message"] | null;
             };
         } | {
@@ -3191,7 +3260,7 @@ export interface components {
             code: "controller.alarm-code";
             arguments: {
                 code: number;
-                alarm: string;
+                alarm: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -3225,6 +3294,13 @@ export interface components {
             arguments: {
                 name: string;
                 state: string;
+            };
+        } | {
+            /** @constant */
+            code: "controller.check-end-not-confirmed";
+            arguments: {
+                name: string;
+                seconds: number;
             };
         } | {
             /** @constant */
@@ -3278,14 +3354,6 @@ export interface components {
             code: "controller.lost-in-buffer";
             arguments: {
                 name: string;
-            };
-        } | {
-            /** @constant */
-            code: "controller.no-confirmation";
-            arguments: {
-                name: string;
-                what: string;
-                seconds: number;
             };
         } | {
             /** @constant */
@@ -3343,7 +3411,7 @@ export interface components {
             arguments: {
                 name: string;
                 command: string;
-                error: string;
+                error: components["schemas"]["Message"];
                 code: number;
             };
         } | {
@@ -3353,7 +3421,7 @@ export interface components {
                 name: string;
                 line: number;
                 text: string;
-                error: string;
+                error: components["schemas"]["Message"];
                 code: number;
             };
         } | {
@@ -3363,7 +3431,7 @@ export interface components {
                 name: string;
                 line: number;
                 text: string;
-                error: string;
+                error: components["schemas"]["Message"];
                 code: number;
             };
         } | {
@@ -3378,6 +3446,13 @@ export interface components {
             arguments: {
                 name: string;
                 due: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "controller.reset-not-confirmed";
+            arguments: {
+                name: string;
+                seconds: number;
             };
         } | {
             /** @constant */
@@ -3639,6 +3714,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "drawing.deleted";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "drawing.in-use";
             arguments: {
                 job: string;
@@ -3663,11 +3742,30 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "drawing.read";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.reinterpreted";
+            arguments: {
+                unit: string;
+                profile: string;
+            };
+        } | {
+            /** @constant */
             code: "drawing.stale";
             arguments: {
                 drawing: string;
                 revision: number;
                 named: string;
+            };
+        } | {
+            /** @constant */
+            code: "drawing.types-set";
+            arguments: {
+                count: number;
             };
         } | {
             /** @constant */
@@ -3853,6 +3951,273 @@ export interface components {
             arguments: {
                 count: number;
             };
+        } | {
+            /** @constant */
+            code: "gateway.cancelled";
+            arguments: {
+                line: number;
+            };
+        } | {
+            /** @constant */
+            code: "gateway.controller-not-idle";
+            arguments: {
+                name: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "gateway.job-withdrawn";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.job-withdrawn-before-start";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.no-reason";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.switched-off";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.switched-off-before-report";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.switched-off-in-run";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.system-error";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "grbl.alarm-1";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-10";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-11";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-12";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-14";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-17";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-2";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-3";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-4";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-5";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-6";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-7";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-8";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.alarm-9";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-1";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-10";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-11";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-12";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-13";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-14";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-15";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-16";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-17";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-18";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-2";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-20";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-21";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-22";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-23";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-24";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-25";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-26";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-27";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-28";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-29";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-3";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-30";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-31";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-32";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-33";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-34";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-35";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-36";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-37";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-38";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-39";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-4";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-5";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-6";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-60";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-7";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-79";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-8";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.error-9";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.unknown-alarm";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "grbl.unknown-error";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "groove.along-edge";
@@ -4738,10 +5103,32 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.action-requested";
+            arguments: {
+                action: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.at-line";
+            arguments: {
+                line: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.awaits-kernels";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
             code: "job.being-cancelled";
             arguments: {
                 job: string;
             };
+        } | {
+            /** @constant */
+            code: "job.cancelled";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "job.cancelled-before-request";
@@ -4751,9 +5138,96 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.claim-returned";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.claimed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.claimed-to-confirm";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.compile-cancelled";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "job.compile-crashed";
             arguments: {
                 reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.compile-started";
+            arguments: {
+                attempt: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.compiles-died";
+            arguments: {
+                attempts: number;
+                stage: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.confirmed-sheet";
+            arguments: {
+                board: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.confirmed-table";
+            arguments: {
+                board: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.copy-done";
+            arguments: {
+                copy: number;
+                copies: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.copy-done-next-sheet";
+            arguments: {
+                copy: number;
+                copies: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.declared-finished";
+            arguments: {
+                line: number;
+                lines: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.executed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.fully-executed";
+            arguments: {
+                job: string;
+                lines: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.gateway-fell-silent";
+            arguments: {
+                gateway: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.gateway-lost";
+            arguments: {
+                gateway: string;
             };
         } | {
             /** @constant */
@@ -4761,6 +5235,42 @@ export interface components {
             arguments: {
                 gateway: string;
                 job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.held-before-start";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.interrupted";
+            arguments: {
+                line: number;
+                lines: number;
+                copy: components["schemas"]["Message"] | null;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.interrupted-at-end";
+            arguments: {
+                line: number;
+                lines: number;
+                copy: components["schemas"]["Message"] | null;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.interrupted-between-copies";
+            arguments: {
+                copy: number;
+                copies: number;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.late-report";
+            arguments: {
+                report: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -4802,10 +5312,25 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.nothing-sent";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "job.nothing-to-confirm";
             arguments: {
                 job: string;
             };
+        } | {
+            /** @constant */
+            code: "job.of-copy";
+            arguments: {
+                copy: number;
+                copies: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.ordered";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "job.other-board";
@@ -4823,6 +5348,22 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.released";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.released-by-order";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.requeued";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.scrapped";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "job.stale-epoch";
             arguments: {
                 job: string;
@@ -4832,9 +5373,28 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.started";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.started-unconfirmed";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "job.unknown";
             arguments: {
                 job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.verified";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.worker-silent";
+            arguments: {
+                worker: string;
+                stage: string;
             };
         } | {
             /** @constant */
@@ -6694,6 +7254,96 @@ export interface components {
                 station: number;
                 seconds: number;
                 planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.confirmed";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-gateway";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-machine";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-person";
+            arguments: {
+                machine: string;
+                advice: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-sheet";
+            arguments: {
+                copy: number;
+                copies: number;
+                board: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-start";
+            arguments: {
+                machine: string;
+                board: components["schemas"]["Message"];
+                tools: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-turn";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.taken";
+            arguments: {
+                machine: string;
+                job: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.taken-interrupted";
+            arguments: {
+                machine: string;
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.taken-unconfirmed";
+            arguments: {
+                machine: string;
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.tool";
+            arguments: {
+                name: string;
+                station: number;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.tools";
+            arguments: {
+                tools: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "waiting.unconfirmed-run";
+            arguments: {
+                machine: string;
+                board: components["schemas"]["Message"];
+                tools: components["schemas"]["Message"] | null;
             };
         } | {
             /** @constant */

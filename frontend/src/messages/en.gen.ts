@@ -15,6 +15,10 @@ export const TEXTS = {
     "text": "Check the table, then mark the job finished, queue it again or scrap it.",
     "hint": ""
   },
+  "advice.of-reason": {
+    "text": "{reason:hint}",
+    "hint": ""
+  },
   "advice.queued": {
     "text": "Wait until its machine has taken it.",
     "hint": ""
@@ -25,6 +29,14 @@ export const TEXTS = {
   },
   "advice.running": {
     "text": "Hold, resume or cancel it.",
+    "hint": ""
+  },
+  "board.named": {
+    "text": "{name} ({caliper:g} mm)",
+    "hint": ""
+  },
+  "board.not-in-library": {
+    "text": "{name}",
     "hint": ""
   },
   "bridges.no-room": {
@@ -423,6 +435,10 @@ export const TEXTS = {
     "text": "{name} is busy: it reports {state}.",
     "hint": "Wait until it is idle, or reset it at the table; nothing was sent."
   },
+  "controller.check-end-not-confirmed": {
+    "text": "{name} did not confirm the end of its check mode within {seconds:g} s.",
+    "hint": "Check the table, then try again."
+  },
   "controller.closed": {
     "text": "The connection to {name} was closed.",
     "hint": ""
@@ -454,10 +470,6 @@ export const TEXTS = {
   "controller.lost-in-buffer": {
     "text": "The connection to {name} is lost.",
     "hint": "Check the table: the controller may still execute what is in its buffer."
-  },
-  "controller.no-confirmation": {
-    "text": "{name} did not confirm {what} within {seconds:g} s.",
-    "hint": "Check the table, then try again."
   },
   "controller.not-in-laser-mode": {
     "text": "{name} is not in laser mode, so a hold would leave the beam on.",
@@ -506,6 +518,10 @@ export const TEXTS = {
   "controller.reset": {
     "text": "{name} was reset{due}.",
     "hint": "Check the table and home the machine: its position may be lost. Nothing continues by itself."
+  },
+  "controller.reset-not-confirmed": {
+    "text": "{name} did not confirm its reset within {seconds:g} s.",
+    "hint": "Check the table, then try again."
   },
   "controller.silent": {
     "text": "{name} has not answered for {seconds:g} s{due}.",
@@ -659,6 +675,10 @@ export const TEXTS = {
     "text": "Drawing {drawing} is being changed by others at the same time.",
     "hint": "Try again in a moment."
   },
+  "drawing.deleted": {
+    "text": "Deleted.",
+    "hint": ""
+  },
   "drawing.in-use": {
     "text": "Job {job} was made from drawing {drawing}, which is kept as its record.",
     "hint": "Only drawings without jobs can be deleted."
@@ -671,9 +691,21 @@ export const TEXTS = {
     "text": "{count:# question|# questions} must be answered first: {questions: }",
     "hint": "Answer them on the drawing; nothing is cut by default."
   },
+  "drawing.read": {
+    "text": "Read from {name}.",
+    "hint": ""
+  },
+  "drawing.reinterpreted": {
+    "text": "Unit: {unit:unit}, profile: {profile}.",
+    "hint": ""
+  },
   "drawing.stale": {
     "text": "Drawing {drawing} is at revision {revision}, and the request names {named}.",
     "hint": "Look at the drawing again; if the change is still wanted, repeat the request."
+  },
+  "drawing.types-set": {
+    "text": "{count:# line type was|# line types were} set.",
+    "hint": ""
   },
   "drawing.unit-for-cleaning": {
     "text": "The drawing does not state its unit, so the size of specks and gaps is not known.",
@@ -785,6 +817,266 @@ export const TEXTS = {
   },
   "finding.more": {
     "text": " And {count} more.",
+    "hint": ""
+  },
+  "gateway.cancelled": {
+    "text": "Cancelled by the operator at line {line}.",
+    "hint": ""
+  },
+  "gateway.controller-not-idle": {
+    "text": "{name} is not idle: it reports {state}.",
+    "hint": "Wait until it is idle, or reset it at the table."
+  },
+  "gateway.job-withdrawn": {
+    "text": "The server took the job back; the machine was stopped.",
+    "hint": ""
+  },
+  "gateway.job-withdrawn-before-start": {
+    "text": "The server took the job back before its start; nothing was sent to the machine.",
+    "hint": ""
+  },
+  "gateway.no-reason": {
+    "text": "The gateway ended the job and stated no reason.",
+    "hint": ""
+  },
+  "gateway.switched-off": {
+    "text": "The gateway was switched off.",
+    "hint": ""
+  },
+  "gateway.switched-off-before-report": {
+    "text": "The gateway was switched off before it could report.",
+    "hint": ""
+  },
+  "gateway.switched-off-in-run": {
+    "text": "The gateway was switched off; the machine was stopped.",
+    "hint": ""
+  },
+  "gateway.system-error": {
+    "text": "The operating system of the gateway reports: {reason}.",
+    "hint": ""
+  },
+  "grbl.alarm-1": {
+    "text": "a limit switch was hit; its position is lost",
+    "hint": ""
+  },
+  "grbl.alarm-10": {
+    "text": "an emergency stop is pressed",
+    "hint": ""
+  },
+  "grbl.alarm-11": {
+    "text": "it must be homed first",
+    "hint": ""
+  },
+  "grbl.alarm-12": {
+    "text": "a limit switch is closed",
+    "hint": ""
+  },
+  "grbl.alarm-14": {
+    "text": "the spindle did not reach its speed",
+    "hint": ""
+  },
+  "grbl.alarm-17": {
+    "text": "a motor driver reports a fault",
+    "hint": ""
+  },
+  "grbl.alarm-2": {
+    "text": "a move would have left the travel of the machine",
+    "hint": ""
+  },
+  "grbl.alarm-3": {
+    "text": "it was reset while moving; its position may be lost",
+    "hint": ""
+  },
+  "grbl.alarm-4": {
+    "text": "the probe was not in the expected state",
+    "hint": ""
+  },
+  "grbl.alarm-5": {
+    "text": "the probe did not touch",
+    "hint": ""
+  },
+  "grbl.alarm-6": {
+    "text": "homing was reset",
+    "hint": ""
+  },
+  "grbl.alarm-7": {
+    "text": "the door was opened during homing",
+    "hint": ""
+  },
+  "grbl.alarm-8": {
+    "text": "homing could not leave the limit switch",
+    "hint": ""
+  },
+  "grbl.alarm-9": {
+    "text": "homing did not find the limit switch",
+    "hint": ""
+  },
+  "grbl.error-1": {
+    "text": "a word without its letter",
+    "hint": ""
+  },
+  "grbl.error-10": {
+    "text": "soft limits need homing",
+    "hint": ""
+  },
+  "grbl.error-11": {
+    "text": "the line is too long",
+    "hint": ""
+  },
+  "grbl.error-12": {
+    "text": "a setting beyond its step rate",
+    "hint": ""
+  },
+  "grbl.error-13": {
+    "text": "a safety door is open",
+    "hint": ""
+  },
+  "grbl.error-14": {
+    "text": "its stored build line is too long",
+    "hint": ""
+  },
+  "grbl.error-15": {
+    "text": "a jog beyond the travel",
+    "hint": ""
+  },
+  "grbl.error-16": {
+    "text": "a jog without a feed, or with a word that has no place in it",
+    "hint": ""
+  },
+  "grbl.error-17": {
+    "text": "laser mode without a variable output",
+    "hint": ""
+  },
+  "grbl.error-18": {
+    "text": "it was reset and waits",
+    "hint": ""
+  },
+  "grbl.error-2": {
+    "text": "a number that cannot be read",
+    "hint": ""
+  },
+  "grbl.error-20": {
+    "text": "a command that it does not know",
+    "hint": ""
+  },
+  "grbl.error-21": {
+    "text": "two commands of one modal group in a line",
+    "hint": ""
+  },
+  "grbl.error-22": {
+    "text": "no feed has been set",
+    "hint": ""
+  },
+  "grbl.error-23": {
+    "text": "a command that must be a whole number is not",
+    "hint": ""
+  },
+  "grbl.error-24": {
+    "text": "two commands in a line want the axis words",
+    "hint": ""
+  },
+  "grbl.error-25": {
+    "text": "a word twice in a line",
+    "hint": ""
+  },
+  "grbl.error-26": {
+    "text": "a command without the axis words that it needs",
+    "hint": ""
+  },
+  "grbl.error-27": {
+    "text": "a line number out of range",
+    "hint": ""
+  },
+  "grbl.error-28": {
+    "text": "a command without its P or L word",
+    "hint": ""
+  },
+  "grbl.error-29": {
+    "text": "a work offset that it does not have",
+    "hint": ""
+  },
+  "grbl.error-3": {
+    "text": "a $ command that it does not know",
+    "hint": ""
+  },
+  "grbl.error-30": {
+    "text": "G53 without G0 or G1",
+    "hint": ""
+  },
+  "grbl.error-31": {
+    "text": "axis words that no command uses",
+    "hint": ""
+  },
+  "grbl.error-32": {
+    "text": "an arc without axis words in its plane",
+    "hint": ""
+  },
+  "grbl.error-33": {
+    "text": "an arc whose ends do not lie on one circle",
+    "hint": ""
+  },
+  "grbl.error-34": {
+    "text": "an arc whose radius cannot be worked out",
+    "hint": ""
+  },
+  "grbl.error-35": {
+    "text": "an arc without I and J",
+    "hint": ""
+  },
+  "grbl.error-36": {
+    "text": "words that no command uses",
+    "hint": ""
+  },
+  "grbl.error-37": {
+    "text": "a tool length offset on the wrong axis",
+    "hint": ""
+  },
+  "grbl.error-38": {
+    "text": "a tool number that is too high",
+    "hint": ""
+  },
+  "grbl.error-39": {
+    "text": "a value out of range",
+    "hint": ""
+  },
+  "grbl.error-4": {
+    "text": "a negative value where none may be",
+    "hint": ""
+  },
+  "grbl.error-5": {
+    "text": "homing is switched off in its settings",
+    "hint": ""
+  },
+  "grbl.error-6": {
+    "text": "a step pulse that is too short",
+    "hint": ""
+  },
+  "grbl.error-60": {
+    "text": "its memory card could not be opened",
+    "hint": ""
+  },
+  "grbl.error-7": {
+    "text": "its settings could not be read and were set to defaults",
+    "hint": ""
+  },
+  "grbl.error-79": {
+    "text": "an emergency stop is pressed",
+    "hint": ""
+  },
+  "grbl.error-8": {
+    "text": "this is possible only while it is idle",
+    "hint": ""
+  },
+  "grbl.error-9": {
+    "text": "it is locked by an alarm or jogs",
+    "hint": ""
+  },
+  "grbl.unknown-alarm": {
+    "text": "an alarm without a published meaning",
+    "hint": ""
+  },
+  "grbl.unknown-error": {
+    "text": "an error without a published meaning",
     "hint": ""
   },
   "groove.along-edge": {
@@ -1443,21 +1735,117 @@ export const TEXTS = {
     "text": "{what} has a coordinate that is not a number.",
     "hint": "Draw it again."
   },
+  "job.action-requested": {
+    "text": "The operator requested: {action}.",
+    "hint": ""
+  },
+  "job.at-line": {
+    "text": "At line {line}.",
+    "hint": ""
+  },
+  "job.awaits-kernels": {
+    "text": "Waiting until the functions that the machine {machine} needs are compiled, once after an installation.",
+    "hint": "Wait: the job is compiled as soon as they are ready."
+  },
   "job.being-cancelled": {
     "text": "Job {job} is being cancelled.",
     "hint": "Wait until the machine has stopped."
+  },
+  "job.cancelled": {
+    "text": "Cancelled.",
+    "hint": ""
   },
   "job.cancelled-before-request": {
     "text": "Job {job} is being cancelled, so it cannot {request}.",
     "hint": "Wait until the machine has stopped."
   },
+  "job.claim-returned": {
+    "text": "The claim was returned. {reason}",
+    "hint": ""
+  },
+  "job.claimed": {
+    "text": "Claimed.",
+    "hint": ""
+  },
+  "job.claimed-to-confirm": {
+    "text": "Claimed; waits for the operator's confirmation.",
+    "hint": ""
+  },
+  "job.compile-cancelled": {
+    "text": "The compile was cancelled.",
+    "hint": ""
+  },
   "job.compile-crashed": {
     "text": "Internal error while compiling: {reason}. Nothing was cut.",
     "hint": "The server's log has the details."
   },
+  "job.compile-started": {
+    "text": "Attempt {attempt} to compile the job.",
+    "hint": ""
+  },
+  "job.compiles-died": {
+    "text": "{attempts} compiles of the job died, the last in stage {stage}.",
+    "hint": "Send a smaller drawing, or report this one as a bug."
+  },
+  "job.confirmed-sheet": {
+    "text": "Confirmed: new sheet, board {board}.",
+    "hint": ""
+  },
+  "job.confirmed-table": {
+    "text": "Confirmed: table clear, board {board}.",
+    "hint": ""
+  },
+  "job.copy-done": {
+    "text": "Copy {copy} of {copies} is done.",
+    "hint": ""
+  },
+  "job.copy-done-next-sheet": {
+    "text": "Copy {copy} of {copies} is done: put a new sheet on the table.",
+    "hint": ""
+  },
+  "job.declared-finished": {
+    "text": "Declared finished at line {line} of {lines}.",
+    "hint": ""
+  },
+  "job.executed": {
+    "text": "Every line was executed.",
+    "hint": ""
+  },
+  "job.fully-executed": {
+    "text": "Job {job} was executed to its last line ({lines}), so it is not queued again.",
+    "hint": "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it."
+  },
+  "job.gateway-fell-silent": {
+    "text": "The gateway {gateway} fell silent.",
+    "hint": ""
+  },
+  "job.gateway-lost": {
+    "text": "The gateway {gateway} fell silent. The machine may have executed more lines than it reported.",
+    "hint": ""
+  },
   "job.gateway-silent": {
     "text": "The gateway {gateway} that claimed job {job} does not answer.",
     "hint": "Switch on the machine and its gateway, then confirm when the job waits again."
+  },
+  "job.held-before-start": {
+    "text": "Held before the first line.",
+    "hint": ""
+  },
+  "job.interrupted": {
+    "text": "Interrupted at line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Look at the table. Queue the job again to cut a new sheet from the first line, mark it finished if the sheet is complete, or scrap it."
+  },
+  "job.interrupted-at-end": {
+    "text": "Interrupted at line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it."
+  },
+  "job.interrupted-between-copies": {
+    "text": "Interrupted after copy {copy} of {copies}, before a line of the next. {cause}",
+    "hint": "{cause:hint} Look at the table. Queue the job again for the remaining copies, mark it finished, or scrap it."
+  },
+  "job.late-report": {
+    "text": "Reported late: {report}",
+    "hint": ""
   },
   "job.no-confirmation-awaited": {
     "text": "Job {job} is {state}, so it waits for no confirmation.",
@@ -1483,9 +1871,21 @@ export const TEXTS = {
     "text": "Job {job} is queued, and its machine {machine} has not taken it yet.",
     "hint": "Confirm it when its turn has come; its reason states what it waits for."
   },
+  "job.nothing-sent": {
+    "text": "The gateway sent nothing to the machine.",
+    "hint": ""
+  },
   "job.nothing-to-confirm": {
     "text": "Job {job} is running.",
     "hint": "There is nothing to confirm."
+  },
+  "job.of-copy": {
+    "text": " of copy {copy} of {copies}",
+    "hint": ""
+  },
+  "job.ordered": {
+    "text": "Ordered.",
+    "hint": ""
   },
   "job.other-board": {
     "text": "Job {job} is for the board {board}, not {given}.",
@@ -1493,15 +1893,47 @@ export const TEXTS = {
   },
   "job.program-refused": {
     "text": "The program does not cut what was drawn: {findings: }{more}",
+    "hint": "Change the drawing, the line types or the board; nothing was cut."
+  },
+  "job.released": {
+    "text": "Released.",
+    "hint": ""
+  },
+  "job.released-by-order": {
+    "text": "Released, as its order requested.",
+    "hint": ""
+  },
+  "job.requeued": {
+    "text": "Queued again.",
+    "hint": ""
+  },
+  "job.scrapped": {
+    "text": "Scrapped.",
     "hint": ""
   },
   "job.stale-epoch": {
     "text": "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch {current} now).",
     "hint": "Stop the machine and claim again."
   },
+  "job.started": {
+    "text": "Started.",
+    "hint": ""
+  },
+  "job.started-unconfirmed": {
+    "text": "Started without the operator's confirmation.",
+    "hint": ""
+  },
   "job.unknown": {
     "text": "There is no job {job}.",
     "hint": "GET /api/jobs lists them."
+  },
+  "job.verified": {
+    "text": "Compiled and verified.",
+    "hint": ""
+  },
+  "job.worker-silent": {
+    "text": "The worker {worker} stopped responding in stage {stage}.",
+    "hint": ""
   },
   "job.wrong-state": {
     "text": "Job {job} is {state}, so it cannot become {goal}.",
@@ -2718,6 +3150,58 @@ export const TEXTS = {
   "verify.wrong-time": {
     "text": "Station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
     "hint": ""
+  },
+  "waiting.confirmed": {
+    "text": "Confirmed; {machine} is starting.",
+    "hint": ""
+  },
+  "waiting.for-gateway": {
+    "text": "No gateway of {machine} asks for work.",
+    "hint": "Switch on the machine and its gateway."
+  },
+  "waiting.for-machine": {
+    "text": "Waiting until {machine} takes it.",
+    "hint": ""
+  },
+  "waiting.for-person": {
+    "text": "No gateway of {machine} asks for work.",
+    "hint": "{advice}"
+  },
+  "waiting.for-sheet": {
+    "text": "Copy {copy} of {copies} is done.",
+    "hint": "Put a new sheet of {board} on the table and confirm."
+  },
+  "waiting.for-start": {
+    "text": "Waiting for the operator at {machine}: table clear, board {board}{tools}.",
+    "hint": "Confirm to start."
+  },
+  "waiting.for-turn": {
+    "text": "Waiting for its turn at {machine}; other jobs come first.",
+    "hint": ""
+  },
+  "waiting.taken": {
+    "text": "{machine} is taken by job {job}, which is {state}.",
+    "hint": ""
+  },
+  "waiting.taken-interrupted": {
+    "text": "{machine} is taken by job {job}, which is interrupted.",
+    "hint": "Mark that job finished, queue it again or scrap it first."
+  },
+  "waiting.taken-unconfirmed": {
+    "text": "{machine} is taken by job {job}, which waits for its confirmation.",
+    "hint": ""
+  },
+  "waiting.tool": {
+    "text": "{name} (station {station})",
+    "hint": ""
+  },
+  "waiting.tools": {
+    "text": ", tools: {tools:, }",
+    "hint": ""
+  },
+  "waiting.unconfirmed-run": {
+    "text": "{machine} was started without the operator's confirmation: board {board}{tools}.",
+    "hint": "Look at the table. Confirm to let the job go on, or cancel it."
   },
   "worker.died": {
     "text": "The worker process ended unexpectedly (exit code {code}), as happens when memory runs out.",

@@ -41,7 +41,9 @@ export function renderText(message: ServerMessage): string {
 /** What to do about a message; empty if nothing. */
 export function renderHint(message: ServerMessage): string {
   const template = templatesOf(message.code)?.hint;
-  return template === undefined ? (message.hint ?? "") : fill(template, message.arguments);
+  if (template === undefined) return message.hint ?? "";
+  // A hint may begin or end with the empty hint of an argument.
+  return fill(template, message.arguments).trim();
 }
 
 /** What an error reports: the rendered problem of the server, or its own message. */

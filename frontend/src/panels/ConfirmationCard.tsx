@@ -3,6 +3,7 @@
 import { Button } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
 import type { Job } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
 import { command } from "../state/actions";
 import { useBoards } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -17,6 +18,7 @@ function buttonOf(job: Job): string {
 export function ConfirmationCard({ job }: { job: Job }) {
   const { data: boards } = useBoards();
   const busy = useUiStore((ui) => ui.busy);
+  const hint = job.message === null ? "" : renderHint(job.message);
   const board = boards?.find(({ name }) => name === job.board);
   return (
     <div
@@ -26,7 +28,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
       data-testid="confirmation"
       data-waiting-for={job.waiting_for}
     >
-      <div data-testid="waiting">{job.reason}</div>
+      <div data-testid="waiting">{job.message !== null && renderText(job.message)}</div>
       <dl className={jobCss.setUp}>
         <dt>Board</dt>
         <dd>
@@ -46,7 +48,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
           </>
         )}
       </dl>
-      {job.hint !== "" && <div className={css.hint}>{job.hint}</div>}
+      {hint !== "" && <div className={css.hint}>{hint}</div>}
       <Button
         fullWidth
         size="lg"

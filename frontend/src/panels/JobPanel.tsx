@@ -14,6 +14,7 @@ import {
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import { type Job, type JobCommand, service } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
 import { command } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import {
@@ -90,10 +91,16 @@ function Compiling({ job }: { job: Job }) {
 function Waiting({ job }: { job: Job }) {
   return (
     <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
-      {job.reason || `Waiting for ${job.machine}.`}
-      {job.hint !== "" && <div className={css.hint}>{job.hint}</div>}
+      {job.message === null ? `Waiting for ${job.machine}.` : renderText(job.message)}
+      <Hint message={job.message} />
     </div>
   );
+}
+
+/** The hint of a message, if it has one. */
+function Hint({ message }: { message: Job["message"] }) {
+  const hint = message === null ? "" : renderHint(message);
+  return hint === "" ? null : <div className={css.hint}>{hint}</div>;
 }
 
 function Running({ job }: { job: Job }) {
@@ -143,19 +150,10 @@ function Outcome({ job }: { job: Job }) {
   }
   // ConfirmationCard shows what the job waits for.
   if (job.waiting_for !== "") return null;
-  const fallback =
-    job.state === "interrupted"
-      ? "Run interrupted; tool position unknown."
-      : job.state === "cancelled"
-        ? "The job was cancelled."
-        : "";
-  const text = job.reason || fallback;
+  const fallback = job.state === "cancelled" ? "The job was cancelled." : "";
+  const text = job.message === null ? fallback : renderText(job.message);
   if (text === "") return null;
   const { tone } = STATE_STYLES[job.state];
-  const hint =
-    job.hint === "" && job.state === "interrupted"
-      ? "Check the table, then mark the job finished, queue it again or scrap it."
-      : job.hint;
   const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
   return (
     <div
@@ -165,7 +163,7 @@ function Outcome({ job }: { job: Job }) {
       role={tone === "red" ? "alert" : "status"}
     >
       {text}
-      {hint !== "" && <div className={css.hint}>{hint}</div>}
+      <Hint message={job.message} />
       {rows.length > 0 && (
         <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
           Show {pluralize(rows.length, "edge")}

@@ -6,20 +6,26 @@ const job = (change: Partial<Job>): Job =>
   ({ state: "ready", waiting_for: "", line: 0, lines: 100, copies: 1, ...change }) as Job;
 
 describe("what the operator is offered", () => {
-  it("asks for the confirmation and offers no resume beside it", () => {
-    const waiting = job({ state: "queued", waiting_for: "confirmation" });
-    expect(needsOperator(waiting)).toBe(true);
-    expect(commandsOf(waiting)).toEqual(["cancel"]);
-    expect(commandsOf(job({ state: "held", waiting_for: "sheet" }))).toEqual(["cancel"]);
-    expect(commandsOf(job({ state: "held" }))).toEqual(["resume", "cancel"]);
-    expect(needsOperator(job({ state: "queued", waiting_for: "turn" }))).toBe(false);
+  it("is what the server allows", () => {
+    expect(commandsOf(job({ actions: ["resume", "cancel"] }))).toEqual(["resume", "cancel"]);
+    expect(commandsOf(job({ state: "interrupted", actions: ["finish", "scrap"] }))).toEqual([
+      "finish",
+      "scrap",
+    ]);
+    expect(commandsOf(job({ actions: [] }))).toEqual([]);
   });
 
-  it("does not offer to cut again what was executed to its last line", () => {
-    expect(commandsOf(job({ state: "interrupted", line: 99 }))).toContain("requeue");
-    expect(commandsOf(job({ state: "interrupted", line: 100 }))).toEqual(["finish", "scrap"]);
-    // Before it is compiled a job has no lines, and none was executed.
-    expect(commandsOf(job({ state: "interrupted", lines: 0 }))).toContain("requeue");
+  it("asks for the confirmation and offers no resume beside it", () => {
+    const waiting = job({
+      state: "queued",
+      waiting_for: "confirmation",
+      actions: ["confirm", "cancel"],
+    });
+    expect(needsOperator(waiting)).toBe(true);
+    expect(commandsOf(waiting)).toEqual(["cancel"]);
+    const held = job({ state: "held", actions: ["confirm", "resume", "cancel"] });
+    expect(commandsOf(held)).toEqual(["cancel"]);
+    expect(needsOperator(job({ state: "queued", waiting_for: "turn" }))).toBe(false);
   });
 
   it("names what is waited for instead of the state", () => {

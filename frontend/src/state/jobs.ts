@@ -21,29 +21,11 @@ export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
   cancelled: { title: "Cancelled", tone: "grey" },
 };
 
-const COMMANDS: Readonly<Record<JobState, readonly JobCommand[]>> = {
-  received: ["cancel"],
-  compiling: ["cancel"],
-  ready: ["release", "cancel"],
-  queued: ["cancel"],
-  running: ["hold", "cancel"],
-  held: ["resume", "cancel"],
-  interrupted: ["requeue", "finish", "scrap"],
-  done: [],
-  refused: [],
-  scrapped: [],
-  cancelled: [],
-};
-
-/** Commands available for a job; `confirm` is on the confirmation card. */
+/** Commands offered as buttons, of those that the server allows in the present state. */
 export function commandsOf(job: Job): readonly JobCommand[] {
-  const words = COMMANDS[job.state];
-  // The confirmation resumes the job.
-  if (needsOperator(job)) return words.filter((word) => word !== "resume");
-  // Every line was executed: cutting again would waste a board.
-  const whole = job.lines > 0 && job.line === job.lines;
-  if (job.state === "interrupted" && whole) return ["finish", "scrap"];
-  return words;
+  // The confirmation card has its own button, which also resumes the job.
+  const confirms = job.actions.includes("confirm");
+  return job.actions.filter((word) => word !== "confirm" && !(confirms && word === "resume"));
 }
 
 /** The job waits for the operator to check the table and confirm. */

@@ -301,3 +301,71 @@ def test_an_operator_finishes_an_interrupted_job_and_no_other(
     finish(client, claimed, "interrupted")
     done = client.post(f"/api/jobs/{claimed['job']}/finish").json()
     assert (done["state"], done["progress"]) == ("done", 1.0)
+
+
+def interrupted_for(client: httpx.Client, job: dict[str, Any], why: object) -> httpx.Response:
+    report = {"job": job["job"], "epoch": job["epoch"], "outcome": "interrupted", "line": 5}
+    return client.post("/api/gateway/finish", json={**report, "why": why})
+
+
+def test_a_gateway_reports_a_code_with_arguments(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
+    alarm = {"code": "grbl.alarm-1", "arguments": {}}
+    cause = {
+        "code": "controller.alarm",
+        "arguments": {"name": "grbl", "code": 1, "alarm": alarm, "due": None},
+    }
+    job = interrupted_for(client, claimed, {**cause, "text": "t", "hint": "h"}).json()
+    assert job["message"]["code"] == "job.interrupted"
+    assert job["message"]["arguments"]["cause"] == cause
+    assert job["reason"] == job["message"]["text"]
+    assert "grbl stopped with ALARM:1: a limit switch was hit" in job["reason"]
+    assert job["hint"] == job["message"]["hint"]
+    assert job["hint"].startswith("Check the table and home the machine ($H)")
+    event = client.get(f"/api/jobs/{claimed['job']}/events").json()[-1]
+    assert (event["why"], event["message"]) == (job["reason"], job["message"])
+
+
+def test_a_code_that_the_server_does_not_have_keeps_its_text(
+    client: httpx.Client, claimed: dict[str, Any]
+) -> None:
+    newer = {"code": "newer.code", "arguments": {"a": 1}, "text": "It rains.", "hint": "Close it."}
+    job = interrupted_for(client, claimed, newer).json()
+    stored = {"code": "stored.text", "arguments": {"text": "It rains.", "hint": "Close it."}}
+    assert job["message"]["arguments"]["cause"] == stored
+    assert job["reason"].endswith("It rains.")
+    assert job["hint"].startswith("Close it. Look at the table.")
+
+
+@pytest.mark.parametrize(
+    "why",
+    [
+        {"code": "gateway.cancelled", "arguments": {"line": "many"}},
+        {"code": "controller.not-stopped", "arguments": {"error": [1], "progress": [1]}},
+        {"code": "job.late-report", "arguments": {"report": {"deep": [{}]}}, "more": 1},
+        {"code": "controller.stopped", "arguments": {"error": [], "progress": {}, "height": "x"}},
+        {"code": "stored.text", "arguments": {"text": "x" * 30_000, "hint": ""}},
+        {"arguments": {}},
+        7,
+    ],
+)
+def test_a_malformed_message_is_refused_or_stored_as_text_and_never_an_internal_error(
+    client: httpx.Client, claimed: dict[str, Any], why: object
+) -> None:
+    assert interrupted_for(client, claimed, why).status_code in (200, 422)
+    job = client.get(f"/api/jobs/{claimed['job']}")
+    assert job.status_code == 200
+    assert client.get(f"/api/jobs/{claimed['job']}/events").status_code == 200
+
+
+def test_a_job_lists_the_actions_that_are_routes_of_its_own(
+    client: httpx.Client, waiting: dict[str, Any]
+) -> None:
+    job = client.get(f"/api/jobs/{waiting['job']}").json()
+    assert job["actions"] == ["confirm", "cancel"]
+    (listed,) = [row for row in client.get("/api/jobs").json() if row["id"] == job["id"]]
+    assert listed["actions"] == job["actions"]
+    others = {"release", "hold", "resume", "requeue", "finish", "scrap"}
+    for action in others:
+        assert client.post(f"/api/jobs/{job['id']}/{action}").status_code == 409

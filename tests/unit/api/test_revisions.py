@@ -14,6 +14,7 @@ from knifetip.api import revisions
 from knifetip.jobs import tasks
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import NO_OVERRIDE
+from tests.support.messages import stored
 from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -132,7 +133,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
             flipped = bytes([LineType.of("crease")]) + row.overrides[1:]
-            store.drawings.change(id, row.version, "x", overrides=flipped, unit_given="in")
+            store.drawings.change(id, row.version, stored("x"), overrides=flipped, unit_given="in")
             between.append(row.version)
         return run(task, *arguments, **named)
 
@@ -161,7 +162,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
             mine = row.overrides[:1] + bytes([LineType.of("crease")]) + row.overrides[2:]
-            store.drawings.change(id, row.version, "x", overrides=mine)
+            store.drawings.change(id, row.version, stored("x"), overrides=mine)
         return found
 
     monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)

@@ -10,10 +10,13 @@ import pytest
 
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
+from knifetip.messages import hint
 from knifetip.model.interpretation import Interpretation
 
 TITLE = "Demo table 1600 × 1200"
@@ -45,20 +48,24 @@ def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
 
 def queued(store: Store, **more: object) -> Job:
     drawing = store.drawings.add(
-        name="tray.dxf",
-        content=b"",
-        sha256="0" * 64,
-        interpretation=Interpretation("mm"),
-        summary={},
-        edges=b"",
-        import_report=b"",
+        NewDrawing(
+            name="tray.dxf",
+            content=b"",
+            sha256="0" * 64,
+            interpretation=Interpretation("mm"),
+            summary={},
+            edges=b"",
+            import_report=b"",
+        )
     )
     fields: dict[str, Any] = {"machine": "demo-table", "board": "e-flute", **more}
-    row = store.jobs.add(drawing, interpretation=Interpretation("mm"), release=True, **fields)
+    row = store.jobs.add(
+        drawing, JobOrder(interpretation=Interpretation("mm"), release=True, **fields)
+    )
     job = store.compiles.begin("worker")
     assert job is not None
-    verdict = {"seconds": 1.0, "accepted": True}
-    made = CompileResult(True, "", b"M30\n", "ab", 90, b"", b"", verdict, tools=TOOLS)
+    judged = {"seconds": 1.0, "accepted": True}
+    made = CompileResult(True, None, b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
     store.compiles.save_result(row.id, job.epoch, made)
     return store.jobs.get(row.id)
 
@@ -69,6 +76,18 @@ def claimed(store: Store) -> Job:
     return job
 
 
+def hint_of(waiting: Waiting) -> str:
+    """Return the hint of what a job waits for."""
+    assert waiting.message is not None
+    return hint(waiting.message)
+
+
+def shown(store: Store, job: Job) -> tuple[str, str, str]:
+    """Return what a job waits for, with the text and the hint."""
+    found = waits(store, job)
+    return found.waiting_for, str(found.message), hint_of(found)
+
+
 def waits(store: Store, job: Job) -> Waiting:
     (found,) = waiting_of(store, [store.jobs.get(job.id)])
     return found
@@ -77,24 +96,24 @@ def waits(store: Store, job: Job) -> Waiting:
 def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
     job = queued(store)
     claimed(store)
-    assert waits(store, job) == (
+    assert shown(store, job) == (
         "confirmation",
         f"Waiting for the operator at {TITLE}: table clear, board e-flute (1.6 mm), tools: "
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Confirm to start.",
     )
     store.jobs.confirm(job.id)
-    assert waits(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
+    assert shown(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
 
 
 def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> None:
     job = queued(store)
     absent = ("machine", f"No gateway of {TITLE} asks for work.")
-    assert waits(store, job)[:2] == absent
+    assert shown(store, job)[:2] == absent
     store.gateways.record_contact("demo-table", "gateway")
-    assert waits(store, job) == ("machine", f"Waiting until {TITLE} takes it.", "")
+    assert shown(store, job) == ("machine", f"Waiting until {TITLE} takes it.", "")
     clock.now += ABSENT + 0.1
-    assert waits(store, job)[:2] == absent
+    assert shown(store, job)[:2] == absent
 
 
 def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their_turn(
@@ -103,7 +122,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
     jobs = [queued(store) for _ in range(3)]
     job = claimed(store)
     assert job.id == jobs[0].id
-    assert waits(store, jobs[1]) == (
+    assert shown(store, jobs[1]) == (
         "machine",
         f"{TITLE} is taken by job {job.id}, which waits for its confirmation.",
         "",
@@ -111,10 +130,10 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
     assert waits(store, jobs[2]).waiting_for == "turn"
     store.jobs.confirm(job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1))
-    assert waits(store, jobs[1]).reason.endswith("which is running.")
+    assert str(waits(store, jobs[1]).message).endswith("which is running.")
     clock.now += LEASE + 1.0
     store.leases.run()
-    assert waits(store, jobs[1]).hint.startswith("Mark that job finished")
+    assert hint_of(waits(store, jobs[1])).startswith("Mark that job finished")
     assert waits(store, jobs[2]).waiting_for == "turn"
 
 
@@ -125,7 +144,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=0, waiting=True))
     assert waits(store, job) == Waiting()
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
-    assert waits(store, job) == (
+    assert shown(store, job) == (
         "sheet",
         "Copy 1 of 2 is done.",
         "Put a new sheet of e-flute (1.6 mm) on the table and confirm.",
@@ -137,7 +156,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
     store.gateways.claim("gone", "gateway", manual=True)
-    assert "at gone: table clear, board old-board, tools:" in waits(store, job).reason
+    assert "at gone: table clear, board old-board, tools:" in str(waits(store, job).message)
 
 
 def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store) -> None:
@@ -146,11 +165,11 @@ def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store)
     row = store.jobs.get(job.id)
     row.tools = []
     (found,) = waiting_of(store, [row])
-    assert found.reason.endswith("table clear, board e-flute (1.6 mm).")
+    assert str(found.message).endswith("table clear, board e-flute (1.6 mm).")
 
 
 def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store) -> None:
     row = queued(store, machine="flat-cutter-hpgl")
     waiting = waiting_of(store, [row])[0]
-    assert waiting.reason == "No gateway of Flat cutter 1300 × 900 (HPGL) asks for work."
-    assert waiting.hint.startswith("Download the program")
+    assert str(waiting.message) == "No gateway of Flat cutter 1300 × 900 (HPGL) asks for work."
+    assert hint_of(waiting).startswith("Download the program")

@@ -25,8 +25,17 @@ JOB = {
     "copies": 1,
     "copies_done": 0,
     "waiting_for": "confirmation",
-    "reason": "Waiting for the operator at Demo table: table clear, board e-flute.",
-    "hint": "Confirm to start.",
+    "message": {
+        "code": "waiting.for-start",
+        "arguments": {
+            "machine": "Demo table",
+            "board": {"code": "board.not-in-library", "arguments": {"name": "e-flute"}},
+            "tools": None,
+        },
+        "text": "not used",
+        "hint": "not used",
+    },
+    "actions": ["confirm", "cancel"],
 }
 
 
@@ -81,6 +90,7 @@ def test_list_prints_the_field_waiting_for_of_each_job(
     assert code == 0
     assert out.split()[:2] == ["abc", "queued"]
     assert "waits for confirmation" in out
+    assert "[confirm, cancel]" in out
     assert fake_server.requests == [("GET", "/api/jobs?limit=50&state=queued", None)]
 
 
@@ -88,6 +98,7 @@ def test_show_prints_reason_hint_and_tools(knifetip: Command, fake_server: FakeS
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url + "/")
     assert "table clear, board e-flute" in out
     assert "Confirm to start." in out
+    assert "actions: confirm, cancel" in out
     assert "Oscillating knife (station 1)" in out
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url, "--json")
     assert json.loads(out) == JOB

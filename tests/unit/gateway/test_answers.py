@@ -70,6 +70,6 @@ def test_no_text_at_all_breaks_the_reading_of_reports(text: str) -> None:
 
 
 def test_codes_have_words_and_unknown_ones_say_so() -> None:
-    assert "travel" in answers.alarm_text(2)
-    assert "no feed" in answers.error_text(22)
-    assert "no name" in answers.error_text(9999)
+    assert "travel" in str(answers.alarm_meaning(2))
+    assert "no feed" in str(answers.error_meaning(22))
+    assert answers.error_meaning(9999).code == "grbl.unknown-error"

@@ -22,6 +22,7 @@ from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
 from knifetip.gateway.table import Faults, Table
 from knifetip.library import load
+from tests.support.messages import stored
 
 MACHINE = load.machine("demo-table")
 
@@ -180,7 +181,7 @@ async def test_another_program_than_the_verified_one_never_reaches_the_machine()
         await gateway(office, server)
         assert server.table.time == 0.0
     assert office.finished[0]["outcome"] == "interrupted"
-    assert "SHA-256" in office.finished[0]["why"]
+    assert "SHA-256" in office.finished[0]["why"]["text"]
 
 
 async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
@@ -262,7 +263,7 @@ async def test_cancel_stops_the_machine_raises_the_tool_and_says_so() -> None:
         assert z == 20.0
         assert server.table.state == "Idle"
     assert office.finished[0]["outcome"] == "cancelled"
-    assert "line 6" in office.finished[0]["why"]
+    assert "line 6" in office.finished[0]["why"]["text"]
 
 
 async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_with_its_line() -> (
@@ -282,7 +283,7 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_wi
     # The server takes it as evidence while the job is interrupted, and refuses it otherwise.
     (report,) = office.finished
     assert (report["outcome"], report["line"], report["epoch"]) == ("interrupted", 6, 3)
-    assert "the machine was stopped" in report["why"]
+    assert "the machine was stopped" in report["why"]["text"]
 
 
 async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_holds() -> None:
@@ -320,7 +321,7 @@ async def test_a_failure_of_the_controller_interrupts_with_its_words() -> None:
     async with table(faults=Faults(disconnect=11)) as server:
         await gateway(office, server)
     assert office.finished[0]["outcome"] == "interrupted"
-    assert "is lost" in office.finished[0]["why"]
+    assert "is lost" in office.finished[0]["why"]["text"]
 
 
 async def test_a_table_that_is_switched_off_takes_no_job() -> None:
@@ -363,7 +364,7 @@ async def test_switching_the_gateway_off_stops_the_machine_and_says_so() -> None
         assert server.table.position[2] == 20.0
         assert server.table.position[0] < 560.0
     assert office.finished[0]["outcome"] == "interrupted"
-    assert "switched off" in office.finished[0]["why"]
+    assert "switched off" in office.finished[0]["why"]["text"]
     assert office.finished[0]["line"] == 6
 
 
@@ -428,7 +429,7 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine() 
         await gateway(office, server)
         assert server.table.time == 0.0
     assert len(office.beats) == 6
-    assert "nothing was sent" in office.finished[0]["why"]
+    assert "nothing was sent" in office.finished[0]["why"]["text"]
     assert office.finished[0]["line"] == 0
 
 
@@ -457,7 +458,7 @@ async def test_a_table_that_is_jogged_gives_a_waiting_job_back(
         assert server.table.time == 0.0
     (report,) = office.finished
     assert (report["outcome"], report["line"]) == ("returned", 0)
-    assert "not idle: it reports jog" in report["why"]
+    assert "not idle: it reports jog" in report["why"]["text"]
 
 
 async def test_a_controller_that_fails_while_a_job_waits_gives_it_back() -> None:
@@ -474,7 +475,7 @@ async def test_a_controller_that_fails_while_a_job_waits_gives_it_back() -> None
         assert server.table.time == 0.0
     (report,) = office.finished
     assert (report["outcome"], report["line"]) == ("returned", 0)
-    assert "was reset" in report["why"]
+    assert "was reset" in report["why"]["text"]
 
 
 async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_back() -> None:
@@ -531,12 +532,16 @@ async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_pa
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
     journal.line("job-0", 0, 17, 20)
-    journal.outcome("job-0", "interrupted", "A belt tore.")
+    journal.outcome("job-0", "interrupted", stored("A belt tore."))
     office = Office()
     async with table(speed=100.0) as server:
         await gateway(office, server, journal=path)
     first = office.finished[0]
-    assert (first["outcome"], first["why"], first["line"]) == ("interrupted", "A belt tore.", 17)
+    assert (first["outcome"], first["why"]["text"], first["line"]) == (
+        "interrupted",
+        "A belt tore.",
+        17,
+    )
 
 
 async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(

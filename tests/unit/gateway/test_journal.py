@@ -8,13 +8,14 @@ import pytest
 
 from knifetip.gateway import journal as module
 from knifetip.gateway.journal import Journal, Unfinished
+from knifetip.messages import Message
 
 
 def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("a", 1, "00", 50)
-    journal.end("a", 1, "done", "")
+    journal.end("a", 1, "done", None)
     journal.begin("b", 7, "00", 50)
     journal.line("b", 0, 12, 20)
     journal.line("b", 0, 31, 40)
@@ -25,7 +26,7 @@ def test_a_job_that_ended_is_not_unfinished(tmp_path: Path) -> None:
     journal = Journal(tmp_path / "journal")
     assert journal.unfinished() is None
     journal.begin("a", 1, "00", 50)
-    journal.end("a", 1, "cancelled", "by the operator")
+    journal.end("a", 1, "cancelled", Message("gateway.cancelled", line=7))
     assert journal.unfinished() is None
 
 
@@ -38,7 +39,7 @@ def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) ->
         file.write(b'{"event": "line", "job": "a", "exec')
     assert journal.unfinished() == Unfinished("a", 1, lines=50, line=12)
     # The next line is not appended to the broken one.
-    Journal(path).outcome("a", "done", "")
+    Journal(path).outcome("a", "done", None)
     assert Journal(path).unfinished() == Unfinished("a", 1, lines=50, line=12, outcome="done")
 
 
@@ -55,7 +56,7 @@ def test_a_long_journal_is_set_aside(tmp_path: Path, monkeypatch: pytest.MonkeyP
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("a", 1, "0" * 64, 50)
-    journal.end("a", 1, "done", "")
+    journal.end("a", 1, "done", None)
     journal.begin("b", 1, "0" * 64, 50)
     assert path.read_bytes().count(b"\n") == 1
     assert (tmp_path / "journal.1").read_bytes().count(b"\n") == 2
@@ -74,7 +75,7 @@ def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path: Path) -> N
     journal.copy("a", 1)
     assert journal.unfinished() == Unfinished("a", 1, lines=50, copies=2, copies_done=1)
     journal.line("a", 1, 7, 9)
-    journal.outcome("a", "cancelled", "by the operator")
+    journal.outcome("a", "cancelled", Message("gateway.cancelled", line=7))
     assert journal.unfinished() == Unfinished(
         "a",
         1,
@@ -83,7 +84,7 @@ def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path: Path) -> N
         copies_done=1,
         line=7,
         outcome="cancelled",
-        why="by the operator",
+        cause=Message("gateway.cancelled", line=7),
     )
 
 

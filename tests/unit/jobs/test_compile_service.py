@@ -12,10 +12,13 @@ import pytest
 
 from knifetip.jobs import compile_service, tasks
 from knifetip.jobs.compile_service import CompileService
+from knifetip.jobs.drawing_store import NewDrawing
+from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.process_pool import ProcessPool, Watch
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.warm_up import WarmUp
+from knifetip.messages import Message, hint
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 from tests.support.serving import crew_tasks
@@ -43,19 +46,19 @@ def job(store: Store) -> Job:
     return ordered(store)
 
 
-def ordered(store: Store) -> Job:
+def ordered(store: Store, machine: str = "demo-table") -> Job:
     drawing = store.drawings.add(
-        name="tray.dxf",
-        content=b"",
-        sha256="0" * 64,
-        interpretation=Interpretation("mm"),
-        summary={},
-        edges=b"",
-        import_report=b"",
+        NewDrawing(
+            name="tray.dxf",
+            content=b"",
+            sha256="0" * 64,
+            interpretation=Interpretation("mm"),
+            summary={},
+            edges=b"",
+            import_report=b"",
+        )
     )
-    return store.jobs.add(
-        drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")
-    )
+    return store.jobs.add(drawing, JobOrder(machine, "e-flute", Interpretation("mm")))
 
 
 @pytest.fixture
@@ -71,6 +74,38 @@ def ended(store: Store, id: str, state: str) -> Job:
         assert time.monotonic() < until
         time.sleep(0.02)
     return job
+
+
+class UnreadyWarmUp(WarmUp):
+    """A warm-up that has compiled the kernels of some groups only."""
+
+    def __init__(self, *compiled: str) -> None:
+        super().__init__()
+        self.compiled = set(compiled)
+
+    def is_ready(self, *groups: str) -> bool:
+        return self.compiled.issuperset(groups)
+
+
+def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
+    store: Store, compiles_by: Callable[[object], None]
+) -> None:
+    compiles_by(crew_tasks.refuse)
+    warm_up = UnreadyWarmUp("drawings", "jobs")
+    routed, cut = ordered(store, "demo-router"), ordered(store)
+    service = CompileService(store, ProcessPool(1), "a worker", warm_up=warm_up)
+    service.start()
+    try:
+        ended(store, cut.id, "refused")
+        waiting = store.jobs.get(routed.id)
+        assert (waiting.state, waiting.attempt) == ("received", 1)
+        assert waiting.message == Message("job.awaits-kernels", machine="demo-router")
+        whys = [event.message for event in store.events.of_job(routed.id)]
+        assert whys.count(waiting.message) == 1
+        warm_up.compiled.add("offsets")
+        ended(store, routed.id, "refused")
+    finally:
+        service.stop()
 
 
 def begin(store: Store, service: CompileService) -> Job:
@@ -91,7 +126,8 @@ def test_a_refusal_keeps_reason_mend_and_source(
     compiles_by(crew_tasks.refuse)
     service.compile(begin(store, service))
     job = store.jobs.get(job.id)
-    assert (job.state, job.reason, job.hint, job.source) == (
+    assert job.message is not None
+    assert (job.state, str(job.message), hint(job.message), job.source) == (
         "refused",
         "1 V-groove edge is an arc, the first of them edge 7; "
         "a straight blade cannot follow an arc.",
@@ -115,7 +151,7 @@ def test_a_compile_that_breaks_down_refuses_the_job(
     compiles_by(task)
     service.compile(begin(store, service))
     assert store.jobs.get(job.id).state == "refused"
-    assert words in store.jobs.get(job.id).reason
+    assert words in str(store.jobs.get(job.id).message)
 
 
 def test_a_compile_that_takes_too_long_refuses_the_job(
@@ -124,7 +160,7 @@ def test_a_compile_that_takes_too_long_refuses_the_job(
     compiles_by(crew_tasks.hang_in_verify)
     service.limit = 4.0
     service.compile(begin(store, service))
-    assert store.jobs.get(job.id).reason == "Stage verify was not finished after 4 s."
+    assert str(store.jobs.get(job.id).message) == "Stage verify was not finished after 4 s."
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(

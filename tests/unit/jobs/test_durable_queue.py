@@ -11,7 +11,9 @@ from pathlib import Path
 import pytest
 
 from knifetip.jobs.compile_queue import TableQueue, queue_of
+from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.durable_queue import DurableQueue
+from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.model.interpretation import Interpretation
@@ -35,17 +37,17 @@ def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
 
 def ordered(store: Store) -> Job:
     drawing = store.drawings.add(
-        name="tray.dxf",
-        content=b"",
-        sha256="0" * 64,
-        interpretation=Interpretation("mm"),
-        summary={},
-        edges=b"",
-        import_report=b"",
+        NewDrawing(
+            name="tray.dxf",
+            content=b"",
+            sha256="0" * 64,
+            interpretation=Interpretation("mm"),
+            summary={},
+            edges=b"",
+            import_report=b"",
+        )
     )
-    return store.jobs.add(
-        drawing, machine="demo-table", board="e-flute", interpretation=Interpretation("mm")
-    )
+    return store.jobs.add(drawing, JobOrder("demo-table", "e-flute", Interpretation("mm")))
 
 
 def until(condition: Callable[[], bool]) -> None:

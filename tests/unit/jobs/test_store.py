@@ -35,17 +35,21 @@ from knifetip.jobs import migrations
 from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.compile_store import ATTEMPTS
+from knifetip.jobs.drawing_store import NewDrawing
 from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Base, Drawing, Job
 from knifetip.jobs.transitions import LEASE
+from knifetip.messages import Message, hint
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
+from tests.support.messages import stored
 
 LINES = 231
 RESULT = CompileResult(
     accepted=True,
-    reason="",
+    message=None,
     program=b"G0 X0\n" * LINES,
     sha256="ab" * 32,
     lines=LINES,
@@ -55,7 +59,7 @@ RESULT = CompileResult(
 )
 REFUSED = CompileResult(
     accepted=False,
-    reason="Edge 3 is 0.4 mm off.",
+    message=stored("Edge 3 is 0.4 mm off."),
     program=b"",
     sha256="",
     lines=0,
@@ -91,7 +95,7 @@ def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
 
 
 def drawing(store: Store, **more: str) -> Drawing:
-    return store.drawings.add(
+    new = NewDrawing(
         name="tray.dxf",
         content=b"0\nEOF\n",
         sha256="0" * 64,
@@ -99,8 +103,14 @@ def drawing(store: Store, **more: str) -> Drawing:
         summary={"unit": "mm"},
         edges=b"KTIP",
         import_report=b"",
-        **more,
     )
+    return store.drawings.add(new, **more)
+
+
+def hint_of(job: Job) -> str:
+    """Return the hint of a job's message."""
+    assert job.message is not None
+    return hint(job.message)
 
 
 def ordered(store: Store, **more: object) -> Job:
@@ -109,7 +119,9 @@ def ordered(store: Store, **more: object) -> Job:
         "board": "e-flute",
         "interpretation": Interpretation("mm"),
     }
-    return store.jobs.add(drawing(store), **{**fields, **more})
+    given = {**fields, **more}
+    request = {name: given.pop(name) for name in ("key", "fingerprint") if name in given}
+    return store.jobs.add(drawing(store), JobOrder(**given), **request)
 
 
 def compiling(store: Store, **more: object) -> Job:
@@ -159,7 +171,7 @@ def course(store: Store, id: str) -> list[str]:
 def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store) -> None:
     job = running(store)
     assert (job.state, job.lines, job.program_sha256) == ("running", LINES, "ab" * 32)
-    store.gateways.finish(job.id, job.epoch, "done", "")
+    store.gateways.finish(job.id, job.epoch, "done")
     assert course(store, job.id) == [
         "received",
         "compiling",
@@ -184,7 +196,11 @@ def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store
     job = compiling(store, release=True)
     store.compiles.save_result(job.id, job.epoch, REFUSED)
     job = store.jobs.get(job.id)
-    assert (job.state, job.reason, job.source) == ("refused", "Edge 3 is 0.4 mm off.", ["2F4"])
+    assert (job.state, str(job.message), job.source) == (
+        "refused",
+        "Edge 3 is 0.4 mm off.",
+        ["2F4"],
+    )
 
 
 def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
@@ -206,7 +222,7 @@ def test_a_received_job_can_only_be_cancelled(store: Store, move: str) -> None:
 @pytest.mark.parametrize("move", ["release", "requeue", "scrap", "hold", "resume", "cancel"])
 def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     job = running(store)
-    store.gateways.finish(job.id, job.epoch, "done", "")
+    store.gateways.finish(job.id, job.epoch, "done")
     with pytest.raises(WrongState, match="is done"):
         getattr(store.jobs, move)(job.id)
 
@@ -297,7 +313,7 @@ def test_a_claim_takes_the_highest_priority_and_then_the_oldest(store: Store, cl
         job = store.gateways.claim("table", "gateway", manual=False)
         assert job is not None
         order.append(job.id)
-        store.gateways.finish(job.id, job.epoch, "done", "")
+        store.gateways.finish(job.id, job.epoch, "done")
     assert order[0] == urgent.id
     assert order[2] == late.id
 
@@ -318,7 +334,7 @@ def test_each_claim_has_a_new_epoch_and_an_earlier_owner_is_refused(
     with pytest.raises(StaleEpoch, match=f"epoch {job.epoch}"):
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5))
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(job.id, job.epoch, "done", "")
+        store.gateways.finish(job.id, job.epoch, "done")
     assert store.jobs.get(job.id).state == "running"
 
 
@@ -334,7 +350,7 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     store.leases.run()
     job = store.jobs.get(job.id)
     assert job.state == "interrupted"
-    assert job.reason == (
+    assert str(job.message) == (
         "Interrupted at line 199 of 231. The gateway gateway fell silent. The machine may have "
         "executed more lines than it reported."
     )
@@ -352,21 +368,21 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
 
 def test_a_finish_that_is_said_twice_does_no_harm(store: Store) -> None:
     job = running(store)
-    store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
-    again = store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
-    assert again.reason == "Interrupted at line 0 of 231. a belt tore"
+    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    again = store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    assert str(again.message) == "Interrupted at line 0 of 231. A belt tore."
     assert course(store, job.id).count("interrupted") == 1
 
 
 def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(store: Store) -> None:
     job = running(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=100))
-    store.gateways.finish(job.id, job.epoch, "interrupted", "a belt tore")
+    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
     again = store.jobs.requeue(job.id)
-    assert (again.state, again.line, again.reason) == ("queued", 0, "")
+    assert (again.state, again.line, again.message) == ("queued", 0, None)
     second = store.gateways.claim("table", "gateway", manual=False)
     assert second is not None
-    store.gateways.finish(second.id, second.epoch, "interrupted", "")
+    store.gateways.finish(second.id, second.epoch, "interrupted")
     assert store.jobs.scrap(second.id).state == "scrapped"
     assert store.gateways.jobs_on_tables() == {}
 
@@ -375,9 +391,10 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
     job = fed(store, copies=3)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
     assert (
-        store.events.of_job(job.id)[-1].why == "copy 1 of 3 is done: put a new sheet on the table"
+        str(store.events.of_job(job.id)[-1].message)
+        == "Copy 1 of 3 is done: put a new sheet on the table."
     )
-    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    store.gateways.finish(job.id, job.epoch, "interrupted")
     store.jobs.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
@@ -402,7 +419,7 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
         job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
     )
     assert answer == "continue"
-    assert store.events.of_job(job.id)[-1].why.startswith("copy 2 of 3 is done")
+    assert str(store.events.of_job(job.id)[-1].message).startswith("Copy 2 of 3 is done")
 
 
 # The operator starts
@@ -421,10 +438,10 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "continue"
     assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
-    who = [(event.who, event.why) for event in store.events.of_job(job.id)][-2:]
+    who = [(event.who, str(event.message)) for event in store.events.of_job(job.id)][-2:]
     assert who == [
-        ("operator Kim", "confirmed: table clear, board e-flute"),
-        ("gateway gateway", "started"),
+        ("operator Kim", "Confirmed: table clear, board e-flute."),
+        ("gateway gateway", "Started."),
     ]
 
 
@@ -452,7 +469,7 @@ def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     store.jobs.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
         store.jobs.confirm(job.id)
-    store.gateways.finish(job.id, job.epoch, "cancelled", "")
+    store.gateways.finish(job.id, job.epoch, "cancelled")
     with pytest.raises(WrongState, match="is cancelled"):
         store.jobs.confirm(job.id)
 
@@ -514,8 +531,8 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
         store.gateways.heartbeat(job.id, job.epoch, WAITING)
     row = store.jobs.get(job.id)
     assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
-    assert store.events.of_job(job.id)[-1].why == (
-        "claim given back: The gateway gateway fell silent."
+    assert str(store.events.of_job(job.id)[-1].message) == (
+        "The claim was returned. The gateway gateway fell silent."
     )
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
@@ -560,16 +577,18 @@ def test_a_waiting_job_is_cancelled_at_once_and_its_gateway_drops_it(store: Stor
 
 def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store: Store) -> None:
     job = waiting(store)
-    row = store.gateways.finish(job.id, job.epoch, "returned", "The controller is not idle.")
+    row = store.gateways.finish(
+        job.id, job.epoch, "returned", stored("The controller is not idle.")
+    )
     assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(job.id, job.epoch, "returned", "")
+        store.gateways.finish(job.id, job.epoch, "returned")
 
 
 def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store) -> None:
     job = fed(store)
-    row = store.gateways.finish(job.id, job.epoch, "returned", "Nothing was sent.")
-    assert (row.state, row.reason) == (
+    row = store.gateways.finish(job.id, job.epoch, "returned", stored("Nothing was sent."))
+    assert (row.state, str(row.message)) == (
         "interrupted",
         "Interrupted at line 0 of 231. Nothing was sent.",
     )
@@ -581,7 +600,10 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
     job = waiting(store)
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "hold"
     assert store.jobs.get(job.id).state == "running"
-    assert store.events.of_job(job.id)[-1].why == "started without the operator's confirmation"
+    assert (
+        str(store.events.of_job(job.id)[-1].message)
+        == "Started without the operator's confirmation."
+    )
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
     with pytest.raises(WrongState, match="without a confirmation"):
         store.jobs.resume(job.id)
@@ -655,7 +677,7 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
     job = running(store)
     clock.now += 1.0
     queued(store)
-    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    store.gateways.finish(job.id, job.epoch, "interrupted")
     store.jobs.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
@@ -677,12 +699,15 @@ def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
 
 def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 56, copies=2)
-    row = store.gateways.finish(job.id, job.epoch, "done", "")
+    row = store.gateways.finish(job.id, job.epoch, "done")
     assert (row.state, row.line, row.copies_done) == ("done", LINES, 2)
-    assert (row.reason, row.hint) == ("", "")
+    assert row.message is None
     last = store.events.of_job(job.id)[-1]
-    assert (last.who, last.why) == ("gateway gateway", "reported late: every line was executed")
-    assert store.gateways.finish(job.id, job.epoch, "done", "").state == "done"
+    assert (last.who, str(last.message)) == (
+        "gateway gateway",
+        "Reported late: Every line was executed.",
+    )
+    assert store.gateways.finish(job.id, job.epoch, "done").state == "done"
     assert store.gateways.jobs_on_tables() == {}
 
 
@@ -691,11 +716,11 @@ def test_a_late_report_of_another_end_corrects_the_line(
     store: Store, clock: Clock, outcome: str
 ) -> None:
     job = interrupted(store, clock, 56)
-    row = store.gateways.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    row = store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert (row.state, row.line) == ("interrupted", 77)
-    assert row.reason == "Interrupted at line 77 of 231. A belt tore."
+    assert str(row.message) == "Interrupted at line 77 of 231. A belt tore."
     events = len(course(store, job.id))
-    store.gateways.finish(job.id, job.epoch, outcome, "A belt tore.", line=77)
+    store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert len(course(store, job.id)) == events
 
 
@@ -704,18 +729,18 @@ def test_a_late_report_counts_only_while_the_job_is_interrupted(store: Store, cl
     with pytest.raises(StaleEpoch):
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=60))
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(job.id, job.epoch - 1, "done", "")
+        store.gateways.finish(job.id, job.epoch - 1, "done")
     store.jobs.requeue(job.id)
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(job.id, job.epoch, "done", "")
+        store.gateways.finish(job.id, job.epoch, "done")
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
-    store.gateways.finish(again.id, again.epoch, "interrupted", "")
+    store.gateways.finish(again.id, again.epoch, "interrupted")
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(job.id, job.epoch, "done", "")
+        store.gateways.finish(job.id, job.epoch, "done")
     store.jobs.scrap(job.id)
     with pytest.raises(StaleEpoch):
-        store.gateways.finish(again.id, again.epoch, "done", "")
+        store.gateways.finish(again.id, again.epoch, "done")
 
 
 def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
@@ -723,9 +748,9 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
 ) -> None:
     job = interrupted(store, clock, LINES)
     row = store.jobs.get(job.id)
-    assert row.reason.startswith("Interrupted at line 231 of 231. ")
-    assert "again" not in row.hint
-    assert "finished" in row.hint
+    assert str(row.message).startswith("Interrupted at line 231 of 231. ")
+    assert "again" not in hint_of(row)
+    assert "finished" in hint_of(row)
     with pytest.raises(WrongState) as caught:
         store.jobs.cancel(job.id)
     assert "again" not in caught.value.hint
@@ -738,12 +763,12 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     store.leases.run()
     row = store.jobs.get(job.id)
     assert (row.line, row.copies_done) == (0, 1)
-    assert row.reason.startswith("Interrupted after copy 1 of 3, before a line of the next. ")
-    assert "remaining copies" in row.hint
+    assert str(row.message).startswith("Interrupted after copy 1 of 3, before a line of the next. ")
+    assert "remaining copies" in hint_of(row)
     # The gateway knows better: the second was cut to its end.
-    row = store.gateways.finish(job.id, job.epoch, "interrupted", "", line=0, copies_done=2)
+    row = store.gateways.finish(job.id, job.epoch, "interrupted", line=0, copies_done=2)
     assert row.copies_done == 2
-    assert row.reason.startswith("Interrupted after copy 2 of 3")
+    assert str(row.message).startswith("Interrupted after copy 2 of 3")
 
 
 def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock) -> None:
@@ -754,9 +779,9 @@ def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Cl
 def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: Clock) -> None:
     job = interrupted(store, clock, 200, copies=2)
     row = store.jobs.declare_finished(job.id)
-    assert (row.state, row.line, row.copies_done, row.reason) == ("done", LINES, 2, "")
+    assert (row.state, row.line, row.copies_done, row.message) == ("done", LINES, 2, None)
     last = store.events.of_job(job.id)[-1]
-    assert (last.who, last.why) == ("operator", "declared finished at line 200 of 231")
+    assert (last.who, str(last.message)) == ("operator", "Declared finished at line 200 of 231.")
     with pytest.raises(WrongState, match="is done"):
         store.jobs.declare_finished(job.id)
 
@@ -803,15 +828,15 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
         store.jobs.resume(job.id)
     assert store.jobs.cancel(job.id).requested_action == "cancel"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "cancel"
-    assert store.gateways.finish(job.id, job.epoch, "cancelled", "").state == "cancelled"
+    assert store.gateways.finish(job.id, job.epoch, "cancelled").state == "cancelled"
 
 
 def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store) -> None:
     job = running(store)
-    store.gateways.finish(job.id, job.epoch, "interrupted", "")
+    store.gateways.finish(job.id, job.epoch, "interrupted")
     with pytest.raises(WrongState) as caught:
         store.jobs.cancel(job.id)
-    assert caught.value.hint == store.jobs.get(job.id).hint
+    assert caught.value.hint == hint_of(store.jobs.get(job.id))
     assert caught.value.hint.startswith("Look at the table. Queue the job again")
 
 
@@ -852,7 +877,7 @@ def test_a_worker_that_is_started_again_takes_back_what_it_was_compiling(store: 
     assert again is not None
     assert (again.id, again.epoch, again.attempt) == (job.id, job.epoch + 1, 2)
     with pytest.raises(StaleEpoch):
-        store.compiles.refuse(job.id, job.epoch, "late", "")
+        store.compiles.refuse(job.id, job.epoch, stored("late"))
 
 
 def test_received_jobs_are_compiled_in_the_order_in_which_they_came(store: Store) -> None:
@@ -874,7 +899,7 @@ def test_a_drawing_that_kills_every_compile_is_refused_in_the_end(
     clock.now += LEASE + 0.1
     store.leases.run()
     assert store.jobs.get(job.id).state == "refused"
-    assert "5 compiles" in store.jobs.get(job.id).reason
+    assert "5 compiles" in str(store.jobs.get(job.id).message)
 
 
 def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) -> None:
@@ -904,9 +929,11 @@ def test_a_key_answers_with_the_first_result_and_refuses_another_request(store: 
 
 def test_a_change_to_a_drawing_that_changed_meanwhile_is_refused(store: Store) -> None:
     row = drawing(store)
-    assert store.drawings.change(row.id, row.version, "first", overrides=b"\x01").version == 2
+    assert (
+        store.drawings.change(row.id, row.version, stored("first"), overrides=b"\x01").version == 2
+    )
     with pytest.raises(StaleRevision, match="revision 2") as stale:
-        store.drawings.change(row.id, row.version, "second", overrides=b"\x02")
+        store.drawings.change(row.id, row.version, stored("second"), overrides=b"\x02")
     assert stale.value.revision == 2
     assert store.drawings.column(row.id, "overrides") == b"\x01"
 
@@ -915,14 +942,18 @@ def test_a_change_to_a_drawing_that_was_deleted_meanwhile_is_refused(store: Stor
     row = drawing(store)
     store.drawings.delete(row.id)
     with pytest.raises(NoSuchJob):
-        store.drawings.change(row.id, row.version, "late", overrides=b"\x01")
+        store.drawings.change(row.id, row.version, stored("late"), overrides=b"\x01")
 
 
 def test_what_is_read_of_a_drawing_is_of_one_revision(store: Store) -> None:
     row = drawing(store)
-    store.drawings.change(row.id, 1, "second", overrides=b"\x02", edges=b"two", unit_given="in")
+    store.drawings.change(
+        row.id, 1, stored("second"), overrides=b"\x02", edges=b"two", unit_given="in"
+    )
     read = store.drawings.get_with(row.id, "overrides", "edges")
-    store.drawings.change(row.id, 2, "third", overrides=b"\x03", edges=b"three", unit_given="mm")
+    store.drawings.change(
+        row.id, 2, stored("third"), overrides=b"\x03", edges=b"three", unit_given="mm"
+    )
     seen = (read.version, read.overrides, read.edges, read.unit_given)
     assert seen == (2, b"\x02", b"two", "in")
 
@@ -991,6 +1022,33 @@ def test_a_database_of_before_corners_could_be_chosen_keeps_its_jobs(store: Stor
     store.migrate()
     kept = store.jobs.get(job.id)
     assert (kept.state, kept.corners) == ("queued", None)
+
+
+def test_texts_of_before_there_were_codes_become_messages_and_back(store: Store) -> None:
+    first, second = running(store), ordered(store)
+    store.gateways.finish(first.id, first.epoch, "interrupted", stored("A belt tore."), line=5)
+    shown = store.jobs.get(first.id)
+    text, advice = str(shown.message), hint_of(shown)
+    events = [str(event.message) for event in store.events.of_job(first.id)]
+    settings = Config()
+    settings.set_main_option("script_location", str(MIGRATIONS))
+    engine = sa.create_engine(store.database.url)
+    with engine.begin() as connection:
+        settings.attributes["connection"] = connection
+        command.downgrade(settings, "0007")
+        columns = sa.text("SELECT reason, hint FROM job ORDER BY serial")
+        assert connection.execute(columns).all() == [(text, advice), ("", "")]
+        whys = connection.execute(sa.text("SELECT why FROM event ORDER BY id")).scalars().all()
+        assert set(events) < set(whys)
+        connection.execute(sa.text("UPDATE event SET why = '' WHERE id = 1"))
+    engine.dispose()
+    store.migrate()
+    kept = store.jobs.get(first.id)
+    assert kept.message == Message("stored.text", text=text, hint=advice)
+    assert store.jobs.get(second.id).message is None
+    kept_events = [event.message for event in store.events.after(0)]
+    assert kept_events[0] is None
+    assert stored(events[-1]) in kept_events
 
 
 def test_a_database_of_before_confirmations_keeps_what_runs_and_who_runs_it(store: Store) -> None:

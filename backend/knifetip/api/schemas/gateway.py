@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import Count, Name, Strict
+from knifetip.api.schemas.messages import MessageIn
 
 
 class ClaimIn(Strict):
@@ -65,7 +66,9 @@ class FinishIn(Strict):
     outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
         description="returned: the job is released; nothing was sent to the machine"
     )
-    why: str = Field(default="", max_length=2000)
+    why: Annotated[str, Field(max_length=2000)] | MessageIn = Field(
+        default="", description="Cause: a message, or a text for which there is no code"
+    )
     line: Count | None = Field(
         default=None, description="Last executed line. Default: that of the last heartbeat"
     )

@@ -9,6 +9,7 @@ from pydantic import BaseModel, Field, computed_field
 from knifetip.api.schemas.common import Name, QuestionOut, Strict
 from knifetip.api.schemas.drawings import Override
 from knifetip.api.schemas.messages import MessageOut
+from knifetip.jobs.operator_actions import OperatorAction
 from knifetip.model.stage import Stage
 
 JobState = Literal[
@@ -116,8 +117,16 @@ class JobOut(BaseModel):
 
     id: str
     state: JobState
-    reason: str
-    hint: str
+    actions: list[OperatorAction] = Field(
+        description="Actions that an operator may perform now; each is a route of the job. All "
+        "others are refused with 409"
+    )
+    message: MessageOut | None = Field(
+        description="Why the job was refused or interrupted, or what it waits for; null if there "
+        "is nothing to report"
+    )
+    reason: str = Field(description="Text of `message` in English; empty if it is null")
+    hint: str = Field(description="Hint of `message` in English")
     source: list[str]
     questions: list[QuestionOut]
     drawing: str
@@ -133,8 +142,8 @@ class JobOut(BaseModel):
     waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
         default="",
         description="What the job waits for: the confirmation of table, board and tools; "
-        "the confirmation of the next sheet; the machine; its turn in the queue. `reason` and "
-        "`hint` describe it",
+        "the confirmation of the next sheet; the machine; its turn in the queue. `message` "
+        "describes it",
     )
     tools: list[JobTool] = Field(
         default=[], description="Stations that the program uses; empty before the job is compiled"
@@ -181,7 +190,8 @@ class JobEvent(BaseModel):
     at: float
     state: JobState
     who: str
-    why: str
+    message: MessageOut | None = Field(description="What happened")
+    why: str = Field(description="Text of `message` in English")
 
 
 class FindingOut(MessageOut):

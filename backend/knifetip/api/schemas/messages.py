@@ -5,17 +5,20 @@ Clients may print the text, or render code and arguments with a catalogue of the
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
-from typing import Any, ClassVar, Final
+from typing import Any, ClassVar, Final, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from knifetip.messages import with_text
+from knifetip.messages import Message, from_json, with_text
 from knifetip.messages.codes import CODES
 from knifetip.messages.entry import Kind
 
 #: Key that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"
+#: Greatest size of a message in a request, as JSON (characters).
+_LONGEST: Final = 20_000
 _UNION: Final = "#/components/schemas/Message"
 _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
     "text": {"type": "string"},
@@ -50,6 +53,33 @@ class MessageOut(BaseModel):
         """Accept a message or its JSON data, and add text and hint."""
         plain = with_text(given)
         return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
+
+
+class MessageIn(BaseModel):
+    """A message from a gateway; text and hint are used if the server does not have its code."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    code: str = Field(max_length=100)
+    arguments: dict[str, Any] = {}
+    text: str = Field(default="", max_length=2000)
+    hint: str = Field(default="", max_length=2000)
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        """Refuse arguments that the texts of the code cannot contain."""
+        try:
+            size = len(json.dumps(with_text(self.message)))
+        except (TypeError, ValueError, ArithmeticError, RecursionError) as error:
+            raise ValueError(f"the arguments do not fit the code {self.code}") from error
+        if size > _LONGEST:
+            raise ValueError(f"the message is longer than {_LONGEST} characters")
+        return self
+
+    @property
+    def message(self) -> Message:
+        """The message; ``stored.text`` if the server does not have the code."""
+        return from_json(self.model_dump())
 
 
 def describe_codes(schemas: dict[str, Any]) -> None:

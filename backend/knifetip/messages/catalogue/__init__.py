@@ -11,8 +11,10 @@ from knifetip.messages.catalogue import (
     controller,
     corner,
     drawing,
+    gateway,
     general,
     geometry,
+    grbl,
     hpgl,
     import_outcomes,
     job,
@@ -23,6 +25,7 @@ from knifetip.messages.catalogue import (
     server,
     unit,
     verification,
+    waiting,
 )
 from knifetip.messages.entry import Entries, Entry
 
@@ -42,7 +45,10 @@ _AREAS: Final = (
     hpgl,
     verification,
     controller,
+    grbl,
+    gateway,
     job,
+    waiting,
     library,
     server,
 )

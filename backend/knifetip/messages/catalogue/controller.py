@@ -12,10 +12,10 @@ MESSAGES: Final[Entries] = {
         "Check the table and home the machine ($H) before the next job.",
         name="text",
         code="count",
-        alarm="text",
+        alarm="message",
         due="message?",
     ),
-    "controller.alarm-code": entry("ALARM:{code} ({alarm})", code="count", alarm="text"),
+    "controller.alarm-code": entry("ALARM:{code} ({alarm})", code="count", alarm="message"),
     "controller.alarm-state": entry(
         "{name} reports alarm{due}.",
         "Check the table, then home it ($H) or unlock it ($X).",
@@ -41,6 +41,12 @@ MESSAGES: Final[Entries] = {
         "Wait until it is idle, or reset it at the table; nothing was sent.",
         name="text",
         state="text",
+    ),
+    "controller.check-end-not-confirmed": entry(
+        "{name} did not confirm the end of its check mode within {seconds:g} s.",
+        "Check the table, then try again.",
+        name="text",
+        seconds="number",
     ),
     "controller.closed": entry("The connection to {name} was closed.", name="text"),
     "controller.connection-failed": entry(
@@ -81,13 +87,6 @@ MESSAGES: Final[Entries] = {
         "The connection to {name} is lost.",
         "Check the table: the controller may still execute what is in its buffer.",
         name="text",
-    ),
-    "controller.no-confirmation": entry(
-        "{name} did not confirm {what} within {seconds:g} s.",
-        "Check the table, then try again.",
-        name="text",
-        what="text",
-        seconds="number",
     ),
     "controller.not-in-laser-mode": entry(
         "{name} is not in laser mode, so a hold would leave the beam on.",
@@ -135,7 +134,7 @@ MESSAGES: Final[Entries] = {
         "Check the table, then try again.",
         name="text",
         command="text",
-        error="text",
+        error="message",
         code="count",
     ),
     "controller.rejected-in-check": entry(
@@ -144,7 +143,7 @@ MESSAGES: Final[Entries] = {
         name="text",
         line="count",
         text="text",
-        error="text",
+        error="message",
         code="count",
     ),
     "controller.rejected-line": entry(
@@ -153,7 +152,7 @@ MESSAGES: Final[Entries] = {
         name="text",
         line="count",
         text="text",
-        error="text",
+        error="message",
         code="count",
     ),
     "controller.reports-alarm": entry(
@@ -167,6 +166,12 @@ MESSAGES: Final[Entries] = {
         "itself.",
         name="text",
         due="message?",
+    ),
+    "controller.reset-not-confirmed": entry(
+        "{name} did not confirm its reset within {seconds:g} s.",
+        "Check the table, then try again.",
+        name="text",
+        seconds="number",
     ),
     "controller.silent": entry(
         "{name} has not answered for {seconds:g} s{due}.",

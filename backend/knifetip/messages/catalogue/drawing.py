@@ -12,6 +12,9 @@ MESSAGES: Final[Entries] = {
         "Try again in a moment.",
         drawing="text",
     ),
+    "drawing.deleted": entry(
+        "Deleted.",
+    ),
     "drawing.in-use": entry(
         "Job {job} was made from drawing {drawing}, which is kept as its record.",
         "Only drawings without jobs can be deleted.",
@@ -34,12 +37,25 @@ MESSAGES: Final[Entries] = {
         count="count",
         questions="messages",
     ),
+    "drawing.read": entry(
+        "Read from {name}.",
+        name="text",
+    ),
+    "drawing.reinterpreted": entry(
+        "Unit: {unit:unit}, profile: {profile}.",
+        unit="text",
+        profile="text",
+    ),
     "drawing.stale": entry(
         "Drawing {drawing} is at revision {revision}, and the request names {named}.",
         "Look at the drawing again; if the change is still wanted, repeat the request.",
         drawing="text",
         revision="count",
         named="text",
+    ),
+    "drawing.types-set": entry(
+        "{count:# line type was|# line types were} set.",
+        count="count",
     ),
     "drawing.unit-for-cleaning": entry(
         "The drawing does not state its unit, so the size of specks and gaps is not known.",

@@ -7,10 +7,27 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "job.action-requested": entry(
+        "The operator requested: {action}.",
+        action="text",
+    ),
+    "job.at-line": entry(
+        "At line {line}.",
+        line="count",
+    ),
+    "job.awaits-kernels": entry(
+        "Waiting until the functions that the machine {machine} needs are compiled, once "
+        "after an installation.",
+        "Wait: the job is compiled as soon as they are ready.",
+        machine="text",
+    ),
     "job.being-cancelled": entry(
         "Job {job} is being cancelled.",
         "Wait until the machine has stopped.",
         job="text",
+    ),
+    "job.cancelled": entry(
+        "Cancelled.",
     ),
     "job.cancelled-before-request": entry(
         "Job {job} is being cancelled, so it cannot {request}.",
@@ -18,16 +35,113 @@ MESSAGES: Final[Entries] = {
         job="text",
         request="text",
     ),
+    "job.claim-returned": entry(
+        "The claim was returned. {reason}",
+        reason="message",
+    ),
+    "job.claimed": entry(
+        "Claimed.",
+    ),
+    "job.claimed-to-confirm": entry(
+        "Claimed; waits for the operator's confirmation.",
+    ),
+    "job.compile-cancelled": entry(
+        "The compile was cancelled.",
+    ),
     "job.compile-crashed": entry(
         "Internal error while compiling: {reason}. Nothing was cut.",
         "The server's log has the details.",
         reason="text",
+    ),
+    "job.compile-started": entry(
+        "Attempt {attempt} to compile the job.",
+        attempt="count",
+    ),
+    "job.compiles-died": entry(
+        "{attempts} compiles of the job died, the last in stage {stage}.",
+        "Send a smaller drawing, or report this one as a bug.",
+        attempts="count",
+        stage="text",
+    ),
+    "job.confirmed-sheet": entry(
+        "Confirmed: new sheet, board {board}.",
+        board="text",
+    ),
+    "job.confirmed-table": entry(
+        "Confirmed: table clear, board {board}.",
+        board="text",
+    ),
+    "job.copy-done": entry(
+        "Copy {copy} of {copies} is done.",
+        copy="count",
+        copies="count",
+    ),
+    "job.copy-done-next-sheet": entry(
+        "Copy {copy} of {copies} is done: put a new sheet on the table.",
+        copy="count",
+        copies="count",
+    ),
+    "job.declared-finished": entry(
+        "Declared finished at line {line} of {lines}.",
+        line="count",
+        lines="count",
+    ),
+    "job.executed": entry(
+        "Every line was executed.",
+    ),
+    "job.fully-executed": entry(
+        "Job {job} was executed to its last line ({lines}), so it is not queued again.",
+        "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it.",
+        job="text",
+        lines="count",
+    ),
+    "job.gateway-fell-silent": entry(
+        "The gateway {gateway} fell silent.",
+        gateway="text",
+    ),
+    "job.gateway-lost": entry(
+        "The gateway {gateway} fell silent. The machine may have executed more lines than it "
+        "reported.",
+        gateway="text",
     ),
     "job.gateway-silent": entry(
         "The gateway {gateway} that claimed job {job} does not answer.",
         "Switch on the machine and its gateway, then confirm when the job waits again.",
         gateway="text",
         job="text",
+    ),
+    "job.held-before-start": entry(
+        "Held before the first line.",
+    ),
+    "job.interrupted": entry(
+        "Interrupted at line {line} of {lines}{copy}. {cause}",
+        "{cause:hint} Look at the table. Queue the job again to cut a new sheet from the "
+        "first line, mark it finished if the sheet is complete, or scrap it.",
+        line="count",
+        lines="count",
+        copy="message?",
+        cause="message",
+    ),
+    "job.interrupted-at-end": entry(
+        "Interrupted at line {line} of {lines}{copy}. {cause}",
+        "{cause:hint} Look at the table. Mark the job finished if the sheet is complete, "
+        "otherwise scrap it.",
+        line="count",
+        lines="count",
+        copy="message?",
+        cause="message",
+    ),
+    "job.interrupted-between-copies": entry(
+        "Interrupted after copy {copy} of {copies}, before a line of the next. {cause}",
+        "{cause:hint} Look at the table. Queue the job again for the remaining copies, mark "
+        "it finished, or scrap it.",
+        copy="count",
+        copies="count",
+        cause="message",
+    ),
+    "job.late-report": entry(
+        "Reported late: {report}",
+        report="message",
     ),
     "job.no-confirmation-awaited": entry(
         "Job {job} is {state}, so it waits for no confirmation.",
@@ -62,10 +176,21 @@ MESSAGES: Final[Entries] = {
         job="text",
         machine="text",
     ),
+    "job.nothing-sent": entry(
+        "The gateway sent nothing to the machine.",
+    ),
     "job.nothing-to-confirm": entry(
         "Job {job} is running.",
         "There is nothing to confirm.",
         job="text",
+    ),
+    "job.of-copy": entry(
+        " of copy {copy} of {copies}",
+        copy="count",
+        copies="count",
+    ),
+    "job.ordered": entry(
+        "Ordered.",
     ),
     "job.other-board": entry(
         "Job {job} is for the board {board}, not {given}.",
@@ -76,8 +201,21 @@ MESSAGES: Final[Entries] = {
     ),
     "job.program-refused": entry(
         "The program does not cut what was drawn: {findings: }{more}",
+        "Change the drawing, the line types or the board; nothing was cut.",
         findings="messages",
         more="message?",
+    ),
+    "job.released": entry(
+        "Released.",
+    ),
+    "job.released-by-order": entry(
+        "Released, as its order requested.",
+    ),
+    "job.requeued": entry(
+        "Queued again.",
+    ),
+    "job.scrapped": entry(
+        "Scrapped.",
     ),
     "job.stale-epoch": entry(
         "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch "
@@ -88,7 +226,21 @@ MESSAGES: Final[Entries] = {
         current="count",
         epoch="count",
     ),
+    "job.started": entry(
+        "Started.",
+    ),
+    "job.started-unconfirmed": entry(
+        "Started without the operator's confirmation.",
+    ),
     "job.unknown": entry("There is no job {job}.", "GET /api/jobs lists them.", job="text"),
+    "job.verified": entry(
+        "Compiled and verified.",
+    ),
+    "job.worker-silent": entry(
+        "The worker {worker} stopped responding in stage {stage}.",
+        worker="text",
+        stage="text",
+    ),
     "job.wrong-state": entry(
         "Job {job} is {state}, so it cannot become {goal}.",
         "{advice}",
@@ -110,6 +262,10 @@ MESSAGES: Final[Entries] = {
     "advice.ended": entry("Order it again."),
     "advice.interrupted": entry(
         "Check the table, then mark the job finished, queue it again or scrap it.",
+    ),
+    "advice.of-reason": entry(
+        "{reason:hint}",
+        reason="message",
     ),
     "advice.queued": entry("Wait until its machine has taken it."),
     "advice.ready": entry("Release it first."),

@@ -125,4 +125,13 @@ MESSAGES: Final[Entries] = {
         "Delete one that is not used.",
         limit="count",
     ),
+    "board.named": entry(
+        "{name} ({caliper:g} mm)",
+        name="text",
+        caliper="number",
+    ),
+    "board.not-in-library": entry(
+        "{name}",
+        name="text",
+    ),
 }

@@ -1,0 +1,24 @@
+"""Column type that stores a message as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sqlalchemy as sa
+
+from knifetip.messages import Message, from_json
+
+
+class MessageColumn(sa.TypeDecorator[Message]):
+    """A message in a JSON column; None is stored as NULL."""
+
+    impl = sa.JSON(none_as_null=True)
+    cache_ok = True
+
+    def process_bind_param(self, value: Message | None, dialect: sa.Dialect) -> Any:  # noqa: ARG002
+        """Return the JSON data of a message, None for None."""
+        return None if value is None else value.as_json()
+
+    def process_result_value(self, value: Any, dialect: sa.Dialect) -> Message | None:  # noqa: ARG002
+        """Return the message that JSON data describe, None for None."""
+        return None if value is None else from_json(value)

@@ -1,0 +1,88 @@
+"""Actions of operators, and which of them a job allows in its present state."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from knifetip.jobs.job import LEASED, TRANSITIONS, Action, Confirmation, State, Who
+from knifetip.jobs.tables import Job
+
+
+class OperatorAction(StrEnum):
+    """What an operator can do with a job, in the order in which it is offered."""
+
+    RELEASE = "release"
+    CONFIRM = "confirm"  #: table, board and tools are ready
+    HOLD = "hold"
+    RESUME = "resume"
+    REQUEUE = "requeue"
+    FINISH = "finish"  #: declare an interrupted job finished
+    SCRAP = "scrap"
+    CANCEL = "cancel"
+
+
+#: Actions on a job on a table: the operator requests them, its gateway performs them.
+_REQUESTED = frozenset({Action.HOLD, Action.RESUME, Action.CANCEL})
+
+
+def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
+    """Return the actions that an operator may perform or request.
+
+    Every other action is refused, except that an action that was accepted may be repeated without
+    effect.
+
+    Parameters
+    ----------
+    now
+        Seconds since 1970.
+    """
+    state = State(row.state)
+    allowed = {
+        OperatorAction(transition.action)
+        for transition in TRANSITIONS
+        if transition.source is state
+        and (
+            Who.OPERATOR in transition.actors
+            or (state in LEASED and transition.action in _REQUESTED)
+        )
+    }
+    if awaits_confirmation(row, now):
+        allowed.add(OperatorAction.CONFIRM)
+    if is_fully_executed(row):
+        allowed.discard(OperatorAction.REQUEUE)
+    if state in LEASED:
+        _apply_request(row, state, allowed)
+    return [action for action in OperatorAction if action in allowed]
+
+
+def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
+    """Change the allowed actions of a job on a table by what the operator has requested already."""
+    if row.requested_action == OperatorAction.CANCEL:
+        allowed -= {OperatorAction.HOLD, OperatorAction.RESUME}
+        return
+    # A request that the machine has not carried out can be replaced by the opposite one.
+    if state is State.HELD and row.requested_action == OperatorAction.RESUME:
+        allowed.add(OperatorAction.HOLD)
+    if state is State.RUNNING and (
+        row.requested_action == OperatorAction.HOLD or row.confirmation == Confirmation.SHEET
+    ):
+        allowed.add(OperatorAction.RESUME)
+    if row.confirmation == Confirmation.AWAITED:
+        allowed.discard(OperatorAction.RESUME)
+
+
+def awaits_confirmation(row: Job, now: float) -> bool:
+    """Return whether the job waits for the operator's confirmation and its gateway answers."""
+    return (
+        row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET)
+        and row.requested_action != OperatorAction.CANCEL
+        and not (row.state == State.QUEUED and row.lease < now)
+    )
+
+
+def is_fully_executed(row: Job) -> bool:
+    """Return whether an interrupted job was executed to the last line of its last copy.
+
+    To cut it again would waste a board.
+    """
+    return row.state == State.INTERRUPTED and 0 < row.lines == row.line

@@ -1,0 +1,201 @@
+"""Allowed actions: every listed action is accepted in its state, and every other one is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from knifetip.errors import WrongState
+from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.drawing_store import NewDrawing
+from knifetip.jobs.gateway_store import GatewayReport
+from knifetip.jobs.job import State
+from knifetip.jobs.job_store import JobOrder
+from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
+from knifetip.jobs.store import Store
+from knifetip.jobs.tables import Job
+from knifetip.model.interpretation import Interpretation
+from tests.support.messages import stored
+
+LINES = 90
+WAITING = GatewayReport(line=0, waiting=True)
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    store = Store(f"sqlite:///{tmp_path}/shop.sqlite")
+    store.migrate()
+    yield store
+    store.close()
+
+
+def received(store: Store) -> str:
+    read = NewDrawing("tray.dxf", b"", "0" * 64, Interpretation("mm"), {}, b"", b"")
+    order = JobOrder("table", "e-flute", Interpretation("mm"), copies=2)
+    return store.jobs.add(store.drawings.add(read), order).id
+
+
+def compiling(store: Store) -> str:
+    id = received(store)
+    store.compiles.begin("worker")
+    return id
+
+
+def compiled(store: Store, *, accepted: bool = True) -> str:
+    id = compiling(store)
+    refusal = None if accepted else stored("Edge 3 is 0.4 mm off.")
+    judged = {"seconds": 1.0, "accepted": accepted}
+    result = CompileResult(accepted, refusal, b"M30\n", "ab", LINES, b"", b"", judged)
+    store.compiles.save_result(id, store.jobs.get(id).epoch, result)
+    return id
+
+
+def refused(store: Store) -> str:
+    return compiled(store, accepted=False)
+
+
+def queued(store: Store) -> str:
+    return store.jobs.release(compiled(store)).id
+
+
+def claimed(store: Store, *, manual: bool = True) -> str:
+    id = queued(store)
+    assert store.gateways.claim("table", "gateway", manual=manual) is not None
+    return id
+
+
+def report(store: Store, id: str, progress: GatewayReport) -> None:
+    store.gateways.heartbeat(id, store.jobs.get(id).epoch, progress)
+
+
+def ended(store: Store, id: str, outcome: str, line: int = 5, copies_done: int = 0) -> str:
+    epoch = store.jobs.get(id).epoch
+    store.gateways.finish(id, epoch, outcome, line=line, copies_done=copies_done)
+    return id
+
+
+def running(store: Store) -> str:
+    return claimed(store, manual=False)
+
+
+def running_unconfirmed(store: Store) -> str:
+    id = claimed(store)
+    report(store, id, GatewayReport(line=1))
+    return id
+
+
+def hold_requested(store: Store) -> str:
+    return store.jobs.hold(running(store)).id
+
+
+def held(store: Store) -> str:
+    id = hold_requested(store)
+    report(store, id, GatewayReport(line=5, held=True))
+    return id
+
+
+def resume_requested(store: Store) -> str:
+    return store.jobs.resume(held(store)).id
+
+
+def needing_sheet(store: Store) -> str:
+    id = claimed(store)
+    store.jobs.confirm(id)
+    report(store, id, WAITING)
+    report(store, id, GatewayReport(line=LINES, copies_done=1, held=True))
+    return id
+
+
+def cancel_requested(store: Store) -> str:
+    return store.jobs.cancel(running(store)).id
+
+
+def interrupted(store: Store) -> str:
+    return ended(store, running(store), "interrupted")
+
+
+def executed(store: Store) -> str:
+    return ended(store, running(store), "interrupted", LINES, 1)
+
+
+def done(store: Store) -> str:
+    return ended(store, running(store), "done")
+
+
+def scrapped(store: Store) -> str:
+    return store.jobs.scrap(interrupted(store)).id
+
+
+def cancelled(store: Store) -> str:
+    return store.jobs.cancel(received(store)).id
+
+
+Make = Callable[[Store], str]
+EXPECTED: dict[Make, tuple[State, str]] = {
+    received: (State.RECEIVED, "cancel"),
+    compiling: (State.COMPILING, "cancel"),
+    compiled: (State.READY, "release cancel"),
+    refused: (State.REFUSED, ""),
+    queued: (State.QUEUED, "cancel"),
+    claimed: (State.QUEUED, "confirm cancel"),
+    running: (State.RUNNING, "hold cancel"),
+    running_unconfirmed: (State.RUNNING, "confirm hold cancel"),
+    hold_requested: (State.RUNNING, "hold resume cancel"),
+    held: (State.HELD, "resume cancel"),
+    resume_requested: (State.HELD, "hold resume cancel"),
+    needing_sheet: (State.HELD, "confirm resume cancel"),
+    cancel_requested: (State.RUNNING, "cancel"),
+    interrupted: (State.INTERRUPTED, "requeue finish scrap"),
+    executed: (State.INTERRUPTED, "finish scrap"),
+    done: (State.DONE, ""),
+    scrapped: (State.SCRAPPED, ""),
+    cancelled: (State.CANCELLED, ""),
+}
+METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
+    OperatorAction.RELEASE: lambda store, id: store.jobs.release(id),
+    OperatorAction.CONFIRM: lambda store, id: store.jobs.confirm(id),
+    OperatorAction.HOLD: lambda store, id: store.jobs.hold(id),
+    OperatorAction.RESUME: lambda store, id: store.jobs.resume(id),
+    OperatorAction.REQUEUE: lambda store, id: store.jobs.requeue(id),
+    OperatorAction.FINISH: lambda store, id: store.jobs.declare_finished(id),
+    OperatorAction.SCRAP: lambda store, id: store.jobs.scrap(id),
+    OperatorAction.CANCEL: lambda store, id: store.jobs.cancel(id),
+}
+
+
+def test_every_state_and_every_action_is_covered() -> None:
+    assert {state for state, _ in EXPECTED.values()} == set(State)
+    assert METHODS.keys() == set(OperatorAction)
+
+
+@pytest.mark.parametrize("make", EXPECTED)
+def test_the_allowed_actions_of_a_state_are_listed(store: Store, make: Make) -> None:
+    state, actions = EXPECTED[make]
+    row = store.jobs.get(make(store))
+    listed = [action.value for action in allowed_actions(row, store.database.clock())]
+    assert (row.state, listed) == (state, actions.split())
+
+
+@pytest.mark.parametrize("action", OperatorAction)
+@pytest.mark.parametrize("make", EXPECTED)
+def test_a_listed_action_is_accepted_and_every_other_one_is_refused(
+    store: Store, make: Make, action: OperatorAction
+) -> None:
+    id = make(store)
+    before = store.jobs.get(id)
+    events = len(store.events.of_job(id))
+    if action in EXPECTED[make][1].split():
+        METHODS[action](store, id)
+        return
+    with pytest.raises(WrongState):
+        METHODS[action](store, id)
+    after = store.jobs.get(id)
+    assert (after.state, after.requested_action) == (before.state, before.requested_action)
+    assert len(store.events.of_job(id)) == events
+
+
+def test_a_claim_whose_gateway_is_silent_cannot_be_confirmed(store: Store) -> None:
+    row = store.jobs.get(claimed(store))
+    assert allowed_actions(row, row.lease + 0.1) == [OperatorAction.CANCEL]
