@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections.abc import Callable
 from typing import Protocol, TypeAlias
 
@@ -24,6 +25,8 @@ Compile: TypeAlias = Callable[[Job], None]
 IsReady: TypeAlias = Callable[[str], bool]
 
 _POLL = 0.5  # seconds between two looks for jobs that another process received
+_LOOK = 0.1  # seconds between two looks for kernels that jobs wait for
+_PATIENCE = 2.0  # seconds before a job states that it waits: at a start nothing is known yet
 _PAUSE = 1.0  # seconds before the next attempt after the database could not be used
 
 _log = logging.getLogger("knifetip.jobs")
@@ -60,6 +63,8 @@ class TableQueue:
         self._worker = worker
         self._at_once = at_once
         self._is_ready = is_ready
+        #: when each machine was first found without its kernels (s, monotonic clock)
+        self._unready: dict[str, float] = {}
         self._stopping = threading.Event()
         self._received = threading.Event()
         self._threads: list[threading.Thread] = []
@@ -88,14 +93,17 @@ class TableQueue:
                     if not self._stopping.is_set():
                         _log.exception("a compile failed")
                     self._stopping.wait(_PAUSE)
-                self._received.wait(_POLL)
+                self._received.wait(_LOOK if self._unready else _POLL)
 
     def _next_job(self) -> Job | None:
         """Take the oldest job whose kernels are compiled; None if there is none."""
         machines = self._store.compiles.received_machines()
         unready = [machine for machine in machines if not self._is_ready(machine)]
-        for machine in unready:
-            self._store.compiles.note_waiting(machine)
+        now = time.monotonic()
+        self._unready = {machine: self._unready.get(machine, now) for machine in unready}
+        for machine, since in self._unready.items():
+            if now - since >= _PATIENCE:
+                self._store.compiles.note_waiting(machine)
         return self._store.compiles.begin(self._worker, without=unready) if machines else None
 
     def stop(self) -> None:

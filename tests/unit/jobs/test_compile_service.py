@@ -88,18 +88,19 @@ class UnreadyWarmUp(WarmUp):
 
 
 def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
-    store: Store, compiles_by: Callable[[object], None]
+    store: Store, compiles_by: Callable[[object], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("knifetip.jobs.compile_queue._PATIENCE", 0.0)
     compiles_by(crew_tasks.refuse)
     warm_up = UnreadyWarmUp("drawings", "jobs")
-    routed, cut = ordered(store, "demo-router"), ordered(store)
+    routed, cut = ordered(store, "router-table"), ordered(store)
     service = CompileService(store, ProcessPool(1), "a worker", warm_up=warm_up)
     service.start()
     try:
         ended(store, cut.id, "refused")
         waiting = store.jobs.get(routed.id)
         assert (waiting.state, waiting.attempt) == ("received", 1)
-        assert waiting.message == Message("job.awaits-kernels", machine="demo-router")
+        assert waiting.message == Message("job.awaits-kernels", machine="router-table")
         whys = [event.message for event in store.events.of_job(routed.id)]
         assert whys.count(waiting.message) == 1
         warm_up.compiled.add("offsets")
