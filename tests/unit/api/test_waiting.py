@@ -64,8 +64,8 @@ def queued(store: Store, **more: object) -> Job:
     )
     job = store.compiles.begin("worker")
     assert job is not None
-    judged = {"seconds": 1.0, "accepted": True}
-    made = CompileResult(True, None, b"M30\n", "ab", 90, b"", b"", judged, tools=TOOLS)
+    verdict = {"seconds": 1.0, "accepted": True}
+    made = CompileResult(True, None, b"M30\n", "ab", 90, b"", b"", verdict, tools=TOOLS)
     store.compiles.save_result(row.id, job.epoch, made)
     return store.jobs.get(row.id)
 

@@ -46,8 +46,8 @@ def compiling(store: Store) -> str:
 def compiled(store: Store, *, accepted: bool = True) -> str:
     id = compiling(store)
     refusal = None if accepted else stored("Edge 3 is 0.4 mm off.")
-    judged = {"seconds": 1.0, "accepted": accepted}
-    result = CompileResult(accepted, refusal, b"M30\n", "ab", LINES, b"", b"", judged)
+    verdict = {"seconds": 1.0, "accepted": accepted}
+    result = CompileResult(accepted, refusal, b"M30\n", "ab", LINES, b"", b"", verdict)
     store.compiles.save_result(id, store.jobs.get(id).epoch, result)
     return id
 
