@@ -99,8 +99,8 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
     done = until(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
-    assert "copy 1 of 3 is done: put a new sheet on the table" in whys
-    assert "copy 2 of 3 is done: put a new sheet on the table" in whys
+    assert "Copy 1 of 3 is done: put a new sheet on the table." in whys
+    assert "Copy 2 of 3 is done: put a new sheet on the table." in whys
 
 
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
@@ -135,7 +135,7 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
     until(shop, second, "done")
     events = shop.get(f"/api/jobs/{second}/events").json()
     said = [(event["state"], event["who"], event["why"]) for event in events]
-    assert ("queued", "operator Kim", "confirmed: table clear, board e-flute") in said
+    assert ("queued", "operator Kim", "Confirmed: table clear, board e-flute.") in said
 
 
 def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(

@@ -115,7 +115,12 @@ class TableQueue:
 
 
 def queue_of(
-    store: Store, worker: str, at_once: int, *, compiles: bool, is_ready: IsReady
+    store: Store,
+    worker: str,
+    at_once: int,
+    *,
+    compiles: bool,
+    is_ready: IsReady = lambda _machine: True,
 ) -> CompileQueue | None:
     """Return the queue for a store; None where this process has nothing to do with it.
 
