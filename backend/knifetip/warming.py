@@ -26,6 +26,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.units",
         "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
+        "knifetip.geometry.spatial_index",
         "knifetip.geometry.unique_rows",
         "knifetip.geometry.union_find",
     ),
@@ -35,8 +36,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.compensation",
         "knifetip.sequencing",
         "knifetip.verification",
-        "knifetip.geometry.boxes",
-        "knifetip.geometry.grid",
+        "knifetip.geometry.points_on_segments",
         "knifetip.geometry.intersect",
     ),
     # Offset contours by the radius of a router bit.

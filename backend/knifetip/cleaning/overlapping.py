@@ -17,8 +17,13 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.cleaning.edge_parameter import circle_of, middle_of, range_of, size_of
-from knifetip.geometry.boxes import STACK, next_near, tree, tree_size
 from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.spatial_index.box_tree import (
+    build_tree,
+    new_stack,
+    next_overlap,
+    start_query,
+)
 from knifetip.geometry.tolerance import ANGLE, BULGE, SAME
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, kernel
 
@@ -118,11 +123,7 @@ def _overlapping(
     same: float,
 ) -> Any:
     count = len(rows)
-    nodes = np.empty((tree_size(count), 4))
-    nodes[:count] = boxes
-    level = np.empty(24, np.int64)
-    height = tree(nodes, count, level)
-    stack = np.empty((STACK, 2), np.int64)
+    tree, stack = build_tree(boxes), new_stack()
     other = np.empty((1, 4))
     found = np.empty((64, 2), np.int64)
     size = 0
@@ -143,15 +144,13 @@ def _overlapping(
                 other[0, 3] += shelf * reach
                 box = other[0]
                 after = -1
-            stack[0, 0] = height
-            stack[0, 1] = 0
-            depth = 1
+            depth = start_query(tree, stack)
             partners = 0
             looks = 0
             while partners < _CROWD and looks < _LOOKS:
                 looks += 1
-                j, depth = next_near(
-                    nodes, level, stack, depth, box[0], box[1], box[2], box[3], after
+                j, depth = next_overlap(
+                    tree.boxes, tree.level, stack, depth, box[0], box[1], box[2], box[3], after
                 )
                 if j < 0:
                     break

@@ -24,8 +24,8 @@ from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.path import Paths, insert_gaps, reverse_paths, start_in_middle
+from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import JOIN, POINT
 from knifetip.messages import Message
 from knifetip.model.operation import Operation
@@ -373,7 +373,7 @@ def _lead_in(
     for tried in reversed(_LEAD_FRACTIONS[:-1]):
         checks = np.arange(1, _LEAD_CHECKS + 1) / _LEAD_CHECKS * tried
         points = (arrived[:, None] + checks[None, :, None] * away[:, None]).reshape(-1, 2)
-        hit = points_on_segments(
+        hit = find_points_on_segments(
             points, np.full(len(points), -1, np.int32), paths.start, paths.end, paths.bulge, near
         )
         share = np.where(hit.reshape(-1, _LEAD_CHECKS).any(axis=1), share, tried)

@@ -144,17 +144,19 @@ def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
     """Return the bounding box of each line or arc, (n, 4) mm: x min, y min, x max, y max."""
     low = np.minimum(start, end)
     high = np.maximum(start, end)
-    round_ = np.abs(bulge) >= BULGE
-    if round_.any():
+    arcs = np.flatnonzero(np.abs(bulge) >= BULGE)
+    if len(arcs):
+        start, end, bulge = start[arcs], end[arcs], bulge[arcs]
         middle = centre(start, end, bulge)
-        size = np.where(round_, radius(start, end, bulge), 0.0)
+        size = radius(start, end, bulge)
         theta = sweep(bulge)
         first = np.arctan2(*(start - middle).T[::-1])
         for quarter in range(4):
             axis = quarter * np.pi / 2.0
             along = np.where(theta > 0, axis - first, first - axis) % (2.0 * np.pi)
-            hit = round_ & (along < np.abs(theta))
+            hit = along < np.abs(theta)
             extreme = middle + size[:, None] * np.array([np.cos(axis), np.sin(axis)])
-            low[hit] = np.minimum(low[hit], extreme[hit])
-            high[hit] = np.maximum(high[hit], extreme[hit])
+            rows, extreme = arcs[hit], extreme[hit]
+            low[rows] = np.minimum(low[rows], extreme)
+            high[rows] = np.maximum(high[rows], extreme)
     return np.hstack([low, high])

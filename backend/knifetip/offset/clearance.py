@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from knifetip.geometry.boxes import next_near
 from knifetip.geometry.intersect import circle_of_arc
+from knifetip.geometry.spatial_index.box_tree import BoxTree, next_overlap, start_query
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import F64_2, OutI64_2, kernel
 from knifetip.offset.raw_segments import CONVEX, U1X, U1Y, U2X, U2Y
-from knifetip.offset.records import BoxTree, RegionCorners
+from knifetip.offset.records import RegionCorners
 from knifetip.offset.transition import straight_and_radius
 
 #: Rounding error that is allowed in the distance between an offset and its contour (mm).
@@ -133,11 +133,9 @@ def is_clear(
     """
     size = abs(signed)
     around = size * 1.4142135623731 if corners.capped else limit
-    stack[0, 0] = tree.height
-    stack[0, 1] = 0
-    depth = 1
+    depth = start_query(tree, stack)
     while True:
-        i, depth = next_near(
+        i, depth = next_overlap(
             tree.boxes,
             tree.level,
             stack,
@@ -187,11 +185,9 @@ def nearest_segment(
     """
     best = around
     which = skip
-    stack[0, 0] = tree.height
-    stack[0, 1] = 0
-    depth = 1
+    depth = start_query(tree, stack)
     while True:
-        i, depth = next_near(
+        i, depth = next_overlap(
             tree.boxes, tree.level, stack, depth, x - best, y - best, x + best, y + best, -1
         )
         if i < 0:

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.geometry.boxes import Scratch
 from knifetip.kernels import kernel
 from knifetip.offset.raw_segments import COLUMNS, NO_FAILURE, move_segments
 from knifetip.offset.records import (
@@ -22,6 +21,7 @@ from knifetip.offset.records import (
     RegionOffset,
 )
 from knifetip.offset.region import offset_region, unreached_area
+from knifetip.offset.self_contact import Scratch
 from knifetip.offset.transition import MAX_SEGMENTS
 from knifetip.offset.trim import offset_simple
 

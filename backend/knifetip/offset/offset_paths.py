@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
-from knifetip.geometry.boxes import where_met
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.offset.batch import offset_on_all_cores
 from knifetip.offset.raw_segments import NO_FAILURE, NO_LENGTH, NOT_A_NUMBER, NOT_CLOSED
+from knifetip.offset.self_contact import where_met
 from knifetip.offset.transition import Corner, check_corners
 
 

@@ -7,7 +7,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry.boxes import FAN
+from knifetip.geometry.spatial_index.box_tree import NODE_SIZE
+from knifetip.geometry.spatial_index.morton import morton_code
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_2, I32_1, OutF64_2, OutI64_1, kernel
 from knifetip.offset.raw_segments import (
@@ -45,7 +46,7 @@ def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
     A tree of boxes over paths in this order is searched fast.
     """
     count = len(member)
-    if count <= FAN:
+    if count <= NODE_SIZE:
         return member.copy()
     low_x = low_y = math.inf
     high_x = high_y = -math.inf
@@ -64,9 +65,7 @@ def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
             continue
         x_cell = int((start[first[path], 0] - low_x) / side * (GRID_CELLS - 1))
         y_cell = int((start[first[path], 1] - low_y) / side * (GRID_CELLS - 1))
-        for bit in range(15):
-            code[m] |= ((x_cell >> bit) & 1) << (2 * bit)
-            code[m] |= ((y_cell >> bit) & 1) << (2 * bit + 1)
+        code[m] = morton_code(x_cell, y_cell)
     return member[np.argsort(code, kind="mergesort")]
 
 

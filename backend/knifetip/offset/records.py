@@ -80,14 +80,6 @@ class RegionCorners(NamedTuple):
     capped: bool  #: whether any corner is of type C or D
 
 
-class BoxTree(NamedTuple):
-    """A tree of bounding boxes over rows, as ``geometry.boxes`` builds it."""
-
-    boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the rows, then of the nodes above them
-    level: I64_1  #: (24,) first box of each height of the tree
-    height: int  #: height of the root
-
-
 class JoinedPieces(NamedTuple):
     """The q pieces of split rows, and which piece continues which."""
 

@@ -13,8 +13,8 @@ import math
 
 import numpy as np
 
-from knifetip.geometry.boxes import STACK, Scratch, any_meet, tree, tree_size
 from knifetip.geometry.intersect import point_at_parameter, write_box
+from knifetip.geometry.spatial_index.box_tree import BoxTree, build_tree, new_stack
 from knifetip.kernels import (
     F64_2,
     I32_1,
@@ -37,7 +37,6 @@ from knifetip.offset.raw_segments import (
     NOT_CLOSED,
 )
 from knifetip.offset.records import (
-    BoxTree,
     Contours,
     CornerTypes,
     JoinedPieces,
@@ -47,6 +46,7 @@ from knifetip.offset.records import (
     RegionPaths,
     ResultChains,
 )
+from knifetip.offset.self_contact import Scratch, any_meet
 from knifetip.offset.slices import find_cuts, follow_pieces, link_chains, split_rows
 from knifetip.offset.swept_area import area_under_edge, area_under_path
 
@@ -54,11 +54,10 @@ from knifetip.offset.swept_area import area_under_edge, area_under_path
 @kernel
 def _build_tree(rows: F64_2, count: int) -> BoxTree:
     """Return a tree of boxes over the first ``count`` rows (x0, y0, x1, y1, bulge)."""
-    boxes = np.empty((tree_size(count), 4))
-    level = np.empty(24, np.int64)
+    boxes = np.empty((count, 4))
     for i in range(count):
         write_box(rows, i, boxes, i)
-    return BoxTree(boxes, level, tree(boxes, count, level))
+    return build_tree(boxes)
 
 
 @kernel
@@ -242,7 +241,7 @@ def offset_region(
         if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
             a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
             put = write_far_side(contours, a, b, signed, raw, put)
-    stack = np.empty((STACK, 2), np.int64)
+    stack = new_stack()
     which, place, cuts = find_cuts(
         raw.rows, follow, put, real, _build_tree(raw.rows, put), stack, scratch.found
     )

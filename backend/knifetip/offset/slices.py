@@ -10,8 +10,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry.boxes import apart, next_near
 from knifetip.geometry.intersect import TOUCH, intersect_rows
+from knifetip.geometry.spatial_index.box_tree import BoxTree, next_overlap, start_query
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
     F64_2,
@@ -21,7 +21,8 @@ from knifetip.kernels import (
     OutI64_2,
     kernel,
 )
-from knifetip.offset.records import BoxTree, JoinedPieces, RawRows, ResultChains
+from knifetip.offset.records import JoinedPieces, RawRows, ResultChains
+from knifetip.offset.self_contact import apart
 
 #: Length of the shortest piece (mm); a shorter one is an intersection that rounding has split.
 MIN_PIECE: Final = 1e-7
@@ -74,11 +75,9 @@ def find_cuts(
     place = np.empty((room, 3))
     done = 0
     for i in range(real):
-        stack[0, 0] = tree.height
-        stack[0, 1] = 0
-        depth = 1
+        depth = start_query(tree, stack)
         while True:
-            j, depth = next_near(
+            j, depth = next_overlap(
                 tree.boxes,
                 tree.level,
                 stack,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 
-from knifetip.geometry.boxes import CheckedSegments, Scratch, meets_itself
 from knifetip.geometry.intersect import TOUCH
 from knifetip.geometry.tolerance import POINT
 from knifetip.kernels import F64_2, OutF64_2, kernel
@@ -43,6 +42,7 @@ from knifetip.offset.records import (
     OffsetGroups,
     OffsetSegments,
 )
+from knifetip.offset.self_contact import CheckedSegments, Scratch, meets_itself
 from knifetip.offset.transition import MAX_SEGMENTS, quarter_tangent, write_transition
 
 

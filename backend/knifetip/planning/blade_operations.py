@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.geometry.columns import I8, I32, I64, Bool
-from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.path import (
     Paths,
     insert_gaps,
@@ -19,6 +18,7 @@ from knifetip.geometry.path import (
     start_in_middle,
     trim_ends,
 )
+from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import ANGLE, GAP
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
@@ -155,7 +155,9 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     ends, bulge = dieline.ends[cut], dieline.bulge[cut]
     index = np.full(len(dieline), -1, np.int32)
     index[cut] = np.arange(len(cut))
-    return points_on_segments(points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP)
+    return find_points_on_segments(
+        points, index[source[segment]], ends[:, 0], ends[:, 1], bulge, GAP
+    )
 
 
 def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:

@@ -16,8 +16,8 @@ import numpy as np
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I32, I64
-from knifetip.geometry.grid import points_on_segments
 from knifetip.geometry.path import Paths
+from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
 from knifetip.kernels import F64_1, I64_1, Bool_1, kernel
 from knifetip.planning.creases import find_cut_crossings
@@ -58,7 +58,7 @@ def merge_dashes(
     barred = np.ones((2, len(rows)), np.bool_)
     if cuts is not None:
         cut_ends, cut_bulge = cuts
-        barred = points_on_segments(
+        barred = find_points_on_segments(
             np.concatenate([near, far]),
             np.full(2 * len(rows), -1, np.int32),
             cut_ends[:, 0],

@@ -24,10 +24,10 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64
-from knifetip.geometry.grid import points_on_segments
+from knifetip.geometry.points_on_segments import find_points_on_segments
+from knifetip.geometry.spatial_index.box_tree import box_pairs
 from knifetip.geometry.tolerance import CONTOUR_GAP, JOIN
 from knifetip.kernels import F64_1, F64_2, I64_1, Bool_1, kernel
-from knifetip.planning.box_pairs import box_pairs
 
 #: Least ratio of the path along a chain to the gap that closes it.
 _CHAIN_FACTOR: Final = 3.0
@@ -44,7 +44,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]
     own = np.repeat(np.arange(len(ends), dtype=np.int32), 2)
-    loose = ~points_on_segments(points, own, start, end, bulge, JOIN)
+    loose = ~find_points_on_segments(points, own, start, end, bulge, JOIN)
     tips = np.flatnonzero(loose)
     if len(tips) == 0:
         return np.zeros((0, 2, 2))

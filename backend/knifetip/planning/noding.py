@@ -13,8 +13,8 @@ from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.intersect import intersect_pairs
+from knifetip.geometry.spatial_index.box_tree import box_pairs
 from knifetip.geometry.tolerance import JOIN
-from knifetip.planning.box_pairs import box_pairs
 
 #: Limit for the pairs of cuts whose boxes overlap, to bound the memory.
 _MOST_PAIRS: Final = 5_000_000

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32
-from knifetip.kernels import F64_1, F64_2, F64_2A, I64_1, OutF64_1, OutI32_1, OutI64_1, kernel
+from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
+from knifetip.kernels import F64_1, F64_2, F64_2A, I32_1, OutF64_1, OutI32_1, kernel
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
@@ -38,10 +39,9 @@ def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
     extent = np.maximum(start.max(axis=0) - low, 1e-3)
     side = max(1, math.isqrt(len(start) // 2))
     size = extent / side
-    cell = np.minimum(((start - low) / size).astype(np.int64), side - 1)
-    key = cell[:, 0] * side + cell[:, 1]
-    listed = np.argsort(key, kind="stable")
-    first = np.searchsorted(key[listed], np.arange(side * side + 1))
+    cell = np.minimum(((start - low) / size).astype(np.int32), side - 1)
+    key = cell[:, 0] * np.int32(side) + cell[:, 1]
+    first, listed = group_by_cell(key, side * side, np.arange(len(key), dtype=np.int32))
     return _search_rings(start, end, origin, low, size, side, listed, first, key, count)
 
 
@@ -53,9 +53,9 @@ def _search_rings(
     low: F64_1,
     size: F64_1,
     side: int,
-    listed: OutI64_1,
-    first: I64_1,
-    key: I64_1,
+    listed: OutI32_1,
+    first: I32_1,
+    key: I32_1,
     count: int,
 ) -> Any:
     """Search the grid in growing rings; a track that is found is removed from its cells."""
@@ -65,8 +65,8 @@ def _search_rings(
     y = origin[1]
     least = min(size[0], size[1])
     for step in range(count):
-        column = min(max(int((x - low[0]) / size[0]), 0), side - 1)
-        row = min(max(int((y - low[1]) / size[1]), 0), side - 1)
+        column = cell_of(x, low[0], size[0], side)
+        row = cell_of(y, low[1], size[1], side)
         best = -1
         reach = np.inf
         ring = 0
@@ -110,11 +110,13 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
     side = max(1, int(math.sqrt(count)))
     wide = max((point[:, 0].max() - low_x) / side, 1e-3)
     high = max((point[:, 1].max() - low_y) / side, 1e-3)
-    column = np.minimum(((point[:, 0] - low_x) / wide).astype(np.int64), side - 1)
-    row = np.minimum(((point[:, 1] - low_y) / high).astype(np.int64), side - 1)
-    key = column * side + row
-    listed = np.argsort(key, kind="mergesort")
-    first = np.searchsorted(key[listed], np.arange(side * side + 1))
+    column, row = np.empty(2 * count, np.int64), np.empty(2 * count, np.int64)
+    cell = np.empty(2 * count, np.int32)
+    for k in range(2 * count):
+        column[k] = cell_of(point[k, 0], low_x, wide, side)
+        row[k] = cell_of(point[k, 1], low_y, high, side)
+        cell[k] = column[k] * side + row[k]
+    first, listed = group_by_cell(cell, side * side, np.arange(2 * count).astype(np.int32))
     near = np.empty((count, wanted), np.int32)
     far = np.empty((count, wanted))
     for track in range(count):

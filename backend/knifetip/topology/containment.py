@@ -6,7 +6,7 @@ A ray downwards from the lowest point of a component first hits either the bound
 that holds the component, or a neighbouring component in the same face.  The edges are split into
 spans, which run from left to right, so that a vertical ray meets each of them at most once.
 
-The rays walk through a grid of cells: the time is linear in the number of edges, but for sorting.
+The spans that a ray can hit are found with a tree of bounding boxes.
 """
 
 from __future__ import annotations
@@ -18,14 +18,21 @@ import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.spatial_index.box_tree import (
+    build_tree,
+    new_stack,
+    next_overlap,
+    start_query,
+)
+from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI64_1, kernel
 
 #: Columns of a span: its left and right end (4), the centre and the radius of its circle (3), and
 #: whether it is on the upper half of the circle (1), on the lower half (-1), or straight (0).
 _SPAN: Final = 8
-#: Limit for the mean number of cells that a span has in one row or one column of the grid.
-_CROWDED: Final = 4.0
+#: By how much boxes are enlarged, for rounding (mm).
+_MARGIN: Final = 1e-6
 
 
 def enclosing_by_rays(
@@ -59,10 +66,11 @@ def enclosing_by_rays(
     if len(spans) == 0:
         return np.full(count, -1, np.int64), np.zeros(count, np.int64)
     owner = component[above // 2]
-    low, size, shape = _grid_layout(spans)
     lowest = _lowest_points(start, end, component, spans, owner, count)
-    first, listed = _fill_cells(spans, low, size, shape)
-    hit = _first_below(lowest, spans, owner, low, size, shape, first, listed)
+    boxes = _boxes_of_spans(spans)
+    # The uppermost spans come first, so that a ray meets its span early.
+    order = order_boxes(boxes)[::-1].copy()
+    hit = _first_below(lowest, spans, owner, boxes[order], order)
     # A component that is hit has a lower lowest point, so its enclosing face is found earlier.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
@@ -179,108 +187,62 @@ def _lowest_points(
     return lowest
 
 
-def _grid_layout(spans: F64) -> tuple[F64, F64, I64]:
-    """Return lower left corner, cell size, and number of columns and rows of a grid over spans."""
-    bow = np.where(spans[:, 7] == 0.0, 0.0, 2.0 * spans[:, 6])
-    low = np.array([spans[:, 0].min(), (np.minimum(spans[:, 1], spans[:, 3]) - bow).min()])
-    high = np.array([spans[:, 2].max(), (np.maximum(spans[:, 1], spans[:, 3]) + bow).max()])
-    extent = np.maximum(high - low, 1e-6)
-    # The cells that a span lies in must not grow in number with the spans.
-    wide = (spans[:, 2] - spans[:, 0]).mean() / extent[0]
-    tall = (np.abs(spans[:, 3] - spans[:, 1]) + bow).mean() / extent[1]
-    most = np.array([_CROWDED / max(wide, 1e-9), _CROWDED / max(tall, 1e-9)])
-    side = math.sqrt(len(spans))
-    columns = max(1.0, min(side, most[0]))
-    rows = max(1.0, min(len(spans) / columns, most[1]))
-    columns = max(columns, min(len(spans) / rows, most[0]))
-    shape = np.array([int(columns), int(rows)])
-    return low, extent / shape, shape
-
-
-@kernel(checks_division=True)
-def _rows_in_column(span: F64_1, column: int, low: F64_1, size: F64_1, shape: I64_1) -> Any:
-    """Return the first and last row of the grid that a span passes in a column."""
-    x0 = max(low[0] + column * size[0], span[0])
-    x1 = min(low[0] + (column + 1) * size[0], span[2])
-    a, b = _height_at(span, x0), _height_at(span, x1)
-    y0, y1 = min(a, b), max(a, b)
-    if span[7] != 0.0 and x0 < span[4] < x1:
-        top = span[5] + span[7] * span[6]
-        y0, y1 = min(y0, top), max(y1, top)
-    # A margin for rounding.
-    first = int((y0 - 1e-6 - low[1]) / size[1])
-    last = int((y1 + 1e-6 - low[1]) / size[1])
-    return min(max(first, 0), shape[1] - 1), min(max(last, 0), shape[1] - 1)
-
-
-@kernel(checks_division=True)
-def _column_of(x: float, low: F64_1, size: F64_1, shape: I64_1) -> int:
-    """Return the column of the grid that contains x."""
-    return int(min(max(int((x - low[0]) / size[0]), 0), shape[0] - 1))
-
-
 @kernel
-def _fill_cells(spans: F64_2, low: F64_1, size: F64_1, shape: I64_1) -> Any:
-    """Return the spans in each cell, in compressed rows: offsets and span numbers."""
-    first = np.zeros(shape[0] * shape[1] + 1, np.int64)
-    listed = np.empty(0, np.int32)
-    # The first pass counts, the second writes.
-    for writes in range(2):
-        for i in range(len(spans)):
-            begin = _column_of(spans[i, 0] - 1e-6, low, size, shape)
-            end = _column_of(spans[i, 2] + 1e-6, low, size, shape)
-            for column in range(begin, end + 1):
-                bottom, top = _rows_in_column(spans[i], column, low, size, shape)
-                for row in range(bottom, top + 1):
-                    cell = column * shape[1] + row
-                    if writes:
-                        first[cell] -= 1
-                        listed[first[cell]] = i
-                    else:
-                        first[cell] += 1
-        if not writes:
-            for cell in range(len(first) - 1):
-                first[cell + 1] += first[cell]
-            listed = np.empty(first[-1], np.int32)
-    return first, listed
+def _boxes_of_spans(spans: F64_2) -> Any:
+    """Return the bounding box of each span, (k, 4), enlarged for rounding."""
+    boxes = np.empty((len(spans), 4))
+    for i in range(len(spans)):
+        boxes[i, 0], boxes[i, 2] = spans[i, 0], spans[i, 2]
+        y0, y1 = min(spans[i, 1], spans[i, 3]), max(spans[i, 1], spans[i, 3])
+        if spans[i, 7] != 0.0 and spans[i, 0] < spans[i, 4] < spans[i, 2]:
+            top = spans[i, 5] + spans[i, 7] * spans[i, 6]
+            y0, y1 = min(y0, top), max(y1, top)
+        boxes[i, 1], boxes[i, 3] = y0 - _MARGIN, y1 + _MARGIN
+    return boxes
 
 
 @kernel(checks_division=True)
-def _first_below(
-    lowest: F64_2,
-    spans: F64_2,
-    owner: I32_1,
-    low: F64_1,
-    size: F64_1,
-    shape: I64_1,
-    first: I64_1,
-    listed: I32_1,
-) -> Any:
-    """Return the first span of another component below each point, -1 for none.
+def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
+    """Return the first span of another component below the lowest point of each component.
 
     The ray is taken infinitesimally to the right of the point: spans that start at its x are hit,
-    and of two that start at one point the steeper one is the upper.
+    and of two that start at one point the steeper one is the upper.  Of spans that are equal in
+    this the last one is returned.
+
+    Parameters
+    ----------
+    lowest : (c, 2)
+        Lowest point of each component.
+    spans, owner : (k, 8) and (k,)
+        Spans, and the component of each.
+    boxes, order : (k, 4) and (k,)
+        Bounding boxes of the spans in an order for a ``BoxTree``, and the span of each.
+
+    Returns
+    -------
+    hit : (c,)
+        Span, -1 if there is none.
     """
     hit = np.full(len(lowest), -1, np.int64)
+    tree, stack = build_tree(boxes), new_stack()
     for c in range(len(lowest)):
         x, y = lowest[c, 0], lowest[c, 1]
-        column = _column_of(x, low, size, shape)
-        row = min(max(int((y - low[1]) / size[1]), 0), shape[1] - 1)
         best, steep = -math.inf, -math.inf
-        while row >= 0:
-            cell = column * shape[1] + row
-            for k in range(first[cell], first[cell + 1]):
-                i = listed[k]
-                if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
-                    continue
-                height = _height_at(spans[i], x)
-                if height >= y or height < best:
-                    continue
-                slope = _slope_at(spans[i], x)
-                if height > best or slope > steep:
-                    best, steep = height, slope
-                    hit[c] = i
-            if hit[c] >= 0 and best >= low[1] + row * size[1]:
+        depth = start_query(tree, stack)
+        while True:
+            at, depth = next_overlap(
+                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y, -1
+            )
+            if at < 0:
                 break
-            row -= 1
+            i = order[at]
+            if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
+                continue
+            height = _height_at(spans[i], x)
+            if height >= y or height < best:
+                continue
+            slope = _slope_at(spans[i], x)
+            if height > best or slope > steep or (slope == steep and i > hit[c]):
+                best, steep = height, slope
+                hit[c] = i
     return hit

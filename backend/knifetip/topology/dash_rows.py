@@ -14,8 +14,9 @@ import numpy as np
 from knifetip.geometry.capacity import double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.parallel import chunks, parallel_map
+from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
-from knifetip.topology.edge_grid import EdgeGrid, cell_of, group_by_cell
+from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.intersections import MIN_CHUNK
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import BULGE, chord_length, outward_direction

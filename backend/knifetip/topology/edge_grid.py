@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from knifetip.geometry.columns import F64
+from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutF64_1, OutF64_2, kernel
 from knifetip.topology.segment import BULGE
 
@@ -84,12 +85,6 @@ def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None
             bounds[axis + 2] = max(bounds[axis + 2], boxes[i, axis + 2])
 
 
-@kernel(allocates=False)
-def cell_of(value: float, low: float, size: float, side: int) -> int:
-    """Return the row or column of a coordinate; outside the grid the nearest border cell."""
-    return min(max(int((value - low) / size), 0), side - 1)
-
-
 @kernel
 def _y_range(
     ends: F64_3, bulge: F64_1, boxes: F64_2, i: int, left: float, right: float, pad: float
@@ -136,22 +131,3 @@ def _cells_of_edges(
                 cell[total], edge[total] = r * side + c, i
                 total += 1
     return cell[:total], edge[:total]
-
-
-@kernel
-def group_by_cell(cell: I32_1, cells: int, listed: I32_1) -> Any:
-    """Group ``listed`` by cell: return the start of each cell's group, and the groups.
-
-    Entries whose cell is -1 are left out.
-    """
-    begins = np.zeros(cells + 1, np.int32)
-    for one in cell:
-        begins[one + 1] += one >= 0
-    begins = np.cumsum(begins).astype(np.int32)
-    ordered = np.empty(begins[-1], np.int32)
-    put = begins[:-1].copy()
-    for k in range(len(cell)):
-        if cell[k] >= 0:
-            ordered[put[cell[k]]] = listed[k]
-            put[cell[k]] += 1
-    return begins, ordered

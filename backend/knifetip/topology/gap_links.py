@@ -10,6 +10,7 @@ import numpy as np
 from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.parallel import chunks, parallel_map
+from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import (
     F64_1,
     F64_2,
@@ -24,7 +25,7 @@ from knifetip.kernels import (
     OutI32_2,
     kernel,
 )
-from knifetip.topology.edge_grid import EdgeGrid, cell_of
+from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.intersections import MIN_CHUNK, Splits
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import (

@@ -10,8 +10,9 @@ import numpy as np
 from knifetip.geometry.capacity import double_f64, double_f64_2, double_i32, double_i32_2
 from knifetip.geometry.columns import F64
 from knifetip.geometry.parallel import chunks, core_count, parallel_map
+from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I32_2, OutI32_1, kernel
-from knifetip.topology.edge_grid import EdgeGrid, cell_of
+from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import BULGE, chord_length, crossing_shares, distance_to
 from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity

@@ -13,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.spatial_index.morton import morton_code
 from knifetip.kernels import F64_3, kernel
 
 #: Fewer edges fit into the cache in any order.
@@ -34,14 +35,6 @@ def spatial_order(ends: F64) -> I64 | None:
         return None
     order: I64 = _by_cell(ends, left, low, _CELLS / size)
     return order
-
-
-@kernel
-def _spread(number: int) -> int:
-    """Return a number of eight bits with a 0 inserted between its bits."""
-    number = (number | number << 4) & 0x0F0F
-    number = (number | number << 2) & 0x3333
-    return (number | number << 1) & 0x5555
 
 
 @kernel
@@ -75,7 +68,7 @@ def _by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
     for i in range(count):
         column = min(int((ends[i, 0, 0] - left) * scale), _CELLS - 1)
         row = min(int((ends[i, 0, 1] - low) * scale), _CELLS - 1)
-        cell[i] = _spread(column) | _spread(row) << 1
+        cell[i] = morton_code(column, row)
         first[cell[i] + 1] += 1
     first = np.cumsum(first)
     order = np.empty(count, np.int64)

@@ -15,6 +15,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.parallel import chunks, parallel_map
+from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutBool_1, OutI32_1, inline_kernel, kernel
 from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.intersections import MIN_CHUNK
@@ -82,8 +83,8 @@ def _find_left(
     low, size, side, first, listed = grid
     for c in range(begin, end):
         x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
-        line = min(max(int((y - low[1]) / size[1]), 0), side - 1)
-        column = min(max(int((x - low[0]) / size[0]), 0), side - 1)
+        line = cell_of(y, low[1], size[1], side)
+        column = cell_of(x, low[0], size[0], side)
         best, found = -np.inf, -1
         while column >= 0:
             cell = line * side + column

@@ -1,10 +1,8 @@
-"""boxes: find segments whose bounding boxes meet, with a packed tree of boxes.
+"""self_contact: find segments of an offset path that have a common point.
 
-    boxes of segments -> pairs whose boxes meet
-
-Each node of the tree has eight boxes.  Rows are in the order of their path, or of a space-filling
-curve for many paths, so building and searching take O(n log n).  Short paths are compared with
-themselves shifted by two, three, … rows, which takes few instructions for many pairs.
+Segments are compared if their bounding boxes overlap.  The boxes of a short path are compared with
+the same boxes shifted by two, three, … rows, which takes few instructions for many pairs; those of
+a long path are found with a tree.
 """
 
 from __future__ import annotations
@@ -14,27 +12,25 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from knifetip.geometry.intersect import TOUCH, intersect_rows
+from knifetip.geometry.spatial_index.box_tree import (
+    build_tree,
+    new_stack,
+    next_overlap,
+    start_query,
+)
 from knifetip.kernels import (
     F64_1,
     F64_2,
-    I64_1,
     Bool_1,
     OutF64_1,
     OutF64_2,
-    OutI64_1,
-    OutI64_2,
     kernel,
 )
 
-#: Children of a node in the tree of boxes.
-FAN_BITS: Final = 3
-FAN: Final = 1 << FAN_BITS
 #: Largest number of rows for which all pairs of boxes are compared; above it a tree is used.
 FEW: Final = 256
 #: Rows of a block, for few rows.
 BLOCK: Final = 4
-#: Size of the stack, enough for all levels of a tree.
-STACK: Final = 16 * FAN
 
 
 class CheckedSegments(NamedTuple):
@@ -51,85 +47,6 @@ class Scratch(NamedTuple):
 
     pair: OutF64_2  #: (4, 5) rows
     found: OutF64_2  #: (4, 4) x, y and the shares along both
-
-
-@kernel(allocates=False)
-def tree_size(count: int) -> int:
-    """Return the number of boxes of a tree over ``count`` rows."""
-    total = count
-    while count > 1:
-        count = (count + FAN - 1) // FAN
-        total += count
-    return total
-
-
-@kernel(allocates=False)
-def tree(boxes: OutF64_2, count: int, level: OutI64_1) -> int:
-    """Build the tree above the first ``count`` boxes; level[h] is the first box of height h."""
-    level[0] = 0
-    height = 0
-    begin = 0
-    while count > 1:
-        above = begin + count
-        level[height + 1] = above
-        height += 1
-        full = (count + FAN - 1) // FAN
-        for i in range(full):
-            low = begin + i * FAN
-            x0, y0, x1, y1 = boxes[low, 0], boxes[low, 1], boxes[low, 2], boxes[low, 3]
-            for j in range(low + 1, min(low + FAN, above)):
-                x0 = min(x0, boxes[j, 0])
-                y0 = min(y0, boxes[j, 1])
-                x1 = max(x1, boxes[j, 2])
-                y1 = max(y1, boxes[j, 3])
-            boxes[above + i, 0] = x0
-            boxes[above + i, 1] = y0
-            boxes[above + i, 2] = x1
-            boxes[above + i, 3] = y1
-        begin = above
-        count = full
-    level[height + 1] = begin + count
-    return height
-
-
-@kernel(allocates=False)
-def next_near(
-    boxes: F64_2,
-    level: I64_1,
-    stack: OutI64_2,
-    depth: int,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    after: int,
-) -> tuple[int, int]:
-    """Return the next leaf after ``after`` whose box meets the given one, or -1, and the depth.
-
-    The stack has rows of (height, number at that height) and starts with the root.
-    """
-    while depth > 0:
-        depth -= 1
-        height = stack[depth, 0]
-        number = stack[depth, 1]
-        if height == 0:
-            if number > after:
-                return number, depth
-            continue
-        # Number of leaves below a node of the next height.
-        width = 1 << (FAN_BITS * (height - 1))
-        low = level[height - 1]
-        first = number * FAN
-        for child in range(min(first + FAN, level[height] - low) - 1, first - 1, -1):
-            if (child + 1) * width - 1 <= after:
-                break
-            at = low + child
-            if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
-                continue
-            stack[depth, 0] = height - 1
-            stack[depth, 1] = child
-            depth += 1
-    return -1, 0
 
 
 @kernel(allocates=False)
@@ -346,21 +263,17 @@ def _meets_in_tree(
 ) -> tuple[int, int]:
     """Return two segments at least ``step`` apart that meet, or -1; 2 for a closed path."""
     count = high - low
-    boxes = np.empty((tree_size(count), 4))
+    boxes = np.empty((count, 4))
     for i in range(count):
         for side in range(4):
             boxes[i, side] = columns[side, i]
-    level = np.empty(24, np.int64)
-    height = tree(boxes, count, level)
-    stack = np.empty((STACK, 2), np.int64)
+    tree, stack = build_tree(boxes), new_stack()
     for i in range(count - step):
-        stack[0, 0] = height
-        stack[0, 1] = 0
-        depth = 1
+        depth = start_query(tree, stack)
         while True:
-            j, depth = next_near(
-                boxes,
-                level,
+            j, depth = next_overlap(
+                tree.boxes,
+                tree.level,
                 stack,
                 depth,
                 boxes[i, 0],

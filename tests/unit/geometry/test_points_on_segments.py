@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, Point
 
-from knifetip.geometry.grid import points_on_segments
+from knifetip.geometry.points_on_segments import find_points_on_segments
 from tests.support.shapes import edges
 
 NONE = np.array([-1], np.int32)
@@ -17,7 +17,7 @@ def test_a_point_in_the_middle_of_an_arc_is_on_it() -> None:
     half = edges(((0, 0), (20, 0)))
     on, off = np.array([[10.0, -10.02]]), np.array([[10.0, 10.0]])
     for points, expected in ((on, True), (off, False)):
-        assert points_on_segments(
+        assert find_points_on_segments(
             points, NONE, half[:, 0], half[:, 1], np.ones(1), 0.05
         ).tolist() == [expected]
 
@@ -25,8 +25,8 @@ def test_a_point_in_the_middle_of_an_arc_is_on_it() -> None:
 def test_the_own_segment_of_a_point_is_ignored() -> None:
     line = edges(((0, 0), (20, 0)))
     args = (line[:, 0], line[:, 1], np.zeros(1), 0.05)
-    assert not points_on_segments(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
-    assert points_on_segments(np.zeros((1, 2)), NONE, *args)[0]
+    assert not find_points_on_segments(np.zeros((1, 2)), np.array([0], np.int32), *args)[0]
+    assert find_points_on_segments(np.zeros((1, 2)), NONE, *args)[0]
 
 
 @given(seed=st.integers(0, 1000))
@@ -35,8 +35,8 @@ def test_shapely_agrees_about_lines(seed: int) -> None:
     ends = random.uniform(0, 100, (30, 2, 2))
     points = random.uniform(-10, 110, (40, 2))
     gap = 2.0
-    found = points_on_segments(
+    found = find_points_on_segments(
         points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap
     )
-    expected = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
-    assert found.tolist() == expected
+    judged = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
+    assert found.tolist() == judged

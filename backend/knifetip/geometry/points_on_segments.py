@@ -1,0 +1,135 @@
+"""points_on_segments: which points lie on segments, found with a tree of bounding boxes."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from knifetip.geometry import arc
+from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.intersect import write_box
+from knifetip.geometry.spatial_index.box_tree import (
+    build_tree,
+    new_stack,
+    next_overlap,
+    start_query,
+)
+from knifetip.geometry.spatial_index.morton import order_boxes
+from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_1A, F64_2, F64_2A, I32_1, I64_1, kernel
+
+#: Smallest sweep of an arc; a segment with a smaller one is a line (radians).
+_LEAST_SWEEP: Final = 4.0 * BULGE
+#: Fraction of the largest coordinate by which boxes are enlarged, for rounding.
+_ROUNDING: Final = 1e-12
+
+
+def find_points_on_segments(
+    points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
+) -> Bool:
+    """Return whether each of m points lies on a segment other than its own, (m,).
+
+    Parameters
+    ----------
+    points : (m, 2) mm
+    own : (m,)
+        Row of the segment that each point belongs to and that is ignored; -1 for none.
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+        Ends and bulges of n segments.
+    gap : mm
+        Largest distance of a point that lies on a segment.
+    """
+    if len(points) == 0 or len(bulge) == 0:
+        return np.zeros(len(points), np.bool_)
+    boxes = _boxes(np.column_stack([start, end, bulge]))
+    sweep = arc.sweep(bulge)
+    bent = np.flatnonzero(np.abs(sweep) >= _LEAST_SWEEP)
+    middle, radius, first = np.zeros((len(bulge), 2)), np.zeros(len(bulge)), np.zeros(len(bulge))
+    arcs = start[bent], end[bent], bulge[bent]
+    middle[bent], radius[bent] = arc.centre(*arcs), arc.radius(*arcs)
+    first[bent] = np.arctan2(*(start[bent] - middle[bent]).T[::-1])
+    order = order_boxes(boxes)
+    # Enlarged for rounding.
+    reach = gap + _ROUNDING * max(float(boxes.max()), -float(boxes.min()))
+    hit: Bool = _find_points(
+        points, own, order, boxes[order], reach, start, end, middle, radius, first, sweep, gap
+    )
+    return hit
+
+
+@kernel
+def _boxes(rows: F64_2) -> Any:
+    """Return a box around each segment, (n, 4); ``rows`` are x0, y0, x1, y1, bulge."""
+    boxes = np.empty((len(rows), 4))
+    for i in range(len(rows)):
+        write_box(rows, i, boxes, i)
+    return boxes
+
+
+@kernel
+def _find_points(
+    points: F64_2,
+    own: I32_1,
+    order: I64_1,
+    boxes: F64_2,
+    reach: float,
+    start: F64_2A,
+    end: F64_2A,
+    middle: F64_2,
+    radius: F64_1,
+    first: F64_1,
+    sweep: F64_1,
+    gap: float,
+) -> Any:
+    """Return whether each point lies on a segment; ``boxes`` are those of the rows ``order``."""
+    tree, stack = build_tree(boxes), new_stack()
+    hit = np.zeros(len(points), np.bool_)
+    for k in range(len(points)):
+        x, y = points[k, 0], points[k, 1]
+        depth = start_query(tree, stack)
+        while not hit[k]:
+            at, depth = next_overlap(
+                tree.boxes, tree.level, stack, depth, x - reach, y - reach, x + reach, y + reach, -1
+            )
+            if at < 0:
+                break
+            i = order[at]
+            hit[k] = (
+                i != own[k]
+                and _distance(points[k], start[i], end[i], middle[i], radius[i], first[i], sweep[i])
+                <= gap
+            )
+    return hit
+
+
+@kernel(checks_division=True)
+def _distance(
+    point: F64_1,
+    start: F64_1A,
+    end: F64_1A,
+    middle: F64_1,
+    radius: float,
+    first: float,
+    sweep: float,
+) -> float:
+    """Return the distance from a point to a line or an arc (mm)."""
+    if abs(sweep) >= _LEAST_SWEEP:
+        angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first
+        if sweep < 0:
+            angle = -angle
+        if angle % (2.0 * math.pi) <= abs(sweep):
+            return abs(math.hypot(point[0] - middle[0], point[1] - middle[1]) - radius)
+        return min(
+            math.hypot(point[0] - start[0], point[1] - start[1]),
+            math.hypot(point[0] - end[0], point[1] - end[1]),
+        )
+    x = end[0] - start[0]
+    y = end[1] - start[1]
+    square = x * x + y * y
+    along = 0.0
+    if square > 0.0:
+        along = ((point[0] - start[0]) * x + (point[1] - start[1]) * y) / square
+        along = min(max(along, 0.0), 1.0)
+    return math.hypot(point[0] - start[0] - along * x, point[1] - start[1] - along * y)

@@ -1,0 +1,207 @@
+"""box_tree: a packed tree of bounding boxes, to find the boxes that overlap a given one.
+
+Each node of the tree contains up to eight boxes that follow one another in the array of boxes, so
+neighbours in the array must be neighbours in the plane: in the order of a path, or in Morton order.
+Then building takes O(n), and a query O(log n) and the number of boxes that it finds.  The tree has
+no pointers: the boxes of each level follow those of the level below.
+
+A query in a kernel::
+
+    depth = start_query(tree, stack)
+    while True:
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, -1)
+        if i < 0:
+            break
+
+Source: the layout is that of a packed Hilbert R-tree (Kamel and Faloutsos 1993) on any given order.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.spatial_index.morton import order_boxes
+from knifetip.kernels import F64_2, I64_1, OutF64_2, OutI64_1, OutI64_2, kernel
+
+#: Binary logarithm of the number of boxes in a node.
+_NODE_BITS: Final = 3
+#: Number of boxes in a node.
+NODE_SIZE: Final = 1 << _NODE_BITS
+#: Largest number of levels, enough for 8²³ boxes.
+_LEVELS: Final = 24
+#: Length of the stack of a query, enough for all levels.
+_STACK_LENGTH: Final = 16 * NODE_SIZE
+
+
+class BoxTree(NamedTuple):
+    """A packed tree over n bounding boxes."""
+
+    boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the n given boxes, then of the nodes above them
+    level: I64_1  #: (24,) row in ``boxes`` of the first box of each level
+    height: int  #: level of the root, at least 1
+
+
+@kernel
+def build_tree(boxes: F64_2) -> BoxTree:
+    """Return the tree over n ≥ 1 boxes, (n, 4): x0, y0, x1, y1."""
+    count = len(boxes)
+    remaining = (count + NODE_SIZE - 1) // NODE_SIZE
+    total = count + remaining
+    while remaining > 1:
+        remaining = (remaining + NODE_SIZE - 1) // NODE_SIZE
+        total += remaining
+    nodes = np.empty((total, 4))
+    for i in range(count):
+        for side in range(4):
+            nodes[i, side] = boxes[i, side]
+    level = np.empty(_LEVELS, np.int64)
+    return BoxTree(nodes, level, _fill_levels(nodes, count, level))
+
+
+@kernel(allocates=False)
+def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
+    """Write the boxes of all nodes above the first ``count`` rows; return the root's level."""
+    level[0] = 0
+    height = 0
+    begin = 0
+    # One box has a root too: only the boxes below a node are compared with a query.
+    while count > 1 or height == 0:
+        above = begin + count
+        level[height + 1] = above
+        height += 1
+        parents = (count + NODE_SIZE - 1) // NODE_SIZE
+        for i in range(parents):
+            low = begin + i * NODE_SIZE
+            x0, y0, x1, y1 = nodes[low, 0], nodes[low, 1], nodes[low, 2], nodes[low, 3]
+            for j in range(low + 1, min(low + NODE_SIZE, above)):
+                x0 = min(x0, nodes[j, 0])
+                y0 = min(y0, nodes[j, 1])
+                x1 = max(x1, nodes[j, 2])
+                y1 = max(y1, nodes[j, 3])
+            nodes[above + i, 0] = x0
+            nodes[above + i, 1] = y0
+            nodes[above + i, 2] = x1
+            nodes[above + i, 3] = y1
+        begin = above
+        count = parents
+    level[height + 1] = begin + count
+    return height
+
+
+@kernel
+def new_stack() -> Any:
+    """Return an empty stack for queries; one can be used for many queries, one after another."""
+    return np.empty((_STACK_LENGTH, 2), np.int64)
+
+
+@kernel(allocates=False)
+def start_query(tree: BoxTree, stack: OutI64_2) -> int:
+    """Write the root of a tree to the stack; return the depth of the stack for ``next_overlap``."""
+    stack[0, 0] = tree.height
+    stack[0, 1] = 0
+    return 1
+
+
+@kernel(allocates=False)
+def next_overlap(
+    boxes: F64_2,
+    level: I64_1,
+    stack: OutI64_2,
+    depth: int,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    after: int,
+) -> tuple[int, int]:
+    """Return the next box that overlaps a given one, in ascending order.
+
+    Parameters
+    ----------
+    boxes, level
+        Of the ``BoxTree``.  Passed one by one, because a group of arrays takes time in each call.
+    stack, depth
+        State of the query, from ``start_query`` and the call before.
+    x0, y0, x1, y1
+        The given box; it may shrink from call to call.
+    after
+        Only boxes with a greater row number are returned; -1 for all.
+
+    Returns
+    -------
+    box, depth
+        Row number of the box, -1 if there are no more, and the new depth of the stack.
+    """
+    while depth > 0:
+        depth -= 1
+        height = stack[depth, 0]
+        number = stack[depth, 1]
+        if height == 0:
+            if number > after:
+                return number, depth
+            continue
+        # Number of given boxes below a node of the next lower level.
+        width = 1 << (_NODE_BITS * (height - 1))
+        low = level[height - 1]
+        first = number * NODE_SIZE
+        for child in range(min(first + NODE_SIZE, level[height] - low) - 1, first - 1, -1):
+            if (child + 1) * width - 1 <= after:
+                break
+            at = low + child
+            if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
+                continue
+            stack[depth, 0] = height - 1
+            stack[depth, 1] = child
+            depth += 1
+    return -1, 0
+
+
+def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
+    """Return the pairs of boxes of two sets that are at most ``gap`` mm apart in x and in y.
+
+    Parameters
+    ----------
+    boxes, others : (n, 4) and (m, 4) mm
+        x min, y min, x max, y max.
+
+    Returns
+    -------
+    row, other_row : (k,) and (k,)
+        Rows of ``boxes``, ascending, and rows of ``others``, by x min for each row of ``boxes``.
+    """
+    if len(boxes) == 0 or len(others) == 0:
+        return np.zeros(0, np.int64), np.zeros(0, np.int64)
+    order = order_boxes(others)
+    one, other = _find_pairs(boxes, others[order], gap)
+    other = order[other]
+    rank = np.empty(len(others), np.int64)
+    rank[np.argsort(others[:, 0], kind="stable")] = np.arange(len(others))
+    by_rank = np.argsort(one * len(others) + rank[other], kind="stable")
+    return one[by_rank], other[by_rank]
+
+
+@kernel
+def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
+    """Return the pairs of rows as ``box_pairs`` does, for ``others`` in Morton order, unsorted."""
+    tree, stack = build_tree(others), new_stack()
+    found = 0
+    one = np.empty(max(16, len(boxes)), np.int64)
+    other = np.empty_like(one)
+    for i in range(len(boxes)):
+        x0, y0 = boxes[i, 0] - gap, boxes[i, 1] - gap
+        x1, y1 = boxes[i, 2] + gap, boxes[i, 3] + gap
+        depth = start_query(tree, stack)
+        while True:
+            j, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, -1)
+            if j < 0:
+                break
+            if found == len(one):
+                one = np.concatenate((one, np.empty_like(one)))
+                other = np.concatenate((other, np.empty_like(other)))
+            one[found] = i
+            other[found] = j
+            found += 1
+    return one[:found].copy(), other[:found].copy()

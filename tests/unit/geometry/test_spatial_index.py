@@ -1,0 +1,92 @@
+"""The packed tree of boxes against shapely's STRtree, and the lists of cells."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from shapely import STRtree, box
+
+from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.spatial_index.box_tree import (
+    NODE_SIZE,
+    box_pairs,
+    build_tree,
+    new_stack,
+    next_overlap,
+    start_query,
+)
+from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
+from knifetip.geometry.spatial_index.morton import morton_code, order_boxes
+
+
+def some_boxes(random: np.random.Generator, count: int) -> F64:
+    """Boxes on whole millimetres, so that many touch exactly."""
+    low = random.integers(0, 60, (count, 2))
+    return np.hstack([low, low + random.integers(0, 6, (count, 2))]).astype(np.float64)
+
+
+def overlaps(tree_boxes: F64, wanted: F64, after: int) -> list[int]:
+    tree, stack = build_tree(tree_boxes), new_stack()
+    depth = start_query(tree, stack)
+    found: list[int] = []
+    x0, y0, x1, y1 = wanted.tolist()
+    while True:
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, after)
+        if i < 0:
+            return found
+        found.append(i)
+
+
+@given(seed=st.integers(0, 10_000), count=st.integers(1, 3 * NODE_SIZE**2))
+def test_a_query_finds_the_boxes_that_shapely_finds_in_ascending_order(
+    seed: int, count: int
+) -> None:
+    random = np.random.default_rng(seed)
+    boxes = some_boxes(random, count)
+    judge = STRtree([box(*row) for row in boxes])
+    for wanted in some_boxes(random, 4):
+        expected = sorted(judge.query(box(*wanted)).tolist())
+        assert overlaps(boxes, wanted, -1) == expected
+        after = int(random.integers(0, count))
+        assert overlaps(boxes, wanted, after) == [i for i in expected if i > after]
+
+
+@given(seed=st.integers(0, 10_000), gap=st.sampled_from([0.0, 1.0, 2.5]))
+def test_pairs_are_those_of_shapely_by_row_and_left_side(seed: int, gap: float) -> None:
+    random = np.random.default_rng(seed)
+    boxes, others = some_boxes(random, 50), some_boxes(random, 80)
+    judge = STRtree([box(*row) for row in others])
+    wide = [box(x0 - gap, y0 - gap, x1 + gap, y1 + gap) for x0, y0, x1, y1 in boxes.tolist()]
+    expected = sorted(judge.query(wide).T.tolist(), key=lambda p: (p[0], others[p[1], 0], p[1]))
+    found = np.stack(box_pairs(boxes, others, gap), axis=1)
+    assert found.tolist() == expected
+
+
+@pytest.mark.parametrize("sizes", [(0, 3), (3, 0)])
+def test_no_boxes_have_no_pairs(sizes: tuple[int, int]) -> None:
+    one, other = (some_boxes(np.random.default_rng(0), size) for size in sizes)
+    assert [len(rows) for rows in box_pairs(one, other, 1.0)] == [0, 0]
+
+
+def test_morton_codes_interleave_the_bits() -> None:
+    assert [morton_code(1, 0), morton_code(0, 1), morton_code(3, 5)] == [1, 2, 0b100111]
+    last = (1 << 16) - 1
+    assert morton_code(last, last) == (1 << 32) - 1
+
+
+def test_boxes_are_ordered_by_quarters_of_the_plane() -> None:
+    corners = np.array([[9, 9], [0, 9], [9, 0], [0, 0]], np.float64)
+    order: I64 = order_boxes(np.tile(corners, 2))
+    assert order.tolist() == [3, 2, 1, 0]
+
+
+def test_entries_keep_their_order_in_a_cell_and_those_without_a_cell_are_left_out() -> None:
+    cell = np.array([2, -1, 0, 2, 0], np.int32)
+    first, grouped = group_by_cell(cell, 3, np.arange(10, 15, dtype=np.int32))
+    assert (first.tolist(), grouped.tolist()) == ([0, 2, 2, 4], [12, 14, 10, 13])
+
+
+def test_outside_the_grid_the_nearest_cell_counts() -> None:
+    assert [cell_of(x, 0.0, 2.0, 5) for x in (-9.0, 0.0, 3.9, 9.9, 99.0)] == [0, 0, 1, 4, 4]
