@@ -158,18 +158,18 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
 
     compile_on(page, board)
     expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")
-    expect(page.get_by_test_id("job-state")).to_have_text("Ready")
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
     page.screenshot(path=screenshots / f"{stem}-2-verified.png")
 
     page.get_by_test_id("send").click()
     # Nothing moves before somebody at the table has confirmed what lies on it.
-    expect(page.get_by_test_id("job-state")).to_have_text("Confirm")
+    expect(page.get_by_test_id("job-state")).to_have_text("Waiting for operator")
     card = page.get_by_test_id("confirmation")
     expect(card).to_contain_text("Waiting for the operator")
     for word in (board, *tools):
         expect(card).to_contain_text(word)
     page.screenshot(path=screenshots / f"{stem}-3-confirm.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("Table checked, start")
+    expect(page.get_by_test_id("confirm")).to_have_text("Table checked: start machine")
     page.get_by_test_id("confirm").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
     expect(card).to_be_hidden()
@@ -178,7 +178,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     page.screenshot(path=screenshots / f"{stem}-3-held.png")
     page.get_by_test_id("resume").click()
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
-    expect(page.get_by_test_id("job-state")).to_have_text("Done")
+    expect(page.get_by_test_id("job-state")).to_have_text("Finished")
     page.screenshot(path=screenshots / f"{stem}-4-done.png")
 
 
@@ -191,12 +191,12 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("send").click()
     page.get_by_test_id("confirm").click()
     state = page.get_by_test_id("job-state")
-    expect(state).to_have_text("New sheet", timeout=120_000)
+    expect(state).to_have_text("Waiting for new sheet", timeout=120_000)
     card = page.get_by_test_id("confirmation")
     expect(card).to_contain_text("Copy 1 of 2 is done.")
     expect(page.get_by_test_id("resume")).to_be_hidden()
     page.screenshot(path=screenshots / "copies-1-sheet.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("New sheet loaded, start")
+    expect(page.get_by_test_id("confirm")).to_have_text("New sheet loaded: start machine")
     page.get_by_test_id("confirm").click()
     expect(state).to_have_text("Running")
     page.get_by_test_id("hold").click()
@@ -341,7 +341,7 @@ def test_a_file_that_is_no_drawing_is_refused_in_words(page: Page, screenshots: 
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("letter.dxf")
     page.screenshot(path=screenshots / "refused.png")
-    report.get_by_role("button", name="Dismiss").click()
+    report.get_by_role("button", name="Close this message").click()
     expect(report).to_be_hidden()
 
 
@@ -375,7 +375,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("unreached")).to_contain_text(
         re.compile(r"16\d\smm² in 5 places cannot be reached")
     )
-    expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"Saves \d+\s%"))
+    expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"save \d+\.\d\ss \(\d+\s%\)"))
     expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
     page.screenshot(path=screenshots / "router-1-auto.png")
     shown = colours(page)
@@ -402,7 +402,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     page.screenshot(path=screenshots / "router-2-choosing.png")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("program")).not_to_have_attribute("href", str(before))
-    expect(page.get_by_test_id("job-state")).to_have_text("Ready", timeout=60_000)
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=60_000)
     page.get_by_test_id("layer-uncut").click()
     page.get_by_test_id("layer-swept").click()
     # The largest place first, then a corner of the window.
@@ -431,5 +431,5 @@ def test_the_inspector_has_the_section_of_a_groove(page: Page, screenshots: Path
             break
     # 1.3 mm deep at 45° in 2 mm.
     expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
-    expect(tip).to_contain_text(re.compile(r"Remaining web\s*0\.70\smm"))
+    expect(tip).to_contain_text(re.compile(r"Board left under groove\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")

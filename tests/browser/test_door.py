@@ -69,13 +69,13 @@ def test_a_tab_shows_within_two_seconds_what_another_one_changed(
     for tab in (page, other):
         expect(tab.get_by_test_id("legend-perforation")).to_be_visible(timeout=10_000)
         expect(tab.get_by_test_id("legend-crease")).to_be_hidden()
-        notice = tab.get_by_test_id("report").filter(has_text="Drawing changed elsewhere")
-        expect(notice).to_contain_text("3 edges have another type")
+        notice = tab.get_by_test_id("report").filter(has_text="The drawing was changed elsewhere")
+        expect(notice).to_contain_text("3 edges have another line type")
     # Two seconds, and what a busy machine needs to look.
     assert time.monotonic() - began < 8.0
     page.screenshot(path=screenshots / "changed-elsewhere.png")
     # A change made in one tab is shown in the other, and is no news in its own.
-    page.get_by_test_id("report").get_by_label("Dismiss").click()
+    page.get_by_test_id("report").get_by_label("Close this message").click()
     page.keyboard.press("Control+a")
     page.get_by_test_id("type-half-cut").click()
     for tab in (page, other):
@@ -104,8 +104,8 @@ def test_an_order_of_what_is_no_longer_there_is_refused(
     jobs = len(api.get("/api/jobs?limit=500").json())
     page.get_by_test_id("compile").click()
     report = page.get_by_test_id("report")
-    expect(report).to_contain_text("Not saved: drawing changed elsewhere")
-    expect(report).to_contain_text("1 edge has another type")
+    expect(report).to_contain_text("Your change was not saved: the drawing was changed elsewhere")
+    expect(report).to_contain_text("1 edge has another line type")
     expect(page.get_by_test_id("legend-half-cut")).to_be_visible()
     assert len(api.get("/api/jobs?limit=500").json()) == jobs
     page.get_by_test_id("compile").click()

@@ -225,7 +225,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     page.get_by_test_id("edit-profile").click()
     page.get_by_test_id("profile-title").fill("Bolt")
     page.get_by_test_id("add-rule").click()
-    page.get_by_label("Layer of rule 1").fill("INN*")
+    page.get_by_label("Layer name of rule 1").fill("INN*")
     expect(page.get_by_test_id("rule-edges")).to_have_text("2 edges")
     page.get_by_role("combobox", name="Line type of rule 1").click()
     page.get_by_role("option", name="Combi").click()
@@ -236,14 +236,14 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     page.get_by_test_id("undo").click()
     expect(page.get_by_test_id("profile-outcome")).to_contain_text("2 edges change")
     page.get_by_test_id("undo").click()
-    expect(page.get_by_label("Layer of rule 1")).to_have_value("")
+    expect(page.get_by_label("Layer name of rule 1")).to_have_value("")
     page.get_by_test_id("redo").click()
     page.get_by_test_id("redo").click()
-    expect(page.get_by_label("Layer of rule 1")).to_have_value("INN*")
+    expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
     # Edits that are not kept wait where they are.
     page.get_by_role("button", name="Back").click()
     page.get_by_test_id("edit-profile").click()
-    expect(page.get_by_label("Layer of rule 1")).to_have_value("INN*")
+    expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
     page.get_by_test_id("save-profile").click()
     expect(page.get_by_role("heading", name="Bolt")).to_be_visible()
     expect(page.get_by_test_id("undo")).to_be_enabled()
@@ -262,7 +262,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
             "buffer": written.replace(b"combi", b"perforation").replace(b"INN*", b"INNER"),
         }
     )
-    expect(page.get_by_label("Layer of rule 1")).to_have_value("INNER")
+    expect(page.get_by_label("Layer name of rule 1")).to_have_value("INNER")
     page.get_by_role("button", name="Back").click()
     expect(page.get_by_test_id("legend-perforation")).to_contain_text("2")
     page.keyboard.press("Control+z")
@@ -292,12 +292,12 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
     told = page.get_by_test_id("report-groups")
     # Edges: a click chooses them in the picture.
     told.get_by_text("It lies on other edges").click()
-    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge · 200\smm"))
+    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge selected · 200\smm"))
     expect(page.get_by_test_id("inspector")).to_contain_text("merged")
     # An entity that was drawn twice leads to the one that is there.
     told.get_by_text("It is drawn twice").click()
     page.get_by_test_id("entity").click()
-    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge · 400\smm"))
+    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
     told.get_by_text("It is drawn twice").click()
     # Words have no edge: their place is marked.
     told.get_by_text("Text is not cut").click()
@@ -327,7 +327,7 @@ def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page:
     expect(report).to_contain_text("short.dxf")
     expect(report).to_contain_text(re.compile(r"in section ENTITIES, after \d+ entities"))
     expect(report).to_contain_text("Send or export it again.")
-    report.get_by_role("button", name="Dismiss").click()
+    report.get_by_role("button", name="Close this message").click()
     expect(report).to_be_hidden()
 
 
@@ -348,7 +348,7 @@ def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: P
     choose(page, ("carton-as-sent.dxf", as_sent()))
     expect(page.get_by_test_id("drawing-size")).to_contain_text("mm")
     page.set_viewport_size({"width": 1440, "height": 1290})
-    for folded in ("Line types", "File layers"):
+    for folded in ("Line types", "Layers in the file"):
         page.get_by_role("button", name=folded).first.click()
     page.get_by_text("Text is not cut").click()
     page.get_by_test_id("entity").filter(has_text="Glue here").click()

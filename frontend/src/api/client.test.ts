@@ -60,7 +60,7 @@ describe("an error", () => {
       vi.fn(async () => Promise.reject(new TypeError("Failed to fetch"))),
     );
     await expect(service.jobs()).rejects.toMatchObject({
-      problem: { status: 0, detail: "knifetip does not answer." },
+      problem: { status: 0, detail: "The knifetip server does not answer." },
     });
   });
 
@@ -77,7 +77,7 @@ describe("an error", () => {
     "without problem+json (%s) becomes a problem",
     (body) => {
       const problem = parseProblem(502, "Bad Gateway", body);
-      expect(problem.detail).toBe("knifetip answered 502 Bad Gateway.");
+      expect(problem.detail).toBe("The knifetip server answered with error 502 (Bad Gateway).");
       expect(problem.hint).not.toBe("");
     },
   );

@@ -39,15 +39,22 @@ export const pageProblem = (status: number, title: string, detail: string, hint:
   new ServiceError(problem(status, title, detail, hint));
 
 export const noAnswer = (): ServiceError =>
-  pageProblem(0, "No answer", "knifetip does not answer.", "Check that it is running, then retry.");
+  pageProblem(
+    0,
+    "No answer from the server",
+    "The knifetip server does not answer.",
+    "Check that the server is running and that this computer can reach it. Then try again.",
+  );
 
 /** Read the body of an error response; whatever it lacks is derived from the status. */
 export function parseProblem(status: number, title: string, body: string): Problem {
   const fallback = problem(
     status,
-    title || `Status ${status}`,
-    `knifetip answered ${status}${title ? ` ${title}` : ""}.`,
-    status >= 500 ? "Try again; if the error persists, check the log of the server." : "",
+    title || `Error ${status}`,
+    `The knifetip server answered with error ${status}${title ? ` (${title})` : ""}.`,
+    status >= 500
+      ? "Try again. If the error persists, look for its cause in the log of the server."
+      : "",
   );
   let parsed: unknown;
   try {

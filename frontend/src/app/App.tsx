@@ -57,7 +57,7 @@ export function App() {
   return (
     <div className={css.page}>
       <TopBar />
-      <aside className={css.side} hidden={!leftOpen} aria-label="Drawing">
+      <aside className={css.side} hidden={!leftOpen} aria-label="Drawings, line types and import">
         {drawing === null ? (
           <DrawingsPanel />
         ) : editing !== null ? (

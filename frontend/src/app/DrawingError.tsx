@@ -3,6 +3,7 @@
 import { Button } from "@mantine/core";
 import { ServiceError } from "../api/client";
 import { errorText, renderHint } from "../messages/render";
+import { TO_ALL_DRAWINGS } from "../panels/labels";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 
@@ -11,12 +12,12 @@ export function DrawingError({ error }: { error: Error }) {
   return (
     <div className={css.centre} role="alert">
       <div className={css.welcome}>
-        <h1>Drawing not available</h1>
+        <h1>This drawing cannot be opened</h1>
         <p>
           {errorText(error)} {error instanceof ServiceError && renderHint(error.problem)}
         </p>
         <Button variant="default" onClick={() => open(null)}>
-          All drawings
+          {TO_ALL_DRAWINGS}
         </Button>
       </div>
     </div>

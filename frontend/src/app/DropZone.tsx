@@ -41,7 +41,7 @@ export function DropZone() {
   if (!over) return null;
   return (
     <div className={css.drop} data-testid="drop-zone">
-      <div className={css.dropCard}>Drop drawings to open them</div>
+      <div className={css.dropCard}>Drop drawing files here to open them</div>
     </div>
   );
 }

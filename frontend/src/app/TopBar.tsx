@@ -33,19 +33,23 @@ export function TopBar() {
         type="button"
         className={css.brand}
         onClick={() => open(null)}
-        aria-label="knifetip: all drawings"
+        aria-label="knifetip: show all drawings"
       >
         <Logo />
         knifetip
       </button>
       <span className={css.divider} />
-      <Icon label="Left panel ([)" on={leftOpen} act={() => set({ leftOpen: !leftOpen })}>
+      <Icon
+        label="Show or hide the left panel (key [)"
+        on={leftOpen}
+        act={() => set({ leftOpen: !leftOpen })}
+      >
         <IconLayoutSidebar size={18} stroke={1.6} />
       </Icon>
       {drawing !== null && (
         <>
           <Icon
-            label="Undo (Ctrl Z)"
+            label="Undo the last change (Ctrl Z)"
             off={past === 0 || busy}
             act={() => void undo()}
             testId="undo"
@@ -53,7 +57,7 @@ export function TopBar() {
             <IconArrowBackUp size={18} stroke={1.6} />
           </Icon>
           <Icon
-            label="Redo (Ctrl Shift Z)"
+            label="Redo the undone change (Ctrl Shift Z)"
             off={future === 0 || busy}
             act={() => void redo()}
             testId="redo"
@@ -64,10 +68,14 @@ export function TopBar() {
       )}
       <span className={css.gap} />
       <MachineChip />
-      <Icon label="Shortcuts (?)" act={() => set({ helpOpen: true })}>
+      <Icon label="Keyboard and mouse shortcuts (key ?)" act={() => set({ helpOpen: true })}>
         <IconKeyboard size={18} stroke={1.6} />
       </Icon>
-      <Icon label="Right panel (])" on={rightOpen} act={() => set({ rightOpen: !rightOpen })}>
+      <Icon
+        label="Show or hide the right panel (key ])"
+        on={rightOpen}
+        act={() => set({ rightOpen: !rightOpen })}
+      >
         <IconLayoutSidebarRight size={18} stroke={1.6} />
       </Icon>
     </header>

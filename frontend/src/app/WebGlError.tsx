@@ -10,10 +10,10 @@ export function WebGlError({ why }: { why: string }) {
         <h1>The drawing cannot be displayed</h1>
         <p>
           {why} Turn on hardware acceleration in the browser settings, or use a current Firefox,
-          Chrome, Edge or Safari. The rest of this page works.
+          Chrome, Edge or Safari. You can use the rest of this page without it.
         </p>
         <Button variant="default" onClick={() => window.location.reload()}>
-          Try again
+          Reload the page
         </Button>
       </div>
     </div>

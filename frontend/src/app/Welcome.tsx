@@ -9,21 +9,21 @@ export function Welcome() {
     <div className={css.centre}>
       <div className={css.welcome} data-testid="welcome">
         <Logo size={44} />
-        <h1>Drop a dieline here</h1>
+        <h1>Drop a dieline file here</h1>
         <p>
-          DXF, SVG, CF2 or PDF. knifetip recognises cuts, creases and grooves, computes the tool
-          paths for your machine, and verifies the program before anything moves.
+          DXF, SVG, CF2 or PDF. knifetip recognises cuts, creases and grooves, calculates the tool
+          paths for your machine, and checks the program before the machine moves.
         </p>
         <ChooseFile large />
         <ol className={css.steps}>
           <li>
-            <b>1 Open</b>a drawing: drop a file, or pick one from the list
+            <b>1. Open</b>Drop a drawing file, or choose a drawing from the list.
           </li>
           <li>
-            <b>2 Compile</b>for your machine and board, and check the verdict
+            <b>2. Prepare</b>Choose machine and board, prepare the program and see how exact it is.
           </li>
           <li>
-            <b>3 Send</b>the job to the table and follow its progress
+            <b>3. Send</b>Send the job to the table and follow its progress.
           </li>
         </ol>
       </div>

@@ -9,13 +9,13 @@ import css from "./app.module.css";
 export function ZoomControls({ viewer }: { viewer: Viewer | null }) {
   return (
     <div className={`${overCss.float} ${css.zoom}`}>
-      <ZoomButton label="Zoom in (+)" act={() => viewer?.zoomBy(1.4)}>
+      <ZoomButton label="Zoom in (key +)" act={() => viewer?.zoomBy(1.4)}>
         <IconPlus size={16} />
       </ZoomButton>
-      <ZoomButton label="Zoom out (−)" act={() => viewer?.zoomBy(1 / 1.4)}>
+      <ZoomButton label="Zoom out (key −)" act={() => viewer?.zoomBy(1 / 1.4)}>
         <IconMinus size={16} />
       </ZoomButton>
-      <ZoomButton label="Fit (F)" act={() => viewer?.fit()}>
+      <ZoomButton label="Show the whole drawing (key F)" act={() => viewer?.fit()}>
         <IconFocusCentered size={16} />
       </ZoomButton>
     </div>

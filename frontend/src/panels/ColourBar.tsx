@@ -2,15 +2,9 @@
 
 import { SCALE } from "../state/palette";
 import { useEdges, useVerdict } from "../state/queries";
-import { COLOUR_MODES, type ColourMode, useUiStore } from "../state/store";
-import { verdictMapOf } from "../state/verdictMap";
+import { COLOUR_MODES, useUiStore } from "../state/store";
+import { COLOUR_MODE_TITLES, verdictMapOf } from "../state/verdictMap";
 import css from "./over.module.css";
-
-const TITLES: Readonly<Record<ColourMode, string>> = {
-  types: "Line types",
-  deviation: "Deviation",
-  overcut: "Overcut",
-};
 
 export function ColourBar() {
   const mode = useUiStore((ui) => ui.colourMode);
@@ -23,21 +17,21 @@ export function ColourBar() {
     <div className={`${css.float} ${css.chips}`}>
       <div
         role="toolbar"
-        aria-label="Colour lines by"
+        aria-label="Colour the drawing by"
         className={css.modes}
         data-testid="colour-mode"
         data-mode={mode}
       >
-        {COLOUR_MODES.map((word) => (
+        {COLOUR_MODES.map((choice) => (
           <button
-            key={word}
+            key={choice}
             type="button"
             className={css.chip}
-            aria-pressed={word === mode}
-            onClick={() => set({ colourMode: word })}
-            data-testid={`colour-${word}`}
+            aria-pressed={choice === mode}
+            onClick={() => set({ colourMode: choice })}
+            data-testid={`colour-${choice}`}
           >
-            {TITLES[word]}
+            {COLOUR_MODE_TITLES[choice]}
           </button>
         ))}
       </div>
@@ -52,12 +46,12 @@ function Scale({ title, limit }: { title: string; limit: number }) {
     <div
       className={css.scale}
       role="img"
-      aria-label={`${title}: blue 0, yellow ${limit} mm, red above; grey: not machined`}
+      aria-label={`${title}: blue is 0 mm, yellow is ${limit} mm, red is more; grey edges are not cut or creased`}
       data-testid="colour-scale"
     >
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.unworked }} />
-        not machined
+        not cut or creased
       </span>
       <span className={css.scaleBar}>
         <span
@@ -72,7 +66,7 @@ function Scale({ title, limit }: { title: string; limit: number }) {
       </span>
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.beyond }} />
-        above
+        more
       </span>
     </div>
   );

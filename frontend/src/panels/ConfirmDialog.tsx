@@ -18,7 +18,7 @@ export function ConfirmDialog({ confirmation, onYes, onNo }: Props) {
       </p>
       <div style={{ display: "flex", gap: 8, justifyContent: "flex-end" }}>
         <Button variant="default" onClick={onNo} data-autofocus data-testid="confirm-no">
-          Back
+          {confirmation?.no}
         </Button>
         <Button color="red" onClick={onYes} data-testid="confirm-yes">
           {confirmation?.yes}

@@ -11,8 +11,8 @@ import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 
 function buttonOf(job: Job): string {
-  if (job.waiting_for === "sheet") return "New sheet loaded, start";
-  return job.state === "queued" ? "Table checked, start" : "Table checked, continue";
+  if (job.waiting_for === "sheet") return "New sheet loaded: start machine";
+  return job.state === "queued" ? "Table checked: start machine" : "Table checked: continue job";
 }
 
 export function ConfirmationCard({ job }: { job: Job }) {
@@ -30,14 +30,14 @@ export function ConfirmationCard({ job }: { job: Job }) {
     >
       <div data-testid="waiting">{job.message !== null && renderText(job.message)}</div>
       <dl className={jobCss.setUp}>
-        <dt>Board</dt>
+        <dt>Board on the table</dt>
         <dd>
           {board?.title || job.board}
           {job.copies > 1 && ` · copy ${job.copies_done + 1} of ${job.copies}`}
         </dd>
         {job.tools.length > 0 && (
           <>
-            <dt>Tools</dt>
+            <dt>Tools in the stations</dt>
             <dd>
               {job.tools.map(({ station, name }) => (
                 <div key={station} className={jobCss.tool}>
@@ -51,7 +51,8 @@ export function ConfirmationCard({ job }: { job: Job }) {
       {hint !== "" && <div className={css.hint}>{hint}</div>}
       <Button
         fullWidth
-        size="lg"
+        size="md"
+        px="xs"
         color="green"
         mt={10}
         leftSection={<IconPlayerPlayFilled size={20} aria-hidden />}

@@ -3,23 +3,24 @@
 import { Button, CloseButton, SegmentedControl, Slider } from "@mantine/core";
 import { IconHandClick } from "@tabler/icons-react";
 import { useId } from "react";
+import type { CornerAt } from "../api/client";
 import { CORNER_TYPES, type CornerType, setCornerK, setCornerType } from "../state/corners";
 import { useUiStore } from "../state/store";
 import cornerCss from "./corners.module.css";
 import css from "./panels.module.css";
 
 const TITLES: Readonly<Record<CornerType, string>> = {
-  auto: "Auto",
-  B: "B arc",
-  C: "C sharp",
-  D: "D blend",
+  auto: "Automatic",
+  B: "Arc (B)",
+  C: "Stop (C)",
+  D: "Blend (D)",
 };
 
 const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
-  auto: "Use the fastest type for each corner.",
-  B: "The tool centre follows an arc about the corner; the tool touches the corner all the way.",
-  C: "The tool centre runs straight past the corner, stops, and turns.",
-  D: "The tool centre runs past the corner and turns on a small arc, without a stop.",
+  auto: "Each corner gets the type that takes the least time.",
+  B: "The tool centre follows an arc around the corner. The tool touches the corner throughout.",
+  C: "The tool centre runs straight past the corner, stops and turns.",
+  D: "The tool centre runs past the corner and turns on a small arc without stopping.",
 };
 
 /** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
@@ -37,7 +38,7 @@ export function CornersForm() {
   const hasSize = corners.type === "D" || corners.type === "auto";
   return (
     <fieldset className={cornerCss.corners} data-testid="corners">
-      <legend>Corner type</legend>
+      <legend>Tool path at outer corners</legend>
       <div className={cornerCss.cornerTypes}>
         {CORNER_TYPES.map((type) => (
           <button
@@ -57,13 +58,13 @@ export function CornersForm() {
       <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
       {hasSize && (
         <SizeSlider
-          label="D corner size (k)"
+          label="Blend (0: arc, 1: sharp)"
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
       )}
       <div className={cornerCss.cornerFit}>
-        <span id={fit}>If the tool does not fit</span>
+        <span id={fit}>Where the tool is too wide to fit</span>
         <SegmentedControl
           size="xs"
           fullWidth
@@ -80,6 +81,9 @@ export function CornersForm() {
         />
       </div>
       <SingleCorners />
+      {pickingCorners && (
+        <p className={css.note}>Click a cut in the drawing near the corner that you want to set.</p>
+      )}
       <Button
         size="xs"
         variant={pickingCorners ? "light" : "default"}
@@ -88,11 +92,13 @@ export function CornersForm() {
         onClick={() => set({ pickingCorners: !pickingCorners })}
         data-testid="pick-corner"
       >
-        {pickingCorners ? "Done (click cuts near a corner)" : "Set single corners"}
+        {pickingCorners ? "Finish choosing corners" : "Choose the type of single corners"}
       </Button>
     </fieldset>
   );
 }
+
+const positionText = ({ x, y }: CornerAt): string => `${x.toFixed(1)}, ${y.toFixed(1)} mm`;
 
 /** The corners with a type of their own, one per row. */
 function SingleCorners() {
@@ -104,31 +110,29 @@ function SingleCorners() {
       {corners.at.map((one, which) => (
         <li key={`${one.x} ${one.y}`}>
           <div className={cornerCss.cornerRow}>
-            <span className={css.figure}>
-              {one.x.toFixed(1)}, {one.y.toFixed(1)}
-            </span>
+            <span className={css.figure}>{positionText(one)}</span>
             <SegmentedControl
               size="xs"
               data={CORNER_TYPES.map((type) => ({
                 value: type,
-                label: type === "auto" ? "Auto" : type,
+                label: type === "auto" ? TITLES.auto : type,
               }))}
               value={one.type}
               onChange={(word) => {
                 const type = CORNER_TYPES.find((known) => known === word);
                 if (type !== undefined) set({ corners: setCornerType(corners, which, type) });
               }}
-              aria-label={`Type of the corner at ${one.x.toFixed(1)}, ${one.y.toFixed(1)}`}
+              aria-label={`Type of the corner at ${positionText(one)}`}
             />
             <CloseButton
               size="sm"
-              aria-label={`Remove the corner at ${one.x.toFixed(1)}, ${one.y.toFixed(1)}`}
+              aria-label={`Use the common type for the corner at ${positionText(one)}`}
               onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
           </div>
           {one.type === "D" && (
             <SizeSlider
-              label="Size (k)"
+              label="Blend (0: arc, 1: sharp)"
               value={one.k ?? corners.k}
               onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />

@@ -10,7 +10,10 @@ import { useDrawing, useProfiles } from "../state/queries";
 import { formatInches } from "../state/sizes";
 import { useUiStore } from "../state/store";
 import { REPORT } from "./ImportPanel";
+import { TO_ALL_DRAWINGS } from "./labels";
 import css from "./panels.module.css";
+
+const EDIT_PROFILE = "Edit the rules of this profile";
 
 export function DocumentPanel() {
   const { data: drawing } = useDrawing();
@@ -20,11 +23,11 @@ export function DocumentPanel() {
   return (
     <section className={css.section} style={{ padding: "12px 16px 16px" }}>
       <div style={{ display: "flex", alignItems: "center", gap: 8, marginLeft: -6 }}>
-        <Tooltip label="All drawings">
+        <Tooltip label={TO_ALL_DRAWINGS}>
           <ActionIcon
             variant="subtle"
             color="gray"
-            aria-label="All drawings"
+            aria-label={TO_ALL_DRAWINGS}
             data-testid="close-drawing"
             onClick={() => open(null)}
           >
@@ -36,7 +39,7 @@ export function DocumentPanel() {
         </h2>
       </div>
       <dl className={css.facts}>
-        <dt>Size</dt>
+        <dt>Drawing size</dt>
         <dd data-testid="drawing-size">
           {drawing.unit === null
             ? `${formatUnitless(drawing.width)} × ${formatUnitless(drawing.height)}, unit unknown`
@@ -44,18 +47,18 @@ export function DocumentPanel() {
         </dd>
         {drawing.unit !== null && (
           <>
-            <dt>Inches</dt>
+            <dt>Imperial size</dt>
             <dd data-testid="drawing-inches">{formatInches(drawing.width, drawing.height)}</dd>
           </>
         )}
-        <dt>Edges</dt>
+        <dt>Number of edges</dt>
         <dd>
           {drawing.segments.toLocaleString("en")}
-          {drawing.overrides > 0 && ` · ${drawing.overrides.toLocaleString("en")} set by hand`}
+          {drawing.overrides > 0 && `, ${drawing.overrides.toLocaleString("en")} set by hand`}
         </dd>
         {drawing.report && (
           <>
-            <dt>Import</dt>
+            <dt>Import report</dt>
             <dd>
               <button type="button" className={css.link} style={{ margin: 0 }} onClick={show}>
                 {summarizeReport(drawing.report)}
@@ -86,13 +89,18 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
         <Select
           size="xs"
           style={{ flex: 1 }}
-          label="Line type profile"
+          label="Profile (rules for line types)"
           data={[
             ...(gone
-              ? [{ group: "Deleted", items: [{ value: drawing.profile, label: drawing.profile }] }]
+              ? [
+                  {
+                    group: "Deleted profile",
+                    items: [{ value: drawing.profile, label: drawing.profile }],
+                  },
+                ]
               : []),
-            ...(own.length > 0 ? [{ group: "Customers", items: own.map(option) }] : []),
-            { group: "Built-in", items: shipped.map(option) },
+            ...(own.length > 0 ? [{ group: "Customer profiles", items: own.map(option) }] : []),
+            { group: "Built-in profiles", items: shipped.map(option) },
           ]}
           value={drawing.profile}
           allowDeselect={false}
@@ -102,12 +110,12 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
             if (profile !== null && profile !== drawing.profile) void patchDrawing({ profile });
           }}
         />
-        <Tooltip label={gone ? "Profile deleted" : "Edit rules"}>
+        <Tooltip label={gone ? "This profile was deleted" : EDIT_PROFILE}>
           <ActionIcon
             variant="default"
             size={30}
             disabled={gone}
-            aria-label="Edit profile"
+            aria-label={EDIT_PROFILE}
             data-testid="edit-profile"
             onClick={() => set({ editedProfile: drawing.profile })}
           >
@@ -119,7 +127,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
         <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
           {drawing.profile_state === "changed"
             ? "The profile has changed since it was applied to this drawing. "
-            : "This profile was deleted; the drawing keeps its rules. "}
+            : "This profile was deleted. The drawing still uses its rules. "}
           {drawing.profile_state === "changed" && (
             <button
               type="button"
@@ -128,7 +136,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
               data-testid="apply-again"
               onClick={() => void patchDrawing({ profile: drawing.profile })}
             >
-              Apply again
+              Apply the changed profile
             </button>
           )}
         </p>

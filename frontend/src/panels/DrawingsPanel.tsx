@@ -106,7 +106,7 @@ export function ChooseFile({ large = false }: { large?: boolean }) {
         onClick={() => input.current?.click()}
         data-testid={large ? "choose-file-large" : "choose-file"}
       >
-        Open files
+        Open drawing files
       </Button>
     </>
   );

@@ -14,6 +14,7 @@ import { edgeQuestionText } from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
+import { SHOW_EDGES } from "./labels";
 import css from "./panels.module.css";
 import { answerHandlers } from "./previewHandlers";
 import questionCss from "./questions.module.css";
@@ -55,13 +56,13 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
       <button
         type="button"
         className={questionCss.questionShow}
-        title="Show these edges"
+        title={SHOW_EDGES}
         onClick={() => zoomToEdges(rows)}
       >
         <span className={questionCss.questionHead}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
           <span className={css.rowName}>
-            {question.layer === "" ? "These edges" : `Layer ${question.layer}`}
+            {question.layer === "" ? "Edges in question" : `Layer ${question.layer}`}
           </span>
           <span className={css.rowFigure}>
             {pluralize(rows.length, "edge")}
@@ -70,10 +71,14 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
         </span>
         <span className={questionCss.questionFacts} title={renderText(question)}>
           Colour {colourWords(question.colour)}
-          {facts !== null && facts.linetypes.length > 0 && ` · ${facts.linetypes.join(", ")}`}
+          {facts !== null &&
+            facts.linetypes.length > 0 &&
+            ` · line style ${facts.linetypes.join(", ")}`}
         </span>
       </button>
-      <p className={questionCss.questionText}>{text || "No evidence for any line type."}</p>
+      <p className={questionCss.questionText}>
+        {text || "Nothing in the file suggests a line type. Please choose one."}
+      </p>
       <div className={questionCss.choices}>
         {choices.map((type, at) => {
           const likely = at === 0 && percent !== null;
@@ -93,7 +98,9 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             >
               <Swatch type={type} />
               {LINE_STYLES[type].title}
-              {likely && <span className={questionCss.choiceFigure}>most likely, {percent} %</span>}
+              {likely && (
+                <span className={questionCss.choiceFigure}>most likely ({percent} %)</span>
+              )}
             </button>
           );
         })}

@@ -2,7 +2,7 @@
 
 import { Fragment } from "react";
 import type { Verdict } from "../api/client";
-import { type Edges, lineTypeOf, MOTIONS, type Toolpath } from "../geometry/records";
+import { type Edges, lineTypeOf, MOTIONS, type Motion, type Toolpath } from "../geometry/records";
 import { formatDeviation, formatHundredths } from "../state/format";
 import { ruleText } from "../state/inspect";
 import { LINE_STYLES, TRAVEL } from "../state/palette";
@@ -67,21 +67,21 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
       <dl>
         <dt>Layer</dt>
         <dd>{layerOf(edges, row)}</dd>
-        <dt>Handle</dt>
+        <dt>Entity in file</dt>
         <dd>
-          {edges.handles[row]} · edge {row}
+          {edges.handles[row]}, edge {row}
         </dd>
-        <dt>Reason</dt>
+        <dt>Decided by</dt>
         <dd>{ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
         {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
-            <dt>Deviation</dt>
+            <dt>Deviation from drawing</dt>
             <dd>{formatDeviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
-            <dt>Overcut</dt>
+            <dt>Overcut length</dt>
             <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
-            <dt>Uncut</dt>
+            <dt>Uncut length</dt>
             <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
-            <dt>Setback</dt>
+            <dt>Setback from ends</dt>
             <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
             {optionalFigures(verdict, row).map(({ title, value }) => (
               <Fragment key={title}>
@@ -109,20 +109,31 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
   if (width > 0) {
     listed.push(
       { title: "Groove width", value: `${formatHundredths(width)} at the top` },
-      { title: "Remaining web", value: formatHundredths(figure(verdict.edge_web)) },
-      { title: "Flank deviation", value: formatDeviation(figure(verdict.edge_flank)) },
+      { title: "Board left under groove", value: formatHundredths(figure(verdict.edge_web)) },
+      { title: "Groove side deviation", value: formatDeviation(figure(verdict.edge_flank)) },
     );
   }
   const top = figure(verdict.edge_top_overcut);
   const bottom = figure(verdict.edge_bottom_uncut);
   if (top >= MIN_LISTED)
-    listed.push({ title: "Top face", value: `${formatHundredths(top)} overcut` });
+    listed.push({ title: "Overcut on top face", value: formatHundredths(top) });
   if (bottom >= MIN_LISTED)
-    listed.push({ title: "Bottom face", value: `${formatHundredths(bottom)} uncut` });
+    listed.push({ title: "Uncut on bottom face", value: formatHundredths(bottom) });
   const left = figure(verdict.edge_unreached);
-  if (left >= MIN_LISTED) listed.push({ title: "Unreachable", value: formatHundredths(left) });
+  if (left >= MIN_LISTED)
+    listed.push({ title: "Unreachable length", value: formatHundredths(left) });
   return listed;
 }
+
+const MOTION_TITLES: Readonly<Record<Motion, string>> = {
+  rapid: "Air move",
+  plunge: "Plunge",
+  "lead-in": "Lead-in",
+  feed: "Cut or crease",
+  swivel: "Tool turn",
+  "lead-out": "Lead-out",
+  lift: "Lift",
+};
 
 /** The moves under the cursor: tool, kind of move, height and program line. */
 function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath }) {
@@ -147,9 +158,9 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
               </div>
             )}
             <div className={overCss.tooltipMove}>
-              <span>{MOTIONS[toolpath.motion[row] ?? 0]}</span>
-              <span>Z {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)}</span>
-              <span>{line > 0 ? `line ${line.toLocaleString("en")}` : ""}</span>
+              <span>{MOTION_TITLES[MOTIONS[toolpath.motion[row] ?? 0] ?? "rapid"]}</span>
+              <span>height {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)} mm</span>
+              <span>{line > 0 ? `program line ${line.toLocaleString("en")}` : ""}</span>
             </div>
           </div>
         );

@@ -69,7 +69,11 @@ function Entity({ row, group, edges, drawing }: Props) {
       className={css.entity}
       disabled={found === null}
       aria-pressed={meant}
-      title={found === null ? "No position in the file" : "Show"}
+      title={
+        found === null
+          ? "This entity has no position in the file"
+          : "Show this entity in the drawing"
+      }
       data-testid="entity"
       onClick={() => {
         if (found === null) return;
@@ -81,7 +85,7 @@ function Entity({ row, group, edges, drawing }: Props) {
         {row.text === "" ? row.kind : `“${row.text}”`}
         <small>
           {row.text === "" ? "" : `${row.kind} `}
-          {row.handle} on {row.layer}
+          {row.handle} on layer {row.layer}
           {reason !== renderText(group.reason) && ` · ${reason}`}
         </small>
       </span>

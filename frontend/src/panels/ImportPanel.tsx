@@ -19,6 +19,7 @@ import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
 import { Entities } from "./Entities";
 import css from "./import.module.css";
+import { SHOW_EDGES } from "./labels";
 import panels from "./panels.module.css";
 import { Section } from "./Section";
 
@@ -56,7 +57,7 @@ export function ImportPanel() {
           { value: "all", label: "All" },
           ...OUTCOME_FILTERS.map((word) => ({ value: word, label: TITLES[word] })),
         ]}
-        aria-label="Filter by outcome"
+        aria-label="Filter the report by import result"
       />
       <div className={css.groups} data-testid="report-groups">
         {groups.map((group) => (
@@ -68,7 +69,7 @@ export function ImportPanel() {
         ))}
         {groups.length === 0 && (
           <p className={panels.note} style={{ padding: "0 8px" }}>
-            Nothing was {outcome}.
+            Nothing in this file was {outcome}.
           </p>
         )}
       </div>
@@ -80,7 +81,11 @@ function Bar({ report }: { report: Report }) {
   const formatRun = useFormatLength();
   return (
     <div className={css.sum} data-testid="report-bar">
-      <div className={css.bar} role="img" aria-label="Drawn length: kept, merged and dropped">
+      <div
+        className={css.bar}
+        role="img"
+        aria-label="Lengths that the import kept, merged and dropped"
+      >
         {lengthShares(report).map(({ outcome, share }) =>
           share > 0 ? (
             <span
@@ -102,7 +107,7 @@ function Bar({ report }: { report: Report }) {
           </div>
         ))}
         <div>
-          <dt>Drawn</dt>
+          <dt>In the file</dt>
           <dd data-testid="report-drawn">{formatRun(report.drawn)}</dd>
         </div>
       </dl>
@@ -124,7 +129,7 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
         type="button"
         className={css.group}
         aria-expanded={lines ? undefined : open}
-        title={lines ? "Show these edges" : "List entities"}
+        title={lines ? SHOW_EDGES : "List these entities"}
         data-testid={`report-${group.outcome}`}
         onClick={() => {
           if (!lines) setOpen(!open);

@@ -24,11 +24,9 @@ export function InheritedRules({ title, rules }: Props) {
         aria-expanded={open}
         onClick={() => setOpen(!open)}
       >
-        <span>{title}</span>
+        <span>Rules of “{title}”</span>
         <span className={panels.rowFigure}>
-          {rules === null
-            ? "…"
-            : `${pluralize(rules.length, "rule")} · ${pluralize(edges, "edge")}`}
+          {rules === null ? "…" : `${pluralize(rules.length, "rule")}, ${pluralize(edges, "edge")}`}
         </span>
       </button>
       {open &&

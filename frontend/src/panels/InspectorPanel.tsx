@@ -12,6 +12,7 @@ import { layerOf, rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
 import css from "./inspector.module.css";
+import { USE_PROFILE_TYPE } from "./labels";
 import panels from "./panels.module.css";
 import { previewHandlers } from "./previewHandlers";
 import { Section } from "./Section";
@@ -31,12 +32,14 @@ export function InspectorPanel() {
   const byHand = rows.some((one) => isSetByHand(edges, one));
   return (
     <Section
-      title={rows.length === 1 ? `Edge ${row}` : pluralize(rows.length, "edge")}
+      title={rows.length === 1 ? `Selected edge ${row}` : pluralize(rows.length, "selected edge")}
       aside={<span className={panels.rowFigure}>{length(found.length)}</span>}
     >
       <div data-testid="inspector">
         <Reasons found={found} />
-        {found.more > 0 && <p className={panels.note}>… and {found.more} more reasons</p>}
+        {found.more > 0 && (
+          <p className={panels.note}>… and {found.more} more reasons for line types</p>
+        )}
         {found.alternatives.length > 0 && <Alternatives types={found.alternatives} rows={rows} />}
         {byHand && (
           <button
@@ -45,13 +48,13 @@ export function InspectorPanel() {
             disabled={busy}
             onClick={() => void retype(rows, null)}
           >
-            Reset to profile
+            {USE_PROFILE_TYPE}
           </button>
         )}
         <Facts found={found} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
         {alike.length > rows.length && (
           <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
-            Select all {alike.length.toLocaleString("en")} with this layer and colour
+            Select all {alike.length.toLocaleString("en")} edges with this layer and colour
           </button>
         )}
       </div>
@@ -93,7 +96,7 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
   return (
     <>
       <p className={panels.note} style={{ margin: "10px 0 0" }}>
-        Could also be
+        Set to another possible line type
       </p>
       <div className={css.alternatives}>
         {types.map((type) => (
@@ -126,7 +129,7 @@ function Facts({ found, handle }: FactsProps) {
     <dl className={panels.facts}>
       {handle !== null && (
         <>
-          <dt>Handle</dt>
+          <dt>Entity in file</dt>
           <dd>{handle}</dd>
         </>
       )}
@@ -144,11 +147,11 @@ function Facts({ found, handle }: FactsProps) {
           </span>
         ))}
       </dd>
-      <dt>Linetype</dt>
+      <dt>Line style in file</dt>
       <dd>{found.linetypes.join(", ")}</dd>
       {found.outcome !== "" && (
         <>
-          <dt>Cleaning</dt>
+          <dt>Import result</dt>
           <dd>{found.outcome}</dd>
         </>
       )}

@@ -43,8 +43,8 @@ export function JobPanel() {
   const { data: job } = useJob();
   if (job === undefined) return null;
   return (
-    <Section title="Job" aside={<StateBadge job={job} testId="job-state" />}>
-      <div style={{ display: "grid", gap: 12 }}>
+    <Section title="Selected job" aside={<StateBadge job={job} testId="job-state" />}>
+      <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
         {isCompiling(job) && <Compiling job={job} />}
         {needsOperator(job) && <ConfirmationCard job={job} />}
         {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
@@ -63,7 +63,7 @@ export function JobPanel() {
             leftSection={<IconDownload size={15} aria-hidden />}
             data-testid="program"
           >
-            Program, {pluralize(job.lines, "line")}
+            Download program ({pluralize(job.lines, "line")})
           </Button>
         )}
       </div>
@@ -91,7 +91,7 @@ function Compiling({ job }: { job: Job }) {
 function Waiting({ job }: { job: Job }) {
   return (
     <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
-      {job.message === null ? `Waiting for ${job.machine}.` : renderText(job.message)}
+      {job.message === null ? `The job waits for the machine ${job.machine}.` : renderText(job.message)}
       <Hint message={job.message} />
     </div>
   );
@@ -114,17 +114,17 @@ function Running({ job }: { job: Job }) {
         color={held ? "yellow" : "blue"}
         striped={held}
         transitionDuration={200}
-        aria-label="Progress of the run"
+        aria-label="Progress of the job on the table"
         data-testid="run-progress"
       />
       <div className={css.runFigures}>
         <span>
-          {Math.round(job.progress * 100)} %
+          {Math.round(job.progress * 100)} % done
           {job.copies > 1 &&
             ` · copy ${Math.min(job.copies_done + 1, job.copies)} of ${job.copies}`}
         </span>
         <span>
-          line {job.line.toLocaleString("en")} of {job.lines.toLocaleString("en")}
+          program line {job.line.toLocaleString("en")} of {job.lines.toLocaleString("en")}
         </span>
         <span data-testid="time-left">{left === null ? "" : `${formatDuration(left)} left`}</span>
       </div>
@@ -141,10 +141,10 @@ function Outcome({ job }: { job: Job }) {
         <div className={verdictCss.verdictHead}>
           <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
           <span className={verdictCss.verdictTitle}>
-            {job.copies === 1 ? "Cut" : `${pluralize(job.copies, "copy", "copies")} cut`}
+            {pluralize(job.copies, "copy", "copies")} finished
           </span>
         </div>
-        <div className={css.hint}>The table is free.</div>
+        <div className={css.hint}>The table is free for the next job.</div>
       </div>
     );
   }
@@ -166,7 +166,7 @@ function Outcome({ job }: { job: Job }) {
       <Hint message={job.message} />
       {rows.length > 0 && (
         <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
-          Show {pluralize(rows.length, "edge")}
+          Show {pluralize(rows.length, "edge")} in the drawing
         </Button>
       )}
     </div>
@@ -187,49 +187,49 @@ const LOOKS: Readonly<
     testId: "send",
   },
   confirm: {
-    title: "Confirm",
+    title: "Table checked: start",
     icon: <IconCheck size={16} />,
     colour: "green",
     variant: "filled",
     testId: "confirm",
   },
   hold: {
-    title: "Pause",
+    title: "Pause job",
     icon: <IconPlayerPauseFilled size={16} />,
     colour: "yellow",
     variant: "light",
     testId: "hold",
   },
   resume: {
-    title: "Resume",
+    title: "Resume job",
     icon: <IconPlayerPlayFilled size={16} />,
     colour: "blue",
     variant: "filled",
     testId: "resume",
   },
   cancel: {
-    title: "Cancel",
+    title: "Cancel job",
     icon: <IconPlayerStopFilled size={16} />,
     colour: "red",
     variant: "subtle",
     testId: "cancel",
   },
   finish: {
-    title: "Mark finished",
+    title: "Mark as finished",
     icon: <IconCheck size={16} />,
     colour: "green",
     variant: "light",
     testId: "finish",
   },
   requeue: {
-    title: "Queue again",
+    title: "Queue job again",
     icon: <IconRefresh size={16} />,
     colour: "blue",
     variant: "filled",
     testId: "requeue",
   },
   scrap: {
-    title: "Scrap",
+    title: "Scrap board and end job",
     icon: <IconTrash size={16} />,
     colour: "red",
     variant: "subtle",

@@ -20,7 +20,7 @@ export function LayersPanel() {
   if (drawing === undefined) return null;
   return (
     <Section
-      title="File layers"
+      title="Layers in the file"
       flush
       aside={<span className={css.rowFigure}>{drawing.layers.length}</span>}
     >
@@ -58,12 +58,15 @@ function Row({ layer }: { layer: Layer }) {
         <span className={css.rowCount}>{layer.edges.toLocaleString("en")}</span>
       </button>
       <span style={{ display: "flex" }}>
-        <TypeMenu label={`Set ${layer.name} to`} onChoose={(type) => void retype(rows(), type)}>
+        <TypeMenu
+          label={`Line type of layer ${layer.name}`}
+          onChoose={(type) => void retype(rows(), type)}
+        >
           <ActionIcon
             variant="subtle"
             color="gray"
             size="sm"
-            aria-label={`Line type of layer ${layer.name}`}
+            aria-label={`Set the line type of layer ${layer.name}`}
           >
             <IconDots size={15} />
           </ActionIcon>

@@ -32,7 +32,7 @@ export function LearnedPanel() {
       title={
         <>
           <IconBulb size={15} color="#79b2ff" aria-hidden />
-          Learned from your corrections
+          Rules suggested by your changes
         </>
       }
     >
@@ -78,11 +78,11 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
         </span>
       </div>
       <p className={panels.note} style={{ margin: "4px 0 0" }}>
-        Matches {pluralize(explains.length, "edge")} you set by hand
+        Matches {pluralize(explains.length, "edge")} that you set by hand
         {others === 0
-          ? "; changes no other edge."
+          ? ". Changes no other edge."
           : proposal.sure
-            ? " and answers open ones:"
+            ? ". Also decides open edges:"
             : ". Also changes:"}
       </p>
       <TypeChanges changes={changes} />
@@ -110,7 +110,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
             disabled={busy || title.trim() === ""}
             data-testid="keep-lesson"
           >
-            Save
+            Save rule
           </Button>
         </form>
       ) : (
@@ -121,7 +121,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
           data-testid="keep-lesson"
           onClick={() => void saveLearnedRule(proposal, profile, profile.title)}
         >
-          Save for {profile.title}
+          Save rule for {profile.title}
         </Button>
       )}
     </article>

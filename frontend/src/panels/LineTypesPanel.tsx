@@ -53,7 +53,7 @@ function Row({ type, edges, run }: { type: LineType; edges: number; run: number 
         variant="subtle"
         color="gray"
         size="sm"
-        aria-label={`${hidden ? "Show" : "Hide"} ${title.toLowerCase()}`}
+        aria-label={`${hidden ? "Show" : "Hide"} ${title.toLowerCase()} edges`}
         aria-pressed={!hidden}
         onClick={() => toggle(type)}
       >

@@ -13,25 +13,31 @@ export function MachineChip() {
   const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
   const label = lost
-    ? "The knifetip server does not answer; trying again"
+    ? "The knifetip server does not answer. The page keeps trying."
     : machine === undefined
-      ? "Loading machines"
+      ? "Loading the list of machines"
       : there
-        ? `${machine.name} is connected`
-        : `${machine.name} is not connected: jobs wait in the queue`;
+        ? `${machine.title || machine.name} is connected`
+        : `${machine.title || machine.name} is not connected. Its jobs wait in the queue.`;
   return (
     <Tooltip label={label}>
       <span
         className={css.badge}
+        style={{ minWidth: 0 }}
         data-tone={lost ? "red" : there ? "green" : "grey"}
         data-testid="machine-status"
         role="status"
       >
-        <span className={css.dot} style={{ width: 7, height: 7, background: "var(--tone)" }} />
-        {lost ? "No connection" : (machine?.name ?? "…")}
-        {!lost &&
-          machine !== undefined &&
-          ` · ${there ? (machine.job === null ? "idle" : "busy") : "offline"}`}
+        <span
+          className={css.dot}
+          style={{ flex: "none", width: 7, height: 7, background: "var(--tone)" }}
+        />
+        <span className={css.rowName}>
+          {lost ? "Server not reachable" : machine?.title || machine?.name || "…"}
+        </span>
+        {!lost && machine !== undefined && (
+          <span>{there ? (machine.job === null ? "free" : "busy") : "not connected"}</span>
+        )}
       </span>
     </Tooltip>
   );

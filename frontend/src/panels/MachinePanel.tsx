@@ -8,14 +8,14 @@ import css from "./panels.module.css";
 import { Section } from "./Section";
 
 const DIMENSIONS: Readonly<Record<string, string>> = {
-  back: "blade offset",
+  back: "tip beside head axis",
   blade_angle: "blade angle",
-  blade_width: "blade",
-  half_width: "half blade width",
-  radius: "radius",
-  tilt: "tilt",
-  trail: "trail",
-  width: "width",
+  blade_width: "blade width",
+  half_width: "tip behind head axis",
+  radius: "tool radius",
+  tilt: "blade tilt",
+  trail: "tip behind head axis",
+  width: "tool width",
 };
 const ANGLES = new Set(["tilt", "blade_angle"]);
 
@@ -31,9 +31,9 @@ export function MachinePanel() {
   const machine = machines?.find(({ name }) => name === chosen) ?? machines?.[0];
   if (machine === undefined) return null;
   return (
-    <Section title="Machine" flush aside={<Gateway machine={machine} />}>
+    <Section title="Machine and tools" flush aside={<Gateway machine={machine} />}>
       <div style={{ padding: "0 8px 6px" }} className={css.note}>
-        {machine.title || machine.name} · {machine.dialect}
+        {machine.title || machine.name}, controller language {machine.dialect}
       </div>
       {machine.stations.map((station) => (
         <div key={station.number} className={jobCss.station}>
@@ -50,7 +50,7 @@ function Gateway({ machine }: { machine: Machine }) {
   const connected = machine.gateway === "connected";
   return (
     <span className={css.badge} data-tone={connected ? "green" : "grey"}>
-      {connected ? "Connected" : "Offline"}
+      {connected ? "Connected" : "Not connected"}
     </span>
   );
 }

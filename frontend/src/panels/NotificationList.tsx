@@ -37,11 +37,11 @@ export function NotificationList() {
                   variant="default"
                   onClick={() => zoomToEdges(rows)}
                 >
-                  Show {pluralize(rows.length, "edge")}
+                  Show {pluralize(rows.length, "edge")} in the drawing
                 </Button>
               )}
             </div>
-            <CloseButton size="sm" aria-label="Dismiss" onClick={() => dismiss(id)} />
+            <CloseButton size="sm" aria-label="Close this message" onClick={() => dismiss(id)} />
           </div>
         );
       })}

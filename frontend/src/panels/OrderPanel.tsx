@@ -92,7 +92,7 @@ export function OrderPanel() {
             variant={job === undefined || job.state === "refused" ? "filled" : "default"}
             data-testid="compile"
           >
-            {job === undefined ? "Compile" : "Compile again"}
+            {job === undefined ? "Prepare program" : "Prepare again"}
           </Button>
         </div>
         {missing !== null && (

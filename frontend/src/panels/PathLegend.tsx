@@ -10,10 +10,10 @@ import { useUiStore } from "../state/store";
 import overCss from "./over.module.css";
 import css from "./panels.module.css";
 
-const MARK_SIZES: readonly { word: keyof typeof MARKS; size: number }[] = [
-  { word: "plunge", size: 5 },
-  { word: "swivel", size: 7 },
-  { word: "lift", size: 10 },
+const MARK_STYLES: readonly { mark: keyof typeof MARKS; title: string; size: number }[] = [
+  { mark: "plunge", title: "tool enters the board", size: 5 },
+  { mark: "swivel", title: "tool turns", size: 7 },
+  { mark: "lift", title: "tool leaves the board", size: 10 },
 ];
 
 export function PathLegend() {
@@ -24,13 +24,13 @@ export function PathLegend() {
     <div className={`${overCss.float} ${overCss.legend}`} data-testid="path-legend">
       {layers.swept && <Tools />}
       {layers.moves &&
-        MARK_SIZES.map(({ word, size }) => (
-          <span key={word}>
+        MARK_STYLES.map(({ mark, title, size }) => (
+          <span key={mark}>
             <span
               className={css.dot}
-              style={{ width: size, height: size, background: MARKS[word] }}
+              style={{ width: size, height: size, background: MARKS[mark] }}
             />
-            {word}
+            {title}
           </span>
         ))}
     </div>
@@ -70,9 +70,9 @@ const COLOURS: Readonly<Record<Sweep["kind"], string>> = {
 };
 
 function sweepText(sweep: Sweep, depth: number): string {
-  if (sweep.kind === "disc") return `⌀ ${formatHundredths(2 * sweep.radius)}`;
+  if (sweep.kind === "disc") return `cuts ${formatHundredths(2 * sweep.radius)} wide`;
   if (sweep.kind === "groove") {
     return `${formatHundredths(2 * depth * sweep.slope)} wide at the top, ${formatHundredths(depth)} deep`;
   }
-  return `contact ±\u202f${formatHundredths(contactOf(sweep.radius, depth))}, ${formatHundredths(depth)} deep`;
+  return `touches ${formatHundredths(2 * contactOf(sweep.radius, depth))} of the line at a time, ${formatHundredths(depth)} deep`;
 }

@@ -16,7 +16,7 @@ export function PreparationBanner() {
       role="status"
       data-testid="preparation"
     >
-      <div>{`Preparing the server: ${compiled} of ${parts} parts compiled`}</div>
+      <div>{`The server is being prepared: ${compiled} of ${parts} parts are ready`}</div>
       <Progress
         value={(compiled / parts) * 100}
         size="sm"
@@ -24,8 +24,8 @@ export function PreparationBanner() {
         aria-label="Preparation of the server"
       />
       <div className={css.hint}>
-        Only after an installation. Drawings and jobs can be sent now; they start as soon as their
-        parts are compiled.
+        This happens once after an installation. You can open drawings and send jobs now; each
+        starts as soon as the parts that it needs are ready.
       </div>
     </div>
   );

@@ -19,6 +19,8 @@ import css from "./profile.module.css";
 import { RuleCard } from "./RuleCard";
 import { previewsOfChanges, TypeChanges } from "./TypeChanges";
 
+const BACK = "Back to the drawing";
+
 export function ProfileEditor({ name }: { name: string }) {
   const { data: profiles } = useProfiles();
   const profile = profiles?.find((one) => one.name === name);
@@ -41,7 +43,7 @@ function MissingProfile() {
     <div style={{ padding: 16 }}>
       <p className={panels.note}>This profile was deleted.</p>
       <Button size="xs" variant="default" onClick={() => set({ editedProfile: null })}>
-        Back
+        {BACK}
       </Button>
     </div>
   );
@@ -87,8 +89,8 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   return (
     <div className={css.editor} data-testid="profile-editor">
       <div className={css.head}>
-        <Tooltip label={touched ? "Back to drawing (keeps your edits)" : "Back to drawing"}>
-          <ActionIcon variant="subtle" color="gray" aria-label="Back" onClick={close}>
+        <Tooltip label={touched ? `${BACK} (your edits are kept)` : BACK}>
+          <ActionIcon variant="subtle" color="gray" aria-label={BACK} onClick={close}>
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
@@ -109,10 +111,10 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             onClick={() => void save()}
             data-testid="save-profile"
           >
-            Save and apply
+            Save and apply to drawing
           </Button>
           <Button size="xs" variant="default" onClick={discard}>
-            {touched ? "Discard" : "Close"}
+            {touched ? "Discard edits" : "Close editor"}
           </Button>
         </div>
       </div>
@@ -127,8 +129,8 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
     <>
       <TextInput
         size="xs"
-        label="Customer"
-        placeholder="Customer name"
+        label="Customer name"
+        placeholder="Name of the customer"
         maxLength={120}
         value={draft.title}
         data-testid="profile-title"
@@ -136,9 +138,9 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
       />
       <Select
         size="xs"
-        label="Based on"
+        label="Built-in profile to start from"
         clearable
-        placeholder="Nothing: only the rules below"
+        placeholder="None: use only the rules below"
         data={profiles
           .filter(({ shipped }) => shipped)
           .map((one) => ({ value: one.name, label: one.title }))}
@@ -148,7 +150,7 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
       {draft.extends !== null && (
         <Switch
           size="xs"
-          label="Own rules first"
+          label="Apply the rules below before the built-in ones"
           checked={draft.overrules}
           onChange={(event) => edit({ ...draft, overrules: event.currentTarget.checked })}
         />
@@ -171,7 +173,7 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
   return (
     <>
       <div className={css.rulesHead}>
-        <span>Rules (first match wins)</span>
+        <span>Rules (the first match decides)</span>
         <Button
           size="compact-xs"
           variant="default"
@@ -206,7 +208,7 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
       </ol>
       {draft.rules.length === 0 && (
         <p className={panels.note} style={{ margin: 0 }}>
-          No rules yet. Add one, or set edges by hand and save a learned rule.
+          No rules yet. Add a rule, or set edges by hand and save a suggested rule.
         </p>
       )}
       {draft.overrules && inherited}
@@ -231,10 +233,10 @@ function PreviewResult({ preview }: { preview: PreviewState }) {
     <>
       <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
         {changed === 0
-          ? "No change in this drawing"
-          : `${pluralize(changed, "edge")} change in this drawing`}
-        {open > 0 && `; ${pluralize(open, "edge")} match no rule`}.
-        {(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their type."}
+          ? "No edge changes in this drawing"
+          : `${pluralize(changed, "edge")} change${changed === 1 ? "s" : ""} in this drawing`}
+        {open > 0 && `; ${pluralize(open, "edge")} match${open === 1 ? "es" : ""} no rule`}.
+        {(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their line type."}
       </p>
       <TypeChanges changes={changes} />
     </>

@@ -12,24 +12,24 @@ export function ProfileFiles({ profile }: { profile: Profile }) {
   const set = useUiStore((ui) => ui.set);
   return (
     <span style={{ display: "flex" }}>
-      <Tooltip label="Export TOML">
+      <Tooltip label="Download this profile as a TOML file">
         <ActionIcon
           component="a"
           href={service.profileUrl(profile.name)}
           download={`${profile.name}.toml`}
           variant="subtle"
           color="gray"
-          aria-label="Export TOML"
+          aria-label="Download this profile as a TOML file"
           data-testid="export-profile"
         >
           <IconDownload size={16} />
         </ActionIcon>
       </Tooltip>
-      <Tooltip label="Import TOML">
+      <Tooltip label="Load a profile from a TOML file">
         <ActionIcon
           variant="subtle"
           color="gray"
-          aria-label="Import TOML"
+          aria-label="Load a profile from a TOML file"
           onClick={() => input.current?.click()}
         >
           <IconUpload size={16} />
@@ -49,11 +49,11 @@ export function ProfileFiles({ profile }: { profile: Profile }) {
         }}
       />
       {!profile.shipped && (
-        <Tooltip label="Delete profile">
+        <Tooltip label="Delete this profile">
           <ActionIcon
             variant="subtle"
             color="gray"
-            aria-label="Delete profile"
+            aria-label="Delete this profile"
             data-testid="delete-profile"
             onClick={() => {
               set({ editedProfile: null });

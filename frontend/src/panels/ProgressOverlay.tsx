@@ -11,13 +11,17 @@ export function ProgressOverlay() {
   const upload = useUiStore((ui) => ui.upload);
   return (
     <>
-      {busy && <div className={reportCss.working} role="progressbar" aria-label="Working" />}
+      {busy && (
+        <div className={reportCss.working} role="progressbar" aria-label="Waiting for the server" />
+      )}
       {upload !== null && (
         <div className={`${overCss.float} ${reportCss.upload}`} role="status" data-testid="upload">
           <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
             <span className={css.rowName}>{upload.name}</span>
             <span>
-              {upload.fraction < 1 ? `${Math.round(upload.fraction * 100)} %` : "Reading …"}
+              {upload.fraction < 1
+                ? `${Math.round(upload.fraction * 100)} % sent`
+                : "Reading the file …"}
             </span>
           </div>
           <Progress

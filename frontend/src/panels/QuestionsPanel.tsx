@@ -77,13 +77,13 @@ function IgnoreAll({ questions }: { questions: readonly Question[] }) {
       className={css.choice}
       style={{ width: "100%", marginTop: 8 }}
       disabled={busy}
-      title="Shown, but not cut or creased"
+      title="The edges stay visible, but are not cut or creased"
       data-testid="ignore-rest"
       {...previewHandlers(() => [{ rows, type: "ignored" }])}
       onClick={() => void retype(rows, "ignored")}
     >
       <Swatch type="ignored" />
-      Ignore all
+      Ignore all undecided edges
       <span className={css.choiceFigure}>{pluralize(rows.length, "edge")}</span>
     </button>
   );

@@ -6,7 +6,7 @@ import type { Job } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatAgo, formatDuration } from "../state/format";
 import { isCompiling, isOnTable, isOver, needsOperator } from "../state/jobs";
-import { useJobs } from "../state/queries";
+import { useBoards, useJobs } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
 import jobCss from "./job.module.css";
@@ -40,9 +40,9 @@ export function QueuePanel() {
   const waiting = listed.filter(({ state }) => state === "queued").length;
   return (
     <Section
-      title="Queue"
+      title="All jobs"
       flush
-      aside={<span className={css.rowFigure}>{waiting > 0 ? `${waiting} waiting` : ""}</span>}
+      aside={<span className={css.rowFigure}>{waiting > 0 ? `${waiting} in the queue` : ""}</span>}
     >
       <div data-testid="queue">
         {error && <p className={css.note}>{errorText(error)}</p>}
@@ -58,7 +58,7 @@ export function QueuePanel() {
         ))}
         {jobs !== undefined && jobs.length === 0 && (
           <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
-            No jobs yet. Compile a drawing to create one.
+            No jobs yet. Open a drawing and prepare its program to create one.
           </p>
         )}
         {(listed.length > most || list.hasNextPage) && (
@@ -78,6 +78,7 @@ export function QueuePanel() {
 function Row({ job, now }: { job: Job; now: number }) {
   const open = useUiStore((ui) => ui.open);
   const current = useUiStore((ui) => ui.job === job.id);
+  const { data: boards } = useBoards();
   const moving = isOnTable(job) || isCompiling(job);
   return (
     <button
@@ -90,10 +91,10 @@ function Row({ job, now }: { job: Job; now: number }) {
       <span className={css.rowName}>{job.drawing_name}</span>
       <StateBadge job={job} />
       <small>
-        {job.board}
+        {boards?.find(({ name }) => name === job.board)?.title || job.board}
         {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(job.updated, now)}
       </small>
-      <small>{job.seconds > 0 ? formatDuration(job.seconds) : ""}</small>
+      <small>{job.seconds > 0 ? `takes ${formatDuration(job.seconds)}` : ""}</small>
       {moving && (
         <Progress
           className={jobCss.bar ?? ""}

@@ -19,18 +19,18 @@ import css from "./profile.module.css";
 import { Swatch } from "./Swatch";
 
 const TITLES: Readonly<Record<Condition, string>> = {
-  layer: "Layer",
+  layer: "Layer name",
   colour: "Colour",
-  linetype: "Linetype",
-  entity: "Entity",
-  block: "Block",
+  linetype: "Line style in file",
+  entity: "Entity type",
+  block: "Block name",
 };
 const HINTS: Readonly<Record<Condition, string>> = {
-  layer: "FOLDS, crease*",
-  colour: "1, #ff0000",
-  linetype: "*DASH*",
-  entity: "LINE, ARC",
-  block: "*",
+  layer: "e.g. FOLDS, crease*",
+  colour: "e.g. 1, #ff0000",
+  linetype: "e.g. *DASH*",
+  entity: "e.g. LINE, ARC",
+  block: "e.g. *CREASE*",
 };
 /** Conditions that are always shown; the others on request. */
 const USUAL: readonly Condition[] = ["layer", "colour"];
@@ -70,7 +70,7 @@ export function RuleCard(props: Props) {
         <span
           className={css.grip}
           draggable
-          title="Drag to reorder"
+          title="Drag to change the order of the rules"
           onDragStart={(event) => {
             event.dataTransfer.effectAllowed = "move";
             onLift(rule.key);
@@ -96,13 +96,13 @@ export function RuleCard(props: Props) {
         <span className={panels.rowFigure} data-testid="rule-edges">
           {edges === null ? "…" : pluralize(edges, "edge")}
         </span>
-        <Button label="Move up" act={() => onMove(number - 2)}>
+        <Button label="Move this rule up" act={() => onMove(number - 2)}>
           <IconChevronUp size={14} />
         </Button>
-        <Button label="Move down" act={() => onMove(number)}>
+        <Button label="Move this rule down" act={() => onMove(number)}>
           <IconChevronDown size={14} />
         </Button>
-        <Button label="Delete rule" act={onDelete}>
+        <Button label="Delete this rule" act={onDelete}>
           <IconX size={14} />
         </Button>
       </div>
@@ -118,10 +118,10 @@ export function RuleCard(props: Props) {
         ))}
       </div>
       <div className={css.ruleFoot}>
-        {matchesAll(rule) && <span>Without a condition, the rule matches everything.</span>}
+        {matchesAll(rule) && <span>This rule has no condition: it matches every edge.</span>}
         {shown.length < CONDITIONS.length && (
           <button type="button" className={css.more} onClick={() => setAll(true)}>
-            More conditions
+            Show more conditions
           </button>
         )}
       </div>

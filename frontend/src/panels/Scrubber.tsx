@@ -43,7 +43,7 @@ export function Scrubber() {
       <ActionIcon
         variant="subtle"
         color="gray"
-        aria-label={playing ? "Pause preview" : "Play preview"}
+        aria-label={playing ? "Pause the preview of the program" : "Play a preview of the program"}
         data-testid="play"
         onClick={() => {
           if (!playing && (previewTime === null || previewTime >= whole)) set({ previewTime: 0 });
@@ -61,7 +61,7 @@ export function Scrubber() {
         step={whole / 1000}
         value={at}
         label={null}
-        thumbLabel="Program time"
+        thumbLabel="Time in the preview of the program"
         onChange={(value) => {
           setPlaying(false);
           set({ previewTime: value });

@@ -9,6 +9,7 @@ import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
+import { USE_PROFILE_TYPE } from "./labels";
 import css from "./over.module.css";
 import { Swatch } from "./Swatch";
 
@@ -26,20 +27,20 @@ export function SelectionBar() {
     <div
       className={`${css.float} ${css.selection}`}
       role="toolbar"
-      aria-label="Line type of selected edges"
+      aria-label="Set the line type of the selected edges"
       data-testid="selection"
     >
       <span className={css.selectionText}>
-        {pluralize(rows.length, "edge")} · {length(run)}
+        {pluralize(rows.length, "edge")} selected · {length(run)}
       </span>
       {ASSIGNABLE_TYPES.map((type) => {
         const { title, key } = LINE_STYLES[type];
         return (
-          <Tooltip key={type} label={`${title} (${key})`}>
+          <Tooltip key={type} label={`Set to ${title.toLowerCase()} (key ${key})`}>
             <button
               type="button"
               className={css.chip}
-              aria-label={`Set to ${title.toLowerCase()}`}
+              aria-label={`Set the line type to ${title.toLowerCase()}`}
               aria-pressed={types.size === 1 && types.has(type)}
               disabled={busy}
               data-testid={`type-${type}`}
@@ -51,12 +52,12 @@ export function SelectionBar() {
           </Tooltip>
         );
       })}
-      <Tooltip label="Reset to profile (0)">
+      <Tooltip label={`${USE_PROFILE_TYPE} (key 0)`}>
         <ActionIcon
           variant="subtle"
           color="gray"
           disabled={busy}
-          aria-label="Reset to profile"
+          aria-label={USE_PROFILE_TYPE}
           data-testid="type-none"
           onClick={() => void retype(rows, null)}
         >

@@ -3,29 +3,30 @@
 import { Modal } from "@mantine/core";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
 import { useUiStore } from "../state/store";
+import { USE_PROFILE_TYPE } from "./labels";
 import css from "./panels.module.css";
 
 const KEYS: readonly (readonly [string, string])[] = [
-  ["F", "Fit the drawing"],
-  ["Shift F", "Fit the table"],
-  ["+  −", "Zoom"],
-  ["Arrow keys", "Pan"],
-  ["Ctrl Z", "Undo"],
-  ["Ctrl Shift Z", "Redo"],
+  ["F", "Show the whole drawing"],
+  ["Shift F", "Show the whole table"],
+  ["+  −", "Zoom in, zoom out"],
+  ["Arrow keys", "Move the view"],
+  ["Ctrl Z", "Undo the last change"],
+  ["Ctrl Shift Z", "Redo the undone change"],
   ["Esc", "Clear selection"],
   ["Ctrl A", "Select all edges"],
-  ["[  ]", "Hide side panels"],
-  ["N  H  T  R", "Show drawing, head path, tip path, rapids"],
-  ["S  P", "Show swept area; plunges, lifts and swivels"],
-  ["C", "Colour by line type, deviation, overcut"],
-  ["?", "Show shortcuts"],
+  ["[  ]", "Show or hide the left, right panel"],
+  ["N  H  T  R", "Show or hide drawing, head path, tip path, air moves"],
+  ["S  P", "Show or hide tool width, plunges and lifts"],
+  ["C", "Colour the drawing by line type, deviation or overcut"],
+  ["?", "Show or hide this list"],
 ];
 
 const MOUSE: readonly (readonly [string, string])[] = [
   ["Wheel", "Zoom at the cursor"],
-  ["Drag", "Pan"],
-  ["Click", "Select edge (Shift: add)"],
-  ["Shift drag", "Select with a box"],
+  ["Drag", "Move the view"],
+  ["Click", "Select an edge; with Shift, add it to the selection"],
+  ["Shift drag", "Select the edges in a box"],
 ];
 
 export function ShortcutsDialog() {
@@ -38,7 +39,7 @@ export function ShortcutsDialog() {
     <Modal
       opened={open}
       onClose={() => set({ helpOpen: false })}
-      title="Shortcuts"
+      title="Keyboard and mouse shortcuts"
       size="lg"
       centered
     >
@@ -48,9 +49,9 @@ export function ShortcutsDialog() {
           <Keys rows={MOUSE} />
           <div>
             <p className={css.note} style={{ margin: "0 0 8px" }}>
-              Line type of selected edges
+              Set the line type of the selected edges
             </p>
-            <Keys rows={[...choices, ["0", "Reset to profile"]]} />
+            <Keys rows={[...choices, ["0", USE_PROFILE_TYPE]]} />
           </div>
         </div>
       </div>

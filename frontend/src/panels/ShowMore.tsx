@@ -21,7 +21,7 @@ export function ShowMore({ act, busy = false, left }: Props) {
       onClick={act}
       data-testid="show-more"
     >
-      Show more{left !== undefined && ` (${left.toLocaleString("en")} left)`}
+      Show more entries{left !== undefined && ` (${left.toLocaleString("en")} left)`}
     </Button>
   );
 }

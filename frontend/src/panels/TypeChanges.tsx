@@ -5,6 +5,7 @@ import type { Retyped } from "../api/client";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { useUiStore } from "../state/store";
+import { SHOW_EDGES } from "./labels";
 import css from "./learned.module.css";
 import { Swatch } from "./Swatch";
 
@@ -20,7 +21,7 @@ export function TypeChanges({ changes }: { changes: readonly Retyped[] }) {
           <button
             type="button"
             className={css.change}
-            title="Show these edges"
+            title={SHOW_EDGES}
             onClick={() => zoomToEdges(edges)}
           >
             {pluralize(edges.length, "edge")}

@@ -5,6 +5,7 @@ import { IconArrowBackUp } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import type { LineType } from "../geometry/records";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
+import { USE_PROFILE_TYPE } from "./labels";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
 
@@ -17,7 +18,7 @@ interface Props {
 
 export function TypeMenu({ onChoose, label, children }: Props) {
   return (
-    <Menu position="bottom-end" shadow="lg" width={190}>
+    <Menu position="bottom-end" shadow="lg" width={250}>
       <Menu.Target>{children}</Menu.Target>
       <Menu.Dropdown aria-label={label}>
         <Menu.Label>{label}</Menu.Label>
@@ -33,7 +34,7 @@ export function TypeMenu({ onChoose, label, children }: Props) {
         ))}
         <Menu.Divider />
         <Menu.Item leftSection={<IconArrowBackUp size={16} />} onClick={() => onChoose(null)}>
-          Reset to profile
+          {USE_PROFILE_TYPE}
         </Menu.Item>
       </Menu.Dropdown>
     </Menu>

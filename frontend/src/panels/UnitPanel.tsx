@@ -21,12 +21,12 @@ export function UnitPanel() {
   const warnings = drawing.unit_finding?.warnings ?? [];
   return (
     <Section
-      title="Unit"
+      title="Unit of the file"
       open={warnings.length > 0}
       aside={
         <span className={panels.rowFigure}>
           {warnings.length > 0 && (
-            <IconAlertTriangle size={13} color="var(--warn)" aria-label="Warning" />
+            <IconAlertTriangle size={13} color="var(--warn)" aria-label="Warning about the unit" />
           )}{" "}
           {UNITS[drawing.unit].title.toLowerCase()}
           {drawing.unit_given === null ? "" : ", set by hand"}
@@ -46,7 +46,7 @@ export function UnitPanel() {
           data-testid="unit-file"
           onClick={() => void patchDrawing({ unit: "file" })}
         >
-          Reset to the file's unit
+          Detect the unit from the file again
         </button>
       )}
     </Section>
@@ -70,7 +70,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
         <span className={css.weight} aria-hidden>
           <span style={{ width: "60%" }} />
         </span>
-        strength of evidence
+        Bar: strength of the evidence for the unit
       </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);
@@ -94,7 +94,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           >
             <span className={css.unitHead}>
               {UNITS[unit].title}
-              {chosen && <IconCheck size={14} aria-label="selected" />}
+              {chosen && <IconCheck size={14} aria-label="This unit is used" />}
               {likely && <span className={css.likely}>most likely</span>}
               <span className={css.unitSize}>{formatSize(width, height)}</span>
             </span>
@@ -121,7 +121,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           data-testid="unit-evidence"
           onClick={() => setAll(!all)}
         >
-          {all ? "Hide evidence for other units" : "Show evidence for other units"}
+          {all ? "Hide the evidence for other units" : "Show the evidence for other units"}
         </button>
       )}
     </div>

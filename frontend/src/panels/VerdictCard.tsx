@@ -37,7 +37,7 @@ export function VerdictCard({ job }: { job: Job }) {
       className={verdictCss.verdict}
       data-accepted={verdict.accepted}
       data-testid="verdict"
-      aria-label="Verdict"
+      aria-label="Result of the program check"
     >
       <div className={verdictCss.verdictHead}>
         <span className={verdictCss.verdictIcon} style={{ display: "flex" }}>
@@ -48,17 +48,17 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </span>
         <span className={verdictCss.verdictTitle}>
-          {verdict.accepted ? "Verified" : "Verification failed"}
+          {verdict.accepted ? "Program checked: correct" : "Program checked: not usable"}
         </span>
       </div>
       <Deviation verdict={verdict} />
       <dl className={verdictCss.figures} style={{ marginBottom: 0 }}>
         <div>
-          <dt>Overcut</dt>
+          <dt>Longest overcut</dt>
           <dd>{formatLength(verdict.overcut)}</dd>
         </div>
         <div>
-          <dt>Uncut</dt>
+          <dt>Longest uncut</dt>
           <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>
@@ -120,9 +120,8 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
     <div className={verdictCss.noteRow} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
-        Saves {share}
-        {"\u202f"}% compared with full retracts: {(full - verdict.seconds).toFixed(1)}
-        {"\u202f"}s.
+        Short lifts between the cuts save {formatDuration(full - verdict.seconds)} ({share}
+        {"\u202f"}%).
       </span>
     </div>
   );
@@ -134,7 +133,7 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
   return (
     <div style={{ marginTop: 12 }}>
       <div className={css.runFigures} style={{ margin: 0 }}>
-        <span>Largest deviation</span>
+        <span>Largest deviation from drawing</span>
         <span style={{ color: "var(--ink-0)", fontWeight: 600 }} data-testid="deviation">
           {formatDeviation(verdict.deviation)}
         </span>
@@ -177,7 +176,7 @@ function Row({ finding }: { finding: Finding }) {
 function place(finding: Finding): string {
   const parts = [
     ...(finding.edge >= 0 ? [`Edge ${finding.edge}`] : []),
-    ...(finding.line >= 0 ? [`line ${finding.line}`] : []),
+    ...(finding.line >= 0 ? [`program line ${finding.line}`] : []),
   ].join(", ");
   return parts && `${parts.charAt(0).toUpperCase()}${parts.slice(1)}: `;
 }

@@ -8,18 +8,44 @@ import css from "./over.module.css";
 const LAYERS: readonly {
   layer: Layer;
   title: string;
+  /** What the layer shows. */
+  shows: string;
   colour: string;
   dashed?: true;
   thick?: true;
   dot?: true;
 }[] = [
-  { layer: "nominal", title: "Drawing", colour: "#ff6b61" },
-  { layer: "head", title: "Head path", colour: TRAVEL.head },
-  { layer: "tip", title: "Tip path", colour: TRAVEL.tip },
-  { layer: "rapids", title: "Rapids", colour: "#8b97a6", dashed: true },
-  { layer: "swept", title: "Swept area", colour: `${SWEPT.groove}99`, thick: true },
-  { layer: "moves", title: "Plunges", colour: MARKS.plunge, dot: true },
-  { layer: "uncut", title: "Uncut", colour: `${UNCUT}aa`, thick: true },
+  { layer: "nominal", title: "Drawing", shows: "the edges of the drawing", colour: "#ff6b61" },
+  { layer: "head", title: "Head path", shows: "the path of the machine head", colour: TRAVEL.head },
+  { layer: "tip", title: "Tip path", shows: "the path of the tool tip", colour: TRAVEL.tip },
+  {
+    layer: "rapids",
+    title: "Air moves",
+    shows: "the moves above the board",
+    colour: "#8b97a6",
+    dashed: true,
+  },
+  {
+    layer: "swept",
+    title: "Tool width",
+    shows: "the area that the tools cut or press",
+    colour: `${SWEPT.groove}99`,
+    thick: true,
+  },
+  {
+    layer: "moves",
+    title: "Plunges and lifts",
+    shows: "where a tool enters, turns and leaves",
+    colour: MARKS.plunge,
+    dot: true,
+  },
+  {
+    layer: "uncut",
+    title: "Unreachable",
+    shows: "areas that the tool cannot reach",
+    colour: `${UNCUT}aa`,
+    thick: true,
+  },
 ];
 
 export function ViewBar() {
@@ -30,9 +56,13 @@ export function ViewBar() {
   // Without unreachable areas the layer has no button.
   const some = (along?.areas.size.length ?? 0) > 0;
   return (
-    <div className={`${css.float} ${css.chips}`} role="toolbar" aria-label="Layers shown">
+    <div
+      className={`${css.float} ${css.chips}`}
+      role="toolbar"
+      aria-label="Show or hide parts of the picture"
+    >
       {LAYERS.filter(({ layer }) => layer !== "uncut" || some).map(
-        ({ layer, title, colour, dashed, thick, dot }) => {
+        ({ layer, title, shows, colour, dashed, thick, dot }) => {
           const needsPath = layer !== "nominal";
           return (
             <button
@@ -41,7 +71,11 @@ export function ViewBar() {
               className={css.chip}
               aria-pressed={layers[layer] && (!needsPath || toolpath !== undefined)}
               disabled={needsPath && toolpath === undefined}
-              title={needsPath && toolpath === undefined ? "Compile first" : undefined}
+              title={
+                needsPath && toolpath === undefined
+                  ? "Prepare the program first"
+                  : `Show or hide ${shows}`
+              }
               onClick={() => toggle(layer)}
               data-testid={`layer-${layer}`}
             >

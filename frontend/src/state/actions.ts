@@ -130,8 +130,10 @@ async function applyRemoteChange(id: string, refused = false): Promise<boolean> 
   page.set({ compileQuestions: [], retypePreviews: [] });
   closeOutdatedJob();
   useNotifications.getState().add({
-    title: refused ? "Not saved: drawing changed elsewhere" : "Drawing changed elsewhere",
-    detail: `${after.name} was changed by another user or page: ${describeDifference(before, after, rows)}.`,
+    title: refused
+      ? "Your change was not saved: the drawing was changed elsewhere"
+      : "The drawing was changed elsewhere",
+    detail: `${after.name} was changed by another user or in another window: ${describeDifference(before, after, rows)}.`,
     hint: [
       refused ? "Check the drawing, then repeat your change if it is still needed." : "",
       remaining.length < length ? "Your earlier changes can no longer be undone." : "",
@@ -210,9 +212,9 @@ async function assertUnchanged(name: string, text: string): Promise<Profile> {
   if ((await service.profileText(name)) === text) return now;
   throw pageProblem(
     412,
-    "Profile changed elsewhere",
-    `Another user has changed the profile ${now.title}.`,
-    "Check its rules. Nothing was undone.",
+    "The profile was changed elsewhere",
+    `Another user has changed the profile ${now.title} since your change.`,
+    "Check the rules of the profile. Nothing was undone or repeated.",
   );
 }
 

@@ -27,7 +27,7 @@ const WORDS: Readonly<Record<number, string>> = {
 /** An index as people say it. */
 export function colourWords(index: number): string {
   const word = WORDS[index];
-  return word === undefined ? `${index}` : `${index}, ${word}`;
+  return word === undefined ? `${index}` : `${index} (${word})`;
 }
 
 /** A colour to show for an index: named ones as they are, 10 to 249 round the circle of hues. */

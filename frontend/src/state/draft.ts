@@ -55,7 +55,7 @@ export function draftFromProfile(profile: Profile): Draft {
 
 /** Request body for the server. */
 export const profileRequest = (draft: Draft): ProfileDraft => ({
-  title: draft.title.trim() === "" ? "Untitled" : draft.title.trim(),
+  title: draft.title.trim() === "" ? "New profile" : draft.title.trim(),
   extends: draft.extends,
   overrules: draft.overrules,
   version: null,
@@ -113,7 +113,9 @@ export function colourError(patterns: readonly (string | number)[]): string {
   const wrong = patterns.find((part) =>
     typeof part === "number" ? part < 1 || part > 255 : !/^#[0-9a-f]{6}$/.test(part),
   );
-  return wrong === undefined ? "" : `${wrong} is not a colour: enter 1 to 255 or #rrggbb`;
+  return wrong === undefined
+    ? ""
+    : `${wrong} is not a colour. Enter a number from 1 to 255 or #rrggbb.`;
 }
 
 /** Whether a rule matches every edge because it has no condition. */

@@ -232,7 +232,9 @@ describe("a unit and a profile", () => {
     await undo();
     expect(texts).not.toHaveBeenCalled();
     expect(useUiStore.getState().past).toHaveLength(1);
-    expect(useNotifications.getState().list.at(-1)?.title).toBe("Profile changed elsewhere");
+    expect(useNotifications.getState().list.at(-1)?.title).toBe(
+      "The profile was changed elsewhere",
+    );
   });
 
   test("the way back of the way back is the way", () => {

@@ -30,9 +30,11 @@ describe("what the operator is offered", () => {
 
   it("names what is waited for instead of the state", () => {
     expect(stateStyleOf(job({ state: "queued", waiting_for: "confirmation" })).title).toBe(
-      "Confirm",
+      "Waiting for operator",
     );
-    expect(stateStyleOf(job({ state: "held", waiting_for: "sheet" })).title).toBe("New sheet");
+    expect(stateStyleOf(job({ state: "held", waiting_for: "sheet" })).title).toBe(
+      "Waiting for new sheet",
+    );
     expect(stateStyleOf(job({ state: "queued", waiting_for: "turn" })).title).toBe("Queued");
   });
 });
@@ -53,7 +55,7 @@ describe("what is asked before it is sent", () => {
       "ends without its remaining copies",
     );
     expect(confirmationBefore(interrupted, "finish")?.text).toContain(
-      "Only if all 3 sheets are complete",
+      "Only if all 3 sheets are completely cut",
     );
     expect(confirmationBefore(interrupted, "requeue")).toBeNull();
   });

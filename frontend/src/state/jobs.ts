@@ -8,16 +8,16 @@ export interface StateStyle {
 }
 
 export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
-  received: { title: "Received", tone: "grey" },
-  compiling: { title: "Compiling", tone: "blue" },
-  ready: { title: "Ready", tone: "green" },
+  received: { title: "Waiting for program", tone: "grey" },
+  compiling: { title: "Preparing program", tone: "blue" },
+  ready: { title: "Ready to send", tone: "green" },
   queued: { title: "Queued", tone: "blue" },
   running: { title: "Running", tone: "blue" },
   held: { title: "Paused", tone: "amber" },
-  done: { title: "Done", tone: "green" },
+  done: { title: "Finished", tone: "green" },
   refused: { title: "Refused", tone: "red" },
   interrupted: { title: "Interrupted", tone: "amber" },
-  scrapped: { title: "Scrapped", tone: "grey" },
+  scrapped: { title: "Board scrapped", tone: "grey" },
   cancelled: { title: "Cancelled", tone: "grey" },
 };
 
@@ -34,8 +34,8 @@ export const needsOperator = (job: Job): boolean =>
 
 /** Title and colour of the state of a job. */
 export function stateStyleOf(job: Job): StateStyle {
-  if (job.waiting_for === "confirmation") return { title: "Confirm", tone: "amber" };
-  if (job.waiting_for === "sheet") return { title: "New sheet", tone: "amber" };
+  if (job.waiting_for === "confirmation") return { title: "Waiting for operator", tone: "amber" };
+  if (job.waiting_for === "sheet") return { title: "Waiting for new sheet", tone: "amber" };
   return STATE_STYLES[job.state];
 }
 
@@ -44,6 +44,7 @@ export interface Confirmation {
   readonly title: string;
   readonly text: string;
   readonly yes: string;
+  readonly no: string;
 }
 
 const sheets = ({ copies }: Job): string =>
@@ -58,22 +59,25 @@ export function confirmationBefore(job: Job, word: JobCommand): Confirmation | n
         "The machine stops, lifts the tool and releases its stations. " +
         "The board on the table is probably lost.",
       yes: "Cancel job",
+      no: "Do not cancel",
     };
   }
   if (word === "scrap") {
     return {
-      title: "Scrap this job?",
+      title: "Scrap the board and end this job?",
       text:
-        "The job ends without its remaining copies, and the table is free for the next job. " +
-        "Remove the board from the table first.",
-      yes: "Scrap job",
+        "Remove the board from the table first. The job ends without its remaining copies, " +
+        "and the table is free for the next job.",
+      yes: "Scrap board and end job",
+      no: "Do not scrap",
     };
   }
   if (word === "finish") {
     return {
-      title: "Mark as finished?",
-      text: `Only if ${sheets(job)} complete. The job ends as done, and the table is free for the next job.`,
-      yes: "Mark finished",
+      title: "Mark this job as finished?",
+      text: `Only if ${sheets(job)} completely cut. The job ends as finished, and the table is free for the next job.`,
+      yes: "Mark as finished",
+      no: "Do not mark",
     };
   }
   return null;

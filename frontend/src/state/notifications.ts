@@ -41,12 +41,15 @@ const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
   source: problem.source,
 });
 
+const fromPageError = (detail: string): Omit<Notification, "id"> => ({
+  title: "Error in this page",
+  detail,
+  hint: "Reload the page and repeat the last step.",
+  source: [],
+});
+
 export function notifyError(cause: unknown): void {
   const { add } = useNotifications.getState();
   if (cause instanceof ServiceError) add(fromProblem(cause.problem));
-  else if (cause instanceof Error) {
-    add({ title: "Page error", detail: cause.message, hint: "Reload the page.", source: [] });
-  } else {
-    add({ title: "Page error", detail: String(cause), hint: "Reload the page.", source: [] });
-  }
+  else add(fromPageError(cause instanceof Error ? cause.message : String(cause)));
 }

@@ -16,9 +16,9 @@ export const LINE_STYLES: Readonly<Record<LineType, LineStyle>> = {
   "v-groove": { title: "V-groove", colour: "#b794ff", dash: "solid", key: "3" },
   perforation: { title: "Perforation", colour: "#ffc53d", dash: "dotted", key: "4" },
   "half-cut": { title: "Half-cut", colour: "#ff9446", dash: "long", key: "5" },
-  combi: { title: "Combi", colour: "#d3df62", dash: "long", key: "6" },
+  combi: { title: "Combi (cut-crease)", colour: "#d3df62", dash: "long", key: "6" },
   ignored: { title: "Ignored", colour: "#7d8794", dash: "solid", key: "7" },
-  unclassified: { title: "Unclassified", colour: "#ff2fd6", dash: "solid", key: "" },
+  unclassified: { title: "Undecided", colour: "#ff2fd6", dash: "solid", key: "" },
 };
 
 /** In the order of the legend. */

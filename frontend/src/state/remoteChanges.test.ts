@@ -64,7 +64,9 @@ describe("what differs", () => {
   });
 
   test("is described", () => {
-    expect(describeDifference(drawingOf(1), drawingOf(2), [4])).toBe("1 edge has another type");
+    expect(describeDifference(drawingOf(1), drawingOf(2), [4])).toBe(
+      "1 edge has another line type",
+    );
     expect(describeDifference(drawingOf(1), drawingOf(2), [])).toBe("no visible difference");
     const after = drawingOf(2, { unit: "in", profile: "acme" });
     expect(describeDifference(drawingOf(1), after, null)).toBe(
@@ -126,8 +128,10 @@ describe("a drawing that is changed elsewhere", () => {
     await syncDrawing({ id: "d1", revision: 2 });
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
     expect(queryClient.getQueryData(queries.drawing("d1").queryKey)?.revision).toBe(2);
-    expect(notifications()).toMatchObject([{ title: "Drawing changed elsewhere", notice: true }]);
-    expect(notifications()[0]?.detail).toContain("1 edge has another type");
+    expect(notifications()).toMatchObject([
+      { title: "The drawing was changed elsewhere", notice: true },
+    ]);
+    expect(notifications()[0]?.detail).toContain("1 edge has another line type");
     expect(notifications()[0]?.hint).toContain("undone");
     expect(useUiStore.getState().past).toEqual([]);
     expect(useUiStore.getState().job).toBeNull();
@@ -167,8 +171,10 @@ describe("a drawing that is changed elsewhere", () => {
     override.mockRejectedValue(stale());
     await retype([0], "crease");
     expect(override).toHaveBeenCalledWith("d1", [{ type: "crease", edges: [0] }], 1);
-    expect(notifications()).toMatchObject([{ title: "Not saved: drawing changed elsewhere" }]);
-    expect(notifications()[0]?.detail).toContain("1 edge has another type");
+    expect(notifications()).toMatchObject([
+      { title: "Your change was not saved: the drawing was changed elsewhere" },
+    ]);
+    expect(notifications()[0]?.detail).toContain("1 edge has another line type");
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
     expect(useUiStore.getState().past).toEqual([]);
 

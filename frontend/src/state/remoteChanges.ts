@@ -32,7 +32,7 @@ export function describeDifference(
   if (rows === null) parts.push("its edges were replaced");
   else if (rows.length > 0)
     parts.push(
-      `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "has" : "have"} another type`,
+      `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "has" : "have"} another line type`,
     );
   return parts.length === 0 ? "no visible difference" : parts.join(", ");
 }

@@ -10,8 +10,8 @@ export const UNITS: Readonly<Record<Unit, { title: string; mm: number }>> = {
   m: { title: "Metres", mm: 1000 },
   in: { title: "Inches", mm: 25.4 },
   ft: { title: "Feet", mm: 304.8 },
-  pt: { title: "Points", mm: 25.4 / 72 },
-  px: { title: "Pixels", mm: 25.4 / 96 },
+  pt: { title: "Points (1/72 inch)", mm: 25.4 / 72 },
+  px: { title: "Pixels (1/96 inch)", mm: 25.4 / 96 },
 };
 
 export const isUnit = (word: string): word is Unit => word in UNITS;

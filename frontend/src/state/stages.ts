@@ -7,15 +7,15 @@ export type Stage = Exclude<Job["stage"], "">;
 /** Title of every stage that the server can report; null: a compile does not report it. */
 export const COMPILE_STAGES: Readonly<Record<Stage, string | null>> = {
   prepare: null,
-  read: "Reading",
+  read: "Reading the drawing",
   classify: null,
   store: null,
-  clean: "Cleaning",
-  plan: "Planning",
-  compensate: "Compensating",
-  sequence: "Sequencing",
-  process: "Writing program",
-  verify: "Verifying",
+  clean: "Removing double lines and gaps",
+  plan: "Planning cuts and creases",
+  compensate: "Calculating tool paths",
+  sequence: "Choosing the order of the cuts",
+  process: "Writing the program",
+  verify: "Checking the program",
   done: null,
 };
 
@@ -26,8 +26,8 @@ export const SHOWN_STAGES: readonly Stage[] = (Object.keys(COMPILE_STAGES) as St
 
 /** Text and position of a stage; before the first and without a stage the job waits. */
 export function stageProgress(stage: Job["stage"]): { title: string; index: number } {
-  if (stage === "") return { title: "Waiting to start", index: -1 };
+  if (stage === "") return { title: "Waiting for the server to begin", index: -1 };
   if (stage === "prepare") return { title: "Waiting for the server to be prepared", index: -1 };
-  if (stage === "done") return { title: "Done", index: SHOWN_STAGES.length };
+  if (stage === "done") return { title: "Program is ready", index: SHOWN_STAGES.length };
   return { title: COMPILE_STAGES[stage] ?? stage, index: SHOWN_STAGES.indexOf(stage) };
 }

@@ -3,6 +3,13 @@
 import type { Verdict } from "../api/client";
 import type { ColourMode } from "./store";
 
+/** Titles of the colour modes. */
+export const COLOUR_MODE_TITLES: Readonly<Record<ColourMode, string>> = {
+  types: "Line type",
+  deviation: "Deviation from drawing",
+  overcut: "Overcut length",
+};
+
 export interface VerdictMap {
   readonly title: string;
   /** (n,) mm */
@@ -26,8 +33,12 @@ export function verdictMapOf(
 ): VerdictMap | null {
   if (mode === "types" || verdict === undefined) return null;
   if (verdict.edge_deviation.length !== edges) return null;
-  const left = { uncut: verdict.edge_uncut, setback: verdict.edge_setback };
+  const common = {
+    title: COLOUR_MODE_TITLES[mode],
+    uncut: verdict.edge_uncut,
+    setback: verdict.edge_setback,
+  };
   return mode === "deviation"
-    ? { title: "Deviation", figure: verdict.edge_deviation, limit: verdict.tolerance, ...left }
-    : { title: "Overcut", figure: verdict.edge_overcut, limit: OVERCUT, ...left };
+    ? { ...common, figure: verdict.edge_deviation, limit: verdict.tolerance }
+    : { ...common, figure: verdict.edge_overcut, limit: OVERCUT };
 }
