@@ -75,7 +75,7 @@ type Untupled<T> = T extends readonly (infer E)[]
     ? { [K in keyof T]: Untupled<T[K]> }
     : T;
 
-/** The data of an answer; refusals have been raised by the transport. */
+/** The data of an answer. The transport has raised an error if the server refused the request. */
 async function dataOf<T>(call: Promise<{ data?: NoInfer<Untupled<T>> | undefined }>): Promise<T> {
   return (await call).data as T;
 }

@@ -36,12 +36,12 @@ interface Attempt<T> {
 /** Repeat a request while the server is busy; raises `ServiceError` for every other refusal. */
 async function withRetries<T>(request: () => Promise<Attempt<T>>, signal?: AbortSignal) {
   for (let attempt = 1; ; attempt++) {
-    const made = await request();
-    if (made.ok) return made.answer;
-    const delay = retryAfter(made.status, made.retryAfter, attempt);
+    const result = await request();
+    if (result.ok) return result.answer;
+    const delay = retryAfter(result.status, result.retryAfter, attempt);
     if (delay === null) {
-      if (made.status === 401) signIn();
-      throw new ServiceError(parseProblem(made.status, made.statusText, await made.body()));
+      if (result.status === 401) signIn();
+      throw new ServiceError(parseProblem(result.status, result.statusText, await result.body()));
     }
     await sleep(delay);
     signal?.throwIfAborted();

@@ -19,7 +19,7 @@ import { QuestionsPanel } from "../panels/QuestionsPanel";
 import { QueuePanel } from "../panels/QueuePanel";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
 import { UnitPanel } from "../panels/UnitPanel";
-import { syncDrawing } from "../state/actions";
+import { syncDrawing } from "../state/drawingSync";
 import { subscribeToEvents, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";

@@ -8,8 +8,8 @@ export function DropZone() {
   const [over, setOver] = useState(false);
   useEffect(() => {
     let depth = 0;
-    const gone = new AbortController();
-    const on = (
+    const listeners = new AbortController();
+    const listen = (
       name: "dragenter" | "dragover" | "dragleave" | "drop",
       act: (e: DragEvent) => void,
     ) =>
@@ -20,23 +20,23 @@ export function DropZone() {
           event.preventDefault();
           act(event);
         },
-        { signal: gone.signal },
+        { signal: listeners.signal },
       );
-    on("dragenter", () => {
+    listen("dragenter", () => {
       depth++;
       setOver(true);
     });
-    on("dragover", () => undefined);
-    on("dragleave", () => {
+    listen("dragover", () => undefined);
+    listen("dragleave", () => {
       depth--;
       if (depth <= 0) setOver(false);
     });
-    on("drop", (event) => {
+    listen("drop", (event) => {
       depth = 0;
       setOver(false);
       void uploadFiles([...(event.dataTransfer?.files ?? [])]);
     });
-    return () => gone.abort();
+    return () => listeners.abort();
   }, []);
   if (!over) return null;
   return (

@@ -38,9 +38,9 @@ export function Picture({ onReady }: Props) {
   useEffect(() => {
     if (host.current === null || canvas.current === null) return;
     const page = useUiStore.getState();
-    let made: Viewer;
+    let created: Viewer;
     try {
-      made = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
+      created = new Viewer(host.current, canvas.current, VIEWER_COLOURS, {
         onHover: (row, moves, at) =>
           page.setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
         onSelect: (rows, add, at) => selectAt(rows, add, at),
@@ -53,9 +53,9 @@ export function Picture({ onReady }: Props) {
       setFailure(cause.message);
       return;
     }
-    setViewer(made);
+    setViewer(created);
     return () => {
-      made.dispose();
+      created.dispose();
       setViewer(null);
     };
   }, []);

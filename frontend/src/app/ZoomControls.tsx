@@ -2,13 +2,13 @@
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
-import overCss from "../panels/over.module.css";
+import overlayCss from "../panels/overlay.module.css";
 import type { Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
 
 export function ZoomControls({ viewer }: { viewer: Viewer | null }) {
   return (
-    <div className={`${overCss.float} ${css.zoom}`}>
+    <div className={`${overlayCss.float} ${css.zoom}`}>
       <ZoomButton label="Zoom in (key +)" act={() => viewer?.zoomBy(1.4)}>
         <IconPlus size={16} />
       </ZoomButton>

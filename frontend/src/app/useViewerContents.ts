@@ -143,7 +143,7 @@ function useShownPath(viewer: MaybeViewer, edges: Edges | null, tools: Tools): v
   const { data: columns } = useVerdictColumns();
   const layers = useUiStore((ui) => ui.layers);
   const open = useUiStore((ui) => ui.drawing);
-  useEffect(() => viewer?.showTravel(timeline ?? null, tools), [viewer, timeline, tools]);
+  useEffect(() => viewer?.showToolpath(timeline ?? null, tools), [viewer, timeline, tools]);
   useEffect(() => viewer?.showLayers(layers), [viewer, layers]);
   const areas = open === null || job === undefined ? null : (columns?.areas ?? null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the origin depends on the edges

@@ -1,12 +1,12 @@
 /**
  * Arcs as bulges: a chord and tan(sweep / 4), positive to the left, 0 a straight line.
  *
- * Same conventions as `geometry/arc.py` of the backend; one segment at a time, for display.
+ * Conventions as in `geometry/arc.py` of the backend. Each function handles one segment.
  */
 
 import type { Millimetre } from "./units";
 
-/** A smaller bulge is a line: it bends a metre of chord by less than a nanometre. */
+/** A smaller bulge counts as a line: it bends a chord of 1 m by less than 1 nm. */
 const STRAIGHT = 1e-12;
 
 /** Maximum number of chords of an arc. */
@@ -57,7 +57,7 @@ export function chordCount(radius: number, sweep: number, tolerance: Millimetre)
 /**
  * Visit the vertices of a line or arc after its start, the end last and exact.
  *
- * `fraction` is the part of the length travelled at that vertex, in (0, 1].
+ * `fraction` is the fraction of the length from the start to that vertex, in (0, 1].
  */
 export function flattenArc(
   x0: number,
@@ -83,7 +83,7 @@ export function flattenArc(
   visit(x1, y1, 1);
 }
 
-/** Length along a line or arc (mm). */
+/** Length travelled a line or arc (mm). */
 export function arcLength(x0: number, y0: number, x1: number, y1: number, bulge: number): number {
   const round = circleOf(x0, y0, x1, y1, bulge);
   return round === null ? Math.hypot(x1 - x0, y1 - y0) : round.radius * Math.abs(round.sweep);
@@ -104,11 +104,11 @@ export function pointAt(
   return [round.x + round.radius * Math.cos(angle), round.y + round.radius * Math.sin(angle)];
 }
 
-/** The bulge of a part of a line or arc. */
+/** Bulge of a part of a line or arc with this fraction of its length. */
 export const partialBulge = (bulge: number, share: number): number =>
   Math.tan(Math.atan(bulge) * share);
 
-/** Distance (mm) of a point from a line or arc, and the fraction of its length of the nearest point. */
+/** Distance (mm) of a point from a line or arc, and its nearest point as a fraction of length. */
 export function nearestOnArc(
   x: number,
   y: number,
@@ -129,11 +129,11 @@ export function nearestOnArc(
   } else {
     const turn = 2 * Math.PI;
     const angle = Math.atan2(y - round.y, x - round.x) - round.first;
-    const along = (((round.sweep > 0 ? angle : -angle) % turn) + turn) % turn;
+    const travelled = (((round.sweep > 0 ? angle : -angle) % turn) + turn) % turn;
     const sweep = Math.abs(round.sweep);
-    if (along <= sweep) fraction = along / sweep;
-    // Beyond the ends: the nearer one.
-    else fraction = along - sweep < (turn - sweep) / 2 ? 1 : 0;
+    if (travelled <= sweep) fraction = travelled / sweep;
+    // The point is beyond the ends: take the nearer end.
+    else fraction = travelled - sweep < (turn - sweep) / 2 ? 1 : 0;
   }
   const [px, py] = pointAt(x0, y0, x1, y1, bulge, fraction);
   return { distance: Math.hypot(x - px, y - py), fraction };

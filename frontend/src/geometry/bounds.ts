@@ -22,8 +22,8 @@ export function boxOf(x0: number, y0: number, x1: number, y1: number, bulge: num
     for (let quarter = 0; quarter < 4; quarter++) {
       const axis = (quarter * Math.PI) / 2;
       const angle = round.sweep > 0 ? axis - round.first : round.first - axis;
-      const along = ((angle % turn) + turn) % turn;
-      if (along < Math.abs(round.sweep)) {
+      const travelled = ((angle % turn) + turn) % turn;
+      if (travelled < Math.abs(round.sweep)) {
         low = Math.min(low, round.x + round.radius * Math.cos(axis));
         high = Math.max(high, round.x + round.radius * Math.cos(axis));
         bottom = Math.min(bottom, round.y + round.radius * Math.sin(axis));
@@ -41,7 +41,7 @@ export const unionBox = (a: Box, b: Box): Box => [
   Math.max(a[3], b[3]),
 ];
 
-/** Bounding box of one row. */
+/** Bounding box of the line or arc in one row. */
 export function boxOfRow(segments: Segments, row: number): Box {
   const { ends, bulge } = segments;
   const at = row * 4;
@@ -54,7 +54,7 @@ export function boxOfRow(segments: Segments, row: number): Box {
   );
 }
 
-/** Bounding box of some rows, or of all; null if there are none. */
+/** Bounding box of the lines and arcs in some rows, by default in all; null if there are none. */
 export function boundsOf(segments: Segments, rows?: Iterable<number>): Box | null {
   let box = EMPTY;
   for (const row of rows ?? segments.bulge.keys()) {

@@ -1,20 +1,20 @@
-/** What a tool takes of the board, or presses, and where its tip lies, as the server sends it. */
+/** Shape of the area that a tool removes or presses, and position of its tip, from the server. */
 
 export interface Footprint {
-  /** line: no wider than the line; disc: `radius`; groove: `slope`; wheel: `radius`, `width` */
+  /** A line has no width; a disc has `radius`, a groove `slope`, a wheel `radius` and `width`. */
   readonly shape: "line" | "disc" | "groove" | "wheel";
-  /** mm */
+  /** radius of the disc or wheel (mm) */
   readonly radius: number;
-  /** mm */
+  /** width of the wheel's rim (mm) */
   readonly width: number;
-  /** mm sideways per mm of depth */
+  /** width of a groove's side per depth (mm/mm) */
   readonly slope: number;
-  /** mm, length of the cutting edge along C */
+  /** length of the cutting edge along C (mm) */
   readonly blade: number;
-  /** mm from the axis of the head to the tip, to the left of C */
+  /** distance of the tip from the axis of the head, to the left of C (mm) */
   readonly left: number;
-  /** mm from the axis of the head back to the tip, along C */
+  /** distance of the tip behind the axis of the head, along C (mm) */
   readonly behind: number;
-  /** The tool works at any height, as a beam does. */
+  /** Whether the tool cuts at any height, like a laser beam. */
   readonly any_height: boolean;
 }

@@ -6,9 +6,9 @@ import { boxOfRow } from "./bounds";
 import type { Box, Segments } from "./records";
 
 export interface PickIndex {
-  /** The row nearest to a point within `reach` mm, among those that `accepts` lets through. */
+  /** The row nearest to a point, within `reach` mm, for which `accepts` is true; else null. */
   at(x: number, y: number, reach: number, accepts?: (row: number) => boolean): number | null;
-  /** The rows within `reach` mm that are no more than `slack` mm farther than the nearest. */
+  /** The rows within `reach` mm of a point and at most `slack` mm farther than the nearest row. */
   near(
     x: number,
     y: number,
@@ -16,7 +16,7 @@ export interface PickIndex {
     slack: number,
     accepts?: (row: number) => boolean,
   ): number[];
-  /** The rows whose boxes lie wholly inside a box. */
+  /** The rows whose bounding boxes lie completely inside a box. */
   inside(box: Box): number[];
 }
 

@@ -40,11 +40,11 @@ export interface Edges extends Segments {
   readonly rule: Int32Array;
   /** (n,) index into `linetypes` */
   readonly linetype: Int32Array;
-  /** (n,) 0 … 1 */
+  /** (n,) confidence in the line type, 0 … 1 */
   readonly confidence: Float64Array;
   /** (n,) mm */
   readonly length: Float64Array;
-  /** (n,) of the entity that the edge came from */
+  /** (n,) handle of the entity that the edge came from */
   readonly handles: readonly string[];
   readonly layers: readonly string[];
   readonly rules: readonly string[];
@@ -74,13 +74,13 @@ export interface Areas extends Segments {
   readonly size: Float64Array;
 }
 
-/** Measured deviations at places along the edges. */
+/** Deviations measured at points along the edges. */
 export interface Samples {
   /** (m,) row of the edge, ascending */
   readonly edge: Int32Array;
-  /** (m,) fraction of its length, ascending on each edge */
+  /** (m,) position as a fraction of the edge's length, ascending on each edge */
   readonly place: Float64Array;
-  /** (m,) mm to the left */
+  /** (m,) deviation to the left of the edge (mm) */
   readonly deviation: Float64Array;
 }
 
@@ -110,13 +110,13 @@ export interface Toolpath {
   readonly bulge: Float64Array;
   /** (n,) index into MOTIONS */
   readonly motion: Uint8Array;
-  /** (n,) mm/min; degrees/min for a swivel; 0 for a rapid */
+  /** (n,) mm/min; degrees/min for a swivel; 0 for an air move */
   readonly feed: Float64Array;
-  /** (n,) row of the edge, -1 between edges */
+  /** (n,) row of the edge that the move makes; -1 between edges */
   readonly source: Int32Array;
   /** (n,) station number */
   readonly tool: Uint8Array;
-  /** (n,) last program line of the move, 1-based; -1 if none */
+  /** (n,) last program line of the move, counted from 1; -1 if it has none */
   readonly line: Int32Array;
   /** Sheet coordinates = drawing coordinates + placement. */
   readonly placement: readonly [number, number];

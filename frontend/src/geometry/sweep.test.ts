@@ -3,7 +3,7 @@ import { deepestZ } from "./depths";
 import { footprint, vCutter } from "./footprint.fixture";
 import { moveSegments } from "./moves";
 import type { Toolpath } from "./records";
-import { contactOf, sweepOf } from "./sweep";
+import { halfContactLength, sweepOf } from "./sweep";
 import { workedSpans } from "./workedSpans";
 
 test("a V-cutter sweeps by its slope, along its blade", () => {
@@ -15,9 +15,9 @@ test("a knife sweeps no more than its line", () => {
 });
 
 test("a wheel of radius 13 that is 1 deep touches 5 before and behind", () => {
-  expect(contactOf(13, 1)).toBe(5);
-  expect(contactOf(13, 0)).toBe(0);
-  expect(contactOf(13, -1)).toBe(0);
+  expect(halfContactLength(13, 1)).toBe(5);
+  expect(halfContactLength(13, 0)).toBe(0);
+  expect(halfContactLength(13, -1)).toBe(0);
 });
 
 /** A crease of 100 mm due east from (10, 20) on the sheet, worked from 5 to 90; then the air. */

@@ -8,13 +8,13 @@
 import { arcLength, nearestOnArc, pointAt } from "./arc";
 import type { Pose, Toolpath } from "./records";
 
-/** Assumed feed of rapids (mm/min). */
+/** Assumed feed of air moves (mm/min). */
 const RAPID_FEED = 90_000;
 /** Assumed speed of C turns above the board (degrees/min). */
 const TURN_FEED = 216_000;
-/** A reported position is searched from this many lines before its program line … */
+/** A reported position is searched from this many program lines before the reported line … */
 const LINES_BEFORE = 3;
-/** … to this many after it: a controller looks ahead further than it reports. */
+/** … to this many lines after it: a controller reads further ahead than it reports. */
 const LINES_AFTER = 24;
 
 export interface Timeline {
@@ -28,7 +28,7 @@ export function buildTimeline(toolpath: Toolpath): Timeline {
   const clock = new Float64Array(bulge.length + 1);
   for (let row = 0; row < bulge.length; row++) {
     const a = row * 4;
-    const run = Math.hypot(
+    const distance = Math.hypot(
       arcLength(
         pose[a] as number,
         pose[a + 1] as number,
@@ -38,11 +38,11 @@ export function buildTimeline(toolpath: Toolpath): Timeline {
       ),
       (pose[a + 6] as number) - (pose[a + 2] as number),
     );
-    const turned = Math.abs((pose[a + 7] as number) - (pose[a + 3] as number));
+    const turnAngle = Math.abs((pose[a + 7] as number) - (pose[a + 3] as number));
     const speed = feed[row] as number;
-    let minutes = run / (speed > 0 ? speed : RAPID_FEED);
-    if (run < 1e-9) minutes = turned / TURN_FEED;
-    else if (speed <= 0) minutes = Math.max(minutes, turned / TURN_FEED);
+    let minutes = distance / (speed > 0 ? speed : RAPID_FEED);
+    if (distance < 1e-9) minutes = turnAngle / TURN_FEED;
+    else if (speed <= 0) minutes = Math.max(minutes, turnAngle / TURN_FEED);
     clock[row + 1] = (clock[row] as number) + minutes * 60;
   }
   return { clock, toolpath };
@@ -50,7 +50,7 @@ export function buildTimeline(toolpath: Toolpath): Timeline {
 
 export const totalSeconds = (line: Timeline): number => line.clock[line.clock.length - 1] ?? 0;
 
-/** Row of the move in progress at a time. */
+/** Row of the move that is in progress at a time (s). */
 export function rowAt(line: Timeline, seconds: number): number {
   let low = 0;
   let high = line.toolpath.bulge.length;
@@ -62,7 +62,7 @@ export function rowAt(line: Timeline, seconds: number): number {
   return Math.min(low, line.toolpath.bulge.length - 1);
 }
 
-/** Position of the head at a time; null for an empty tool path. */
+/** Position of the head at a time (s); null for an empty tool path. */
 export function poseAt(line: Timeline, seconds: number): Pose | null {
   const { pose, bulge } = line.toolpath;
   const row = rowAt(line, seconds);
@@ -89,9 +89,9 @@ export function poseAt(line: Timeline, seconds: number): Pose | null {
 }
 
 /**
- * Time at which the head passes a reported position near a reported program line.
+ * Time (s) at which the head passes a reported position near a reported program line.
  *
- * Without a position: the time at which the line ends.
+ * Without a position, the time at which the moves of the program line end.
  */
 export function timeOf(
   line: Timeline,

@@ -10,17 +10,17 @@ import { degree, radians } from "./units";
 
 /** How far the tip lies from the head's axis (mm). */
 export interface TipOffset {
-  /** to the left of C */
+  /** distance to the left of C (mm) */
   readonly left: number;
-  /** behind, along C */
+  /** distance behind the head's axis, along C (mm) */
   readonly behind: number;
-  /** The blade's edge from the tip forward along C: only a V-cutter has one to draw. */
+  /** Length of the blade's cutting edge, from the tip forward along C; 0 if none is drawn. */
   readonly blade: number;
 }
 
 export const NO_OFFSET: TipOffset = { left: 0, behind: 0, blade: 0 };
 
-/** The offset of a tool's tip. */
+/** Offset of the tip of a tool from the head's axis. */
 export const tipOffset = ({ left, behind, blade }: Footprint): TipOffset => ({
   left,
   behind,

@@ -1,4 +1,4 @@
-/** Branded number types, so that the compiler distinguishes lengths and angles from other numbers. */
+/** Number types for lengths and angles, which the compiler distinguishes from other numbers. */
 
 declare const unit: unique symbol;
 

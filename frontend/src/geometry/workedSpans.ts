@@ -5,11 +5,11 @@ import { type Edges, MOTIONS, type Toolpath } from "./records";
 import { NO_OFFSET, type TipOffset, tipOf } from "./tip";
 
 const FEED = MOTIONS.indexOf("feed");
-/** Shorter setbacks are ignored: not visible, or rounding (mm). */
+/** Setbacks shorter than this are ignored, because they are invisible or rounding (mm). */
 const SHORTEST = 0.05;
 
 /**
- * First and last place on each edge that a tip reaches, (n, 2), as fractions of its length.
+ * First and last point of each edge that the tool tip reaches, (n, 2), as fractions of its length.
  *
  * Only edges with a setback are examined; the span of all others is (0, 1).
  */
@@ -57,7 +57,7 @@ export function workedSpans(
       reached[edge] = 1;
     }
   }
-  // Without a feed, the edge may have been pressed by a single plunge: take it as whole.
+  // Without a feed, one plunge may have pressed the edge: the span is then the whole edge.
   for (let edge = 0; edge < count; edge++) {
     if (reached[edge] === 0) spans.set([0, 1], edge * 2);
   }

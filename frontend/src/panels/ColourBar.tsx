@@ -4,7 +4,7 @@ import { SCALE } from "../state/palette";
 import { useEdges, useVerdict } from "../state/queries";
 import { COLOUR_MODES, useUiStore } from "../state/store";
 import { COLOUR_MODE_TITLES, verdictMapOf } from "../state/verdictMap";
-import css from "./over.module.css";
+import css from "./overlay.module.css";
 
 export function ColourBar() {
   const mode = useUiStore((ui) => ui.colourMode);
@@ -66,7 +66,7 @@ function Scale({ title, limit }: { title: string; limit: number }) {
       </span>
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.beyond }} />
-        more
+        more than {limit} mm
       </span>
     </div>
   );

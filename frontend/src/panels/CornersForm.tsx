@@ -74,8 +74,8 @@ export function CornersForm() {
             { value: "refuse", label: "Refuse the job" },
           ]}
           value={corners.interference}
-          onChange={(word) =>
-            set({ corners: { ...corners, interference: word === "refuse" ? "refuse" : "trim" } })
+          onChange={(choice) =>
+            set({ corners: { ...corners, interference: choice === "refuse" ? "refuse" : "trim" } })
           }
           data-testid="interference"
         />
@@ -118,8 +118,8 @@ function SingleCorners() {
                 label: type === "auto" ? TITLES.auto : type,
               }))}
               value={one.type}
-              onChange={(word) => {
-                const type = CORNER_TYPES.find((known) => known === word);
+              onChange={(choice) => {
+                const type = CORNER_TYPES.find((known) => known === choice);
                 if (type !== undefined) set({ corners: setCornerType(corners, which, type) });
               }}
               aria-label={`Type of the corner at ${positionText(one)}`}
@@ -175,8 +175,8 @@ function CornerPicture({ type }: { type: CornerType }) {
     <svg viewBox="0 0 56 44" width="56" height="44" aria-hidden="true">
       <path d="M2 26H34V44H2Z" className={cornerCss.cornerPart} />
       <circle cx="20" cy="12" r="10" className={cornerCss.cornerDisc} />
-      {(all ? (["B", "C", "D"] as const) : [type]).map((word) => (
-        <path key={word} d={PATHS[word]} className={cornerCss.cornerWay} data-faint={all} />
+      {(all ? (["B", "C", "D"] as const) : [type]).map((shown) => (
+        <path key={shown} d={PATHS[shown]} className={cornerCss.cornerPath} data-faint={all} />
       ))}
     </svg>
   );

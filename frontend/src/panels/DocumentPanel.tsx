@@ -60,7 +60,12 @@ export function DocumentPanel() {
           <>
             <dt>Import report</dt>
             <dd>
-              <button type="button" className={css.link} style={{ margin: 0 }} onClick={show}>
+              <button
+                type="button"
+                className={css.link}
+                style={{ margin: 0 }}
+                onClick={scrollToReport}
+              >
                 {summarizeReport(drawing.report)}
               </button>
             </dd>
@@ -72,7 +77,7 @@ export function DocumentPanel() {
   );
 }
 
-const show = () =>
+const scrollToReport = () =>
   document.getElementById(REPORT)?.scrollIntoView({ behavior: "smooth", block: "start" });
 
 /** Choice of the profile; customer profiles are listed before built-in ones. */
@@ -82,7 +87,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
   const option = ({ name, title }: Profile) => ({ value: name, label: title || name });
   const own = profiles.filter(({ shipped }) => !shipped);
   const shipped = profiles.filter((profile) => profile.shipped);
-  const gone = !profiles.some(({ name }) => name === drawing.profile);
+  const isDeleted = !profiles.some(({ name }) => name === drawing.profile);
   return (
     <div style={{ marginTop: 12 }}>
       <div style={{ display: "flex", alignItems: "end", gap: 6 }}>
@@ -91,7 +96,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
           style={{ flex: 1 }}
           label="Profile (rules for line types)"
           data={[
-            ...(gone
+            ...(isDeleted
               ? [
                   {
                     group: "Deleted profile",
@@ -110,11 +115,11 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
             if (profile !== null && profile !== drawing.profile) void patchDrawing({ profile });
           }}
         />
-        <Tooltip label={gone ? "This profile was deleted" : EDIT_PROFILE}>
+        <Tooltip label={isDeleted ? "This profile was deleted" : EDIT_PROFILE}>
           <ActionIcon
             variant="default"
             size={30}
-            disabled={gone}
+            disabled={isDeleted}
             aria-label={EDIT_PROFILE}
             data-testid="edit-profile"
             onClick={() => set({ editedProfile: drawing.profile })}

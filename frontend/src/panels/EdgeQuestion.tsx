@@ -5,7 +5,7 @@ import type { Question } from "../api/client";
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import { renderText } from "../messages/render";
 import { retype } from "../state/actions";
-import { colourWords, indexColour } from "../state/colours";
+import { colourName, indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
 import { summarizeEdges } from "../state/inspect";
 import { LINE_STYLES } from "../state/palette";
@@ -70,7 +70,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
           </span>
         </span>
         <span className={questionCss.questionFacts} title={renderText(question)}>
-          Colour {colourWords(question.colour)}
+          Colour {colourName(question.colour)}
           {facts !== null &&
             facts.linetypes.length > 0 &&
             ` · line style ${facts.linetypes.join(", ")}`}

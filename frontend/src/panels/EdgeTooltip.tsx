@@ -10,7 +10,7 @@ import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../state
 import { layerOf } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
-import overCss from "./over.module.css";
+import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 import { Swatch } from "./Swatch";
 
@@ -35,13 +35,14 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
   if (row === null && moves.length === 0) return null;
   const more = verdict === undefined || row === null ? 0 : optionalFigures(verdict, row).length;
   const lines = (verdict === undefined ? 0 : FIGURES + more) + Math.min(moves.length, MOVES + 1);
-  const tall = HEAD + lines * LINE;
-  const side = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
-  const level = y + tall + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
+  const estimatedHeight = HEAD + lines * LINE;
+  const horizontal = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
+  const vertical =
+    y + estimatedHeight + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
   return (
     <div
-      className={`${overCss.float} ${overCss.tooltip}`}
-      style={{ ...side, ...level }}
+      className={`${overlayCss.float} ${overlayCss.tooltip}`}
+      style={{ ...horizontal, ...vertical }}
       role="tooltip"
       data-testid="edge-tooltip"
     >
@@ -57,7 +58,7 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
   const type = lineTypeOf(edges.lineType[row]);
   return (
     <>
-      <div className={overCss.tooltipHead}>
+      <div className={overlayCss.tooltipHead}>
         <Swatch type={type} />
         {LINE_STYLES[type].title}
         <span className={css.rowFigure} style={{ marginLeft: "auto", paddingLeft: 12 }}>
@@ -65,13 +66,13 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
         </span>
       </div>
       <dl>
-        <dt>Layer</dt>
+        <dt>Layer in file</dt>
         <dd>{layerOf(edges, row)}</dd>
         <dt>Entity in file</dt>
         <dd>
           {edges.handles[row]}, edge {row}
         </dd>
-        <dt>Decided by</dt>
+        <dt>Line type decided by</dt>
         <dd>{ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
         {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
@@ -110,7 +111,7 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
     listed.push(
       { title: "Groove width", value: `${formatHundredths(width)} at the top` },
       { title: "Board left under groove", value: formatHundredths(figure(verdict.edge_web)) },
-      { title: "Groove side deviation", value: formatDeviation(figure(verdict.edge_flank)) },
+      { title: "Deviation of groove sides", value: formatDeviation(figure(verdict.edge_flank)) },
     );
   }
   const top = figure(verdict.edge_top_overcut);
@@ -142,7 +143,7 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
   const stations = machines?.find(({ name }) => name === job?.machine)?.stations;
   const shown = rows.slice(0, MOVES);
   return (
-    <div className={overCss.tooltipMoves} data-testid="moves-tooltip">
+    <div className={overlayCss.tooltipMoves} data-testid="moves-tooltip">
       {shown.map((row, at) => {
         const tool = toolpath.tool[row] ?? 0;
         const before = shown[at - 1];
@@ -152,12 +153,12 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
         return (
           <div key={row}>
             {named && (
-              <div className={overCss.tooltipHead}>
-                <span className={overCss.chipLine} style={{ color: TRAVEL.head }} />
+              <div className={overlayCss.tooltipHead}>
+                <span className={overlayCss.chipLine} style={{ color: TRAVEL.head }} />
                 {name}
               </div>
             )}
-            <div className={overCss.tooltipMove}>
+            <div className={overlayCss.tooltipMove}>
               <span>{MOTION_TITLES[MOTIONS[toolpath.motion[row] ?? 0] ?? "rapid"]}</span>
               <span>height {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)} mm</span>
               <span>{line > 0 ? `program line ${line.toLocaleString("en")}` : ""}</span>
@@ -166,7 +167,7 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
         );
       })}
       {rows.length > MOVES && (
-        <div className={overCss.tooltipMove}>
+        <div className={overlayCss.tooltipMove}>
           <span>… and {rows.length - MOVES} more moves</span>
         </div>
       )}

@@ -17,16 +17,16 @@ const STEP = 100;
 
 export function Entities({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
-  const [most, setMost] = useState(STEP);
-  const { rows: first, kept, merged, dropped } = drawing.import_report;
+  const [limit, setLimit] = useState(STEP);
+  const { rows: firstRows, kept, merged, dropped } = drawing.import_report;
   // A drawing lists only its first entities; the rest is fetched here.
-  const whole = useImportReport(group.outcome, first.length < kept + merged + dropped);
-  const listed = whole.data?.rows ?? first;
+  const report = useImportReport(group.outcome, firstRows.length < kept + merged + dropped);
+  const listed = report.data?.rows ?? firstRows;
   const rows = useMemo(() => entitiesOf(listed, group), [listed, group]);
   return (
     <div className={css.entities} data-testid="entities">
       {edges !== undefined &&
-        rows.slice(0, most).map((row, at) => (
+        rows.slice(0, limit).map((row, at) => (
           <Entity
             // biome-ignore lint/suspicious/noArrayIndexKey: a file may name two entities alike
             key={`${row.handle} ${at}`}
@@ -36,12 +36,12 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
             drawing={drawing}
           />
         ))}
-      {whole.error && <p className={panels.note}>{errorText(whole.error)}</p>}
-      {(rows.length > most || whole.isFetching) && (
+      {report.error && <p className={panels.note}>{errorText(report.error)}</p>}
+      {(rows.length > limit || report.isFetching) && (
         <ShowMore
-          left={Math.max(rows.length, group.count) - Math.min(rows.length, most)}
-          busy={whole.isFetching}
-          act={() => setMost(most + STEP)}
+          left={Math.max(rows.length, group.count) - Math.min(rows.length, limit)}
+          busy={report.isFetching}
+          act={() => setLimit(limit + STEP)}
         />
       )}
     </div>
@@ -60,25 +60,25 @@ function Entity({ row, group, edges, drawing }: Props) {
   const zoomToBox = useUiStore((ui) => ui.zoomToBox);
   const pin = useUiStore((ui) => ui.pin);
   const length = useFormatLength();
-  const found = useMemo(() => locateEntity(edges, drawing, row), [edges, drawing, row]);
+  const location = useMemo(() => locateEntity(edges, drawing, row), [edges, drawing, row]);
   const reason = renderText(row.reason);
-  const meant = found !== null && "pin" in found && same(pin, found.pin);
+  const isPinned = location !== null && "pin" in location && equalBoxes(pin, location.pin);
   return (
     <button
       type="button"
       className={css.entity}
-      disabled={found === null}
-      aria-pressed={meant}
+      disabled={location === null}
+      aria-pressed={isPinned}
       title={
-        found === null
+        location === null
           ? "This entity has no position in the file"
           : "Show this entity in the drawing"
       }
       data-testid="entity"
       onClick={() => {
-        if (found === null) return;
-        if ("rows" in found) zoomToEdges(found.rows);
-        else zoomToBox(found.box, found.pin);
+        if (location === null) return;
+        if ("rows" in location) zoomToEdges(location.rows);
+        else zoomToBox(location.box, location.pin);
       }}
     >
       <span className={css.entityText}>
@@ -94,4 +94,5 @@ function Entity({ row, group, edges, drawing }: Props) {
   );
 }
 
-const same = (a: Box | null, b: Box): boolean => a?.every((side, at) => side === b[at]) ?? false;
+const equalBoxes = (a: Box | null, b: Box): boolean =>
+  a?.every((side, at) => side === b[at]) ?? false;

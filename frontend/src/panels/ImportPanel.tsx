@@ -52,7 +52,7 @@ export function ImportPanel() {
         size="xs"
         mb={6}
         value={outcome ?? "all"}
-        onChange={(word) => setOutcome(OUTCOME_FILTERS.find((one) => one === word) ?? null)}
+        onChange={(choice) => setOutcome(OUTCOME_FILTERS.find((one) => one === choice) ?? null)}
         data={[
           { value: "all", label: "All" },
           ...OUTCOME_FILTERS.map((word) => ({ value: word, label: TITLES[word] })),
@@ -78,7 +78,7 @@ export function ImportPanel() {
 }
 
 function Bar({ report }: { report: Report }) {
-  const formatRun = useFormatLength();
+  const formatLength = useFormatLength();
   return (
     <div className={css.sum} data-testid="report-bar">
       <div
@@ -97,18 +97,18 @@ function Bar({ report }: { report: Report }) {
         )}
       </div>
       <dl className={css.sums}>
-        {lengthShares(report).map(({ outcome, length: run }) => (
+        {lengthShares(report).map(({ outcome, length }) => (
           <div key={outcome}>
             <dt>
               <span className={css.outcome} data-outcome={outcome} />
               {TITLES[outcome]}
             </dt>
-            <dd>{formatRun(run)}</dd>
+            <dd>{formatLength(length)}</dd>
           </div>
         ))}
         <div>
-          <dt>In the file</dt>
-          <dd data-testid="report-drawn">{formatRun(report.drawn)}</dd>
+          <dt>Total length</dt>
+          <dd data-testid="report-drawn">{formatLength(report.drawn)}</dd>
         </div>
       </dl>
     </div>
@@ -118,34 +118,34 @@ function Bar({ report }: { report: Report }) {
 function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
-  const length = useFormatLength();
+  const formatLength = useFormatLength();
   const [open, setOpen] = useState(false);
-  const lines = group.what === "edges";
-  const words = renderText(group.reason) || "Kept as drawn";
-  const several = group.kinds.length > 0 && !lines;
+  const isEdges = group.what === "edges";
+  const reason = renderText(group.reason) || "Kept as drawn";
+  const several = group.kinds.length > 0 && !isEdges;
   return (
     <div>
       <button
         type="button"
         className={css.group}
-        aria-expanded={lines ? undefined : open}
-        title={lines ? SHOW_EDGES : "List these entities"}
+        aria-expanded={isEdges ? undefined : open}
+        title={isEdges ? SHOW_EDGES : "List these entities"}
         data-testid={`report-${group.outcome}`}
         onClick={() => {
-          if (!lines) setOpen(!open);
+          if (!isEdges) setOpen(!open);
           else if (edges !== undefined) zoomToEdges(rowsOfGroup(edges, group));
         }}
       >
         <span className={css.outcome} data-outcome={group.outcome} title={TITLES[group.outcome]} />
         <span className={css.groupText}>
-          {words}
+          {reason}
           <small>
-            {pluralize(group.count, lines ? "edge" : "entity", lines ? "edges" : "entities")}
+            {pluralize(group.count, isEdges ? "edge" : "entity", isEdges ? "edges" : "entities")}
             {several && ` · ${group.kinds.join(", ")}`}
           </small>
         </span>
-        {group.length > 0 && <span className={panels.rowFigure}>{length(group.length)}</span>}
-        {lines ? (
+        {group.length > 0 && <span className={panels.rowFigure}>{formatLength(group.length)}</span>}
+        {isEdges ? (
           <IconFocusCentered size={14} className={css.turn} aria-hidden />
         ) : (
           <IconChevronRight size={14} className={css.turn} data-open={open} aria-hidden />

@@ -1,8 +1,8 @@
-/** The selected edges: line type, reason, confidence and alternatives. */
+/** The selected edges: line type, deciding rule, confidence and other possible types. */
 
 import type { LineType } from "../geometry/records";
 import { retype } from "../state/actions";
-import { colourWords, indexColour } from "../state/colours";
+import { colourName, indexColour } from "../state/colours";
 import { pluralize } from "../state/format";
 import { isSetByHand } from "../state/history";
 import { type EdgeSummary, ruleText, summarizeEdges } from "../state/inspect";
@@ -23,24 +23,26 @@ export function InspectorPanel() {
   const { data: edges } = useEdges();
   const busy = useUiStore((ui) => ui.busy);
   const selectEdges = useUiStore((ui) => ui.selectEdges);
-  const length = useFormatLength();
+  const formatLength = useFormatLength();
   const rows = [...selection].filter((row) => row < (edges?.bulge.length ?? 0));
   const [row] = rows;
   if (edges === undefined || row === undefined) return null;
-  const found = summarizeEdges(edges, rows);
+  const summary = summarizeEdges(edges, rows);
   const alike = rowsOfLayer(edges, layerOf(edges, row), edges.colour[row] ?? 0);
   const byHand = rows.some((one) => isSetByHand(edges, one));
   return (
     <Section
       title={rows.length === 1 ? `Selected edge ${row}` : pluralize(rows.length, "selected edge")}
-      aside={<span className={panels.rowFigure}>{length(found.length)}</span>}
+      aside={<span className={panels.rowFigure}>{formatLength(summary.length)}</span>}
     >
       <div data-testid="inspector">
-        <Reasons found={found} />
-        {found.more > 0 && (
-          <p className={panels.note}>… and {found.more} more reasons for line types</p>
+        <Reasons summary={summary} />
+        {summary.more > 0 && (
+          <p className={panels.note}>… and {summary.more} more reasons for line types</p>
         )}
-        {found.alternatives.length > 0 && <Alternatives types={found.alternatives} rows={rows} />}
+        {summary.alternatives.length > 0 && (
+          <Alternatives types={summary.alternatives} rows={rows} />
+        )}
         {byHand && (
           <button
             type="button"
@@ -51,7 +53,7 @@ export function InspectorPanel() {
             {USE_PROFILE_TYPE}
           </button>
         )}
-        <Facts found={found} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
+        <Facts summary={summary} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
         {alike.length > rows.length && (
           <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
             Select all {alike.length.toLocaleString("en")} edges with this layer and colour
@@ -63,16 +65,16 @@ export function InspectorPanel() {
 }
 
 /** Line type, rule and confidence of the edges, by reason. */
-function Reasons({ found }: { found: EdgeSummary }) {
+function Reasons({ summary }: { summary: EdgeSummary }) {
   return (
     <>
-      {found.reasons.map(({ type, rule, confidence, rows: those }) => (
+      {summary.reasons.map(({ type, rule, confidence, rows: decided }) => (
         <div key={`${type} ${rule}`}>
           <div className={css.inspected}>
             <Swatch type={type} />
             {LINE_STYLES[type].title}
-            {found.reasons.length > 1 && (
-              <span className={panels.rowFigure}>{pluralize(those.length, "edge")}</span>
+            {summary.reasons.length > 1 && (
+              <span className={panels.rowFigure}>{pluralize(decided.length, "edge")}</span>
             )}
           </div>
           <div className={css.trust}>
@@ -119,12 +121,12 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
 }
 
 interface FactsProps {
-  found: EdgeSummary;
+  summary: EdgeSummary;
   /** null: more than one edge */
   handle: string | null;
 }
 
-function Facts({ found, handle }: FactsProps) {
+function Facts({ summary, handle }: FactsProps) {
   return (
     <dl className={panels.facts}>
       {handle !== null && (
@@ -133,26 +135,26 @@ function Facts({ found, handle }: FactsProps) {
           <dd>{handle}</dd>
         </>
       )}
-      <dt>Layer</dt>
-      <dd>{found.layers.join(", ")}</dd>
-      <dt>Colour</dt>
+      <dt>Layer in file</dt>
+      <dd>{summary.layers.join(", ")}</dd>
+      <dt>Colour in file</dt>
       <dd>
-        {found.colours.map((colour) => (
+        {summary.colours.map((colour) => (
           <span key={colour} style={{ display: "block", whiteSpace: "nowrap" }}>
             <span
               className={panels.dot}
               style={{ display: "inline-block", background: indexColour(colour) }}
             />{" "}
-            {colourWords(colour)}
+            {colourName(colour)}
           </span>
         ))}
       </dd>
       <dt>Line style in file</dt>
-      <dd>{found.linetypes.join(", ")}</dd>
-      {found.outcome !== "" && (
+      <dd>{summary.linetypes.join(", ")}</dd>
+      {summary.outcome !== "" && (
         <>
           <dt>Import result</dt>
-          <dd>{found.outcome}</dd>
+          <dd>{summary.outcome}</dd>
         </>
       )}
     </dl>

@@ -22,7 +22,7 @@ const FEW = 3;
 export function LearnedPanel() {
   const { data: drawing } = useDrawing();
   const { data: profiles } = useProfiles();
-  const [most, setMost] = useState(FEW);
+  const [limit, setLimit] = useState(FEW);
   const { data: learned } = useLearned((drawing?.overrides ?? 0) > 0);
   const profile = profiles?.find(({ name }) => name === drawing?.profile);
   if (drawing === undefined || drawing.overrides === 0 || profile === undefined) return null;
@@ -37,15 +37,15 @@ export function LearnedPanel() {
       }
     >
       <div data-testid="learned">
-        {learned.slice(0, most).map((proposal) => (
+        {learned.slice(0, limit).map((proposal) => (
           <LearnedRule
             key={`${proposal.rule.type} ${proposal.rule.words}`}
             proposal={proposal}
             profile={profile}
           />
         ))}
-        {learned.length > most && (
-          <ShowMore left={learned.length - most} act={() => setMost(learned.length)} />
+        {learned.length > limit && (
+          <ShowMore left={learned.length - limit} act={() => setLimit(learned.length)} />
         )}
       </div>
     </Section>

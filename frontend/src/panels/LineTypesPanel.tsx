@@ -22,19 +22,19 @@ export function LineTypesPanel() {
         {LEGEND.map((type) => {
           const count = counts.get(type);
           if (count === undefined || count.edges === 0) return null;
-          return <Row key={type} type={type} edges={count.edges} run={count.length} />;
+          return <Row key={type} type={type} edges={count.edges} length={count.length} />;
         })}
       </div>
     </Section>
   );
 }
 
-function Row({ type, edges, run }: { type: LineType; edges: number; run: number }) {
+function Row({ type, edges, length }: { type: LineType; edges: number; length: number }) {
   const hidden = useUiStore((ui) => ui.hiddenTypes.has(type));
   const toggle = useUiStore((ui) => ui.toggleType);
   const selectEdges = useUiStore((ui) => ui.selectEdges);
   const { data: columns } = useEdges();
-  const length = useFormatLength();
+  const formatLength = useFormatLength();
   const { title } = LINE_STYLES[type];
   return (
     <div className={css.row} data-off={hidden} data-testid={`legend-${type}`}>
@@ -46,7 +46,7 @@ function Row({ type, edges, run }: { type: LineType; edges: number; run: number 
       >
         <Swatch type={type} />
         <span className={css.rowName}>{title}</span>
-        <span className={css.rowFigure}>{length(run)}</span>
+        <span className={css.rowFigure}>{formatLength(length)}</span>
         <span className={css.rowCount}>{edges.toLocaleString("en")}</span>
       </button>
       <ActionIcon

@@ -7,7 +7,7 @@ import { useNotifications } from "../state/notifications";
 import { useEdges } from "../state/queries";
 import { rowsOfHandles } from "../state/rows";
 import { useUiStore } from "../state/store";
-import reportCss from "./notifications.module.css";
+import notificationCss from "./notifications.module.css";
 import css from "./panels.module.css";
 
 export function NotificationList() {
@@ -16,11 +16,11 @@ export function NotificationList() {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const { data: edges } = useEdges();
   return (
-    <div className={reportCss.reports} role="alert" aria-live="assertive">
+    <div className={notificationCss.reports} role="alert" aria-live="assertive">
       {list.map(({ id, title, detail, hint, source, notice }) => {
         const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
         return (
-          <div key={id} className={reportCss.report} data-testid="report">
+          <div key={id} className={notificationCss.report} data-testid="report">
             {notice === true ? (
               <IconInfoCircleFilled size={18} color="var(--accent)" aria-hidden />
             ) : (

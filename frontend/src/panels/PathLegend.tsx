@@ -2,12 +2,12 @@
 
 import { useMemo } from "react";
 import { deepestZ } from "../geometry/depths";
-import { contactOf, type Sweep, sweepOf } from "../geometry/sweep";
+import { halfContactLength, type Sweep, sweepOf } from "../geometry/sweep";
 import { formatHundredths } from "../state/format";
 import { MARKS, SWEPT } from "../state/palette";
 import { useBoards, useJob, useMachines, useToolpath } from "../state/queries";
 import { useUiStore } from "../state/store";
-import overCss from "./over.module.css";
+import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 
 const MARK_STYLES: readonly { mark: keyof typeof MARKS; title: string; size: number }[] = [
@@ -21,7 +21,7 @@ export function PathLegend() {
   const { data: toolpath } = useToolpath();
   if (toolpath === undefined || !(layers.moves || layers.swept)) return null;
   return (
-    <div className={`${overCss.float} ${overCss.legend}`} data-testid="path-legend">
+    <div className={`${overlayCss.float} ${overlayCss.legend}`} data-testid="path-legend">
       {layers.swept && <Tools />}
       {layers.moves &&
         MARK_STYLES.map(({ mark, title, size }) => (
@@ -56,7 +56,7 @@ function Tools() {
   if (swept.length === 0) return <span>No tool on this machine cuts wider than its line.</span>;
   return swept.map(({ number, name, sweep, depth }) => (
     <span key={number}>
-      <span className={overCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
+      <span className={overlayCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
       <b>{name}</b>
       {sweepText(sweep, depth)}
     </span>
@@ -74,5 +74,5 @@ function sweepText(sweep: Sweep, depth: number): string {
   if (sweep.kind === "groove") {
     return `${formatHundredths(2 * depth * sweep.slope)} wide at the top, ${formatHundredths(depth)} deep`;
   }
-  return `touches ${formatHundredths(2 * contactOf(sweep.radius, depth))} of the line at a time, ${formatHundredths(depth)} deep`;
+  return `touches ${formatHundredths(2 * halfContactLength(sweep.radius, depth))} of the line at a time, ${formatHundredths(depth)} deep`;
 }

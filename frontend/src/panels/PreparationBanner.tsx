@@ -2,8 +2,8 @@
 
 import { Progress } from "@mantine/core";
 import { useServiceStatus } from "../state/queries";
-import reportCss from "./notifications.module.css";
-import overCss from "./over.module.css";
+import notificationCss from "./notifications.module.css";
+import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 
 export function PreparationBanner() {
@@ -12,7 +12,7 @@ export function PreparationBanner() {
   const { parts, parts_compiled: compiled } = status;
   return (
     <div
-      className={`${overCss.float} ${reportCss.preparation}`}
+      className={`${overlayCss.float} ${notificationCss.preparation}`}
       role="status"
       data-testid="preparation"
     >

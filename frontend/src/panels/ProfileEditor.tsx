@@ -62,7 +62,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const set = useUiStore((ui) => ui.set);
   const preview = usePreview(drawing?.id ?? null, draft);
   const changes = preview.data?.changes ?? [];
-  const theirs = preview.data?.rules.filter(({ inherited }) => inherited) ?? [];
+  const inheritedRules = preview.data?.rules.filter(({ inherited }) => inherited) ?? [];
   const untitled = draft.title.trim() === "";
 
   useEffect(() => {
@@ -77,13 +77,13 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   };
   const save = async () => {
     const taken = profiles.map((one) => one.name);
-    const under = profile.shipped ? unusedName(draft.title, taken) : profile.name;
-    if (await saveDraft(under, draft)) set({ editedProfile: under });
+    const target = profile.shipped ? unusedName(draft.title, taken) : profile.name;
+    if (await saveDraft(target, draft)) set({ editedProfile: target });
   };
   const inherited = draft.extends !== null && (
     <InheritedRules
       title={profiles.find(({ name }) => name === draft.extends)?.title ?? draft.extends}
-      rules={preview.data === null ? null : theirs}
+      rules={preview.data === null ? null : inheritedRules}
     />
   );
   return (

@@ -2,8 +2,8 @@
 
 import { Progress } from "@mantine/core";
 import { useUiStore } from "../state/store";
-import reportCss from "./notifications.module.css";
-import overCss from "./over.module.css";
+import notificationCss from "./notifications.module.css";
+import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 
 export function ProgressOverlay() {
@@ -12,10 +12,18 @@ export function ProgressOverlay() {
   return (
     <>
       {busy && (
-        <div className={reportCss.working} role="progressbar" aria-label="Waiting for the server" />
+        <div
+          className={notificationCss.working}
+          role="progressbar"
+          aria-label="Waiting for the server"
+        />
       )}
       {upload !== null && (
-        <div className={`${overCss.float} ${reportCss.upload}`} role="status" data-testid="upload">
+        <div
+          className={`${overlayCss.float} ${notificationCss.upload}`}
+          role="status"
+          data-testid="upload"
+        >
           <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
             <span className={css.rowName}>{upload.name}</span>
             <span>

@@ -1,4 +1,4 @@
-/** Open questions, each answered with one click; nothing is compiled before all are. */
+/** Open questions, each answered with one click; a program needs the answers to all. */
 
 import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
@@ -26,7 +26,7 @@ export function QuestionsPanel() {
   const { data: drawing } = useDrawing();
   const { data: job } = useJob();
   const compileQuestions = useUiStore((ui) => ui.compileQuestions);
-  const [most, setMost] = useState(STEP);
+  const [limit, setLimit] = useState(STEP);
   const list = useRef<HTMLDivElement>(null);
   if (drawing === undefined) return null;
   const questions = new Map<string, Question>();
@@ -35,9 +35,11 @@ export function QuestionsPanel() {
   }
   if (questions.size === 0) return null;
   const listed = [...questions];
-  const lines = listed.map(([, question]) => question).filter(({ kind }) => kind === "line-type");
+  const lineTypeQuestions = listed
+    .map(([, question]) => question)
+    .filter(({ kind }) => kind === "line-type");
   // The next question is enabled one frame later.
-  const toNext = () =>
+  const focusNextAnswer = () =>
     requestAnimationFrame(() => list.current?.querySelector<HTMLElement>("[data-answer]")?.focus());
   return (
     <Section
@@ -50,18 +52,18 @@ export function QuestionsPanel() {
     >
       <div ref={list} data-testid="questions">
         {listed
-          .slice(0, most)
+          .slice(0, limit)
           .map(([key, question]) =>
             question.kind === "unit" ? (
               <UnitQuestion key={key} question={question} drawing={drawing} />
             ) : (
-              <EdgeQuestion key={key} question={question} onAnswered={toNext} />
+              <EdgeQuestion key={key} question={question} onAnswered={focusNextAnswer} />
             ),
           )}
-        {listed.length > most && (
-          <ShowMore left={listed.length - most} act={() => setMost(most + STEP)} />
+        {listed.length > limit && (
+          <ShowMore left={listed.length - limit} act={() => setLimit(limit + STEP)} />
         )}
-        {lines.length > FEW && <IgnoreAll questions={lines} />}
+        {lineTypeQuestions.length > FEW && <IgnoreAll questions={lineTypeQuestions} />}
       </div>
     </Section>
   );

@@ -5,7 +5,7 @@ import { useEffect, useState } from "react";
 import type { Job } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatAgo, formatDuration } from "../state/format";
-import { isCompiling, isOnTable, isOver, needsOperator } from "../state/jobs";
+import { isCompiling, isFinal, isOnTable, needsOperator } from "../state/jobs";
 import { useBoards, useJobs } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { ConfirmationCard } from "./ConfirmationCard";
@@ -22,7 +22,7 @@ const STEP = 30;
 function sortKey(job: Job): number {
   if (isOnTable(job) || needsOperator(job) || job.state === "interrupted") return 0;
   if (job.state === "queued") return 1;
-  return isOver(job) ? 3 : 2;
+  return isFinal(job) ? 3 : 2;
 }
 
 export function QueuePanel() {
@@ -30,7 +30,7 @@ export function QueuePanel() {
   const { data: jobs, error } = list;
   // The open job has its confirmation card in the job panel.
   const current = useUiStore((ui) => ui.job);
-  const [most, setMost] = useState(STEP);
+  const [limit, setLimit] = useState(STEP);
   const [now, setNow] = useState(() => Date.now() / 1000);
   useEffect(() => {
     const timer = setInterval(() => setNow(Date.now() / 1000), 30_000);
@@ -46,7 +46,7 @@ export function QueuePanel() {
     >
       <div data-testid="queue">
         {error && <p className={css.note}>{errorText(error)}</p>}
-        {listed.slice(0, most).map((job) => (
+        {listed.slice(0, limit).map((job) => (
           <div key={job.id}>
             <Row job={job} now={now} />
             {needsOperator(job) && job.id !== current && (
@@ -61,12 +61,12 @@ export function QueuePanel() {
             No jobs yet. Open a drawing and prepare its program to create one.
           </p>
         )}
-        {(listed.length > most || list.hasNextPage) && (
+        {(listed.length > limit || list.hasNextPage) && (
           <ShowMore
             busy={list.isFetchingNextPage}
             act={() => {
-              setMost(most + STEP);
-              if (listed.length < most + STEP && list.hasNextPage) void list.fetchNextPage();
+              setLimit(limit + STEP);
+              if (listed.length < limit + STEP && list.hasNextPage) void list.fetchNextPage();
             }}
           />
         )}

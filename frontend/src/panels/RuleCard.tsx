@@ -88,8 +88,8 @@ export function RuleCard(props: Props) {
           leftSection={<Swatch type={rule.type} />}
           leftSectionWidth={34}
           style={{ flex: 1 }}
-          onChange={(word) => {
-            const type = ASSIGNABLE_TYPES.find((one) => one === word);
+          onChange={(choice) => {
+            const type = ASSIGNABLE_TYPES.find((one) => one === choice);
             if (type !== undefined) onChange({ type });
           }}
         />
@@ -138,10 +138,10 @@ interface FieldProps {
 
 /** Keeps the text as typed and passes on the parsed patterns. */
 function Field({ condition, number, patterns, onChange }: FieldProps) {
-  const [typed, setText] = useState(() => formatPatterns(patterns));
+  const [typed, setTyped] = useState(() => formatPatterns(patterns));
   // Undo may have changed the patterns: then show those instead of the typed text.
-  const means = formatPatterns(patterns);
-  const text = formatPatterns(parsePatterns(condition, typed)) === means ? typed : means;
+  const normalized = formatPatterns(patterns);
+  const text = formatPatterns(parsePatterns(condition, typed)) === normalized ? typed : normalized;
   const fault = condition === "colour" ? colourError(patterns) : "";
   return (
     <TextInput
@@ -152,7 +152,7 @@ function Field({ condition, number, patterns, onChange }: FieldProps) {
       value={text}
       error={fault === "" ? undefined : fault}
       onChange={(event) => {
-        setText(event.currentTarget.value);
+        setTyped(event.currentTarget.value);
         onChange(parsePatterns(condition, event.currentTarget.value));
       }}
     />

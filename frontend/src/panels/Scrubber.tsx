@@ -8,7 +8,7 @@ import { formatDuration } from "../state/format";
 import { isOnTable } from "../state/jobs";
 import { useJob, useTimeline } from "../state/queries";
 import { useUiStore } from "../state/store";
-import overCss from "./over.module.css";
+import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 
 /** Duration of the playback (s); shorter programs play in real time. */
@@ -16,37 +16,37 @@ const PLAY = 20;
 
 export function Scrubber() {
   const { data: job } = useJob();
-  const { data: line } = useTimeline();
+  const { data: timeline } = useTimeline();
   const previewTime = useUiStore((ui) => ui.previewTime);
   const set = useUiStore((ui) => ui.set);
   const [playing, setPlaying] = useState(false);
-  const whole = line === undefined ? 0 : totalSeconds(line);
+  const total = timeline === undefined ? 0 : totalSeconds(timeline);
 
   useEffect(() => {
-    if (!playing || whole === 0) return;
-    const pace = Math.max(1, whole / PLAY);
+    if (!playing || total === 0) return;
+    const pace = Math.max(1, total / PLAY);
     let before = performance.now();
     let frame = requestAnimationFrame(function step(now) {
       const next = (useUiStore.getState().previewTime ?? 0) + ((now - before) / 1000) * pace;
       before = now;
-      set({ previewTime: Math.min(whole, next) });
-      if (next >= whole) setPlaying(false);
+      set({ previewTime: Math.min(total, next) });
+      if (next >= total) setPlaying(false);
       else frame = requestAnimationFrame(step);
     });
     return () => cancelAnimationFrame(frame);
-  }, [playing, whole, set]);
+  }, [playing, total, set]);
 
-  if (job === undefined || line === undefined || whole === 0 || isOnTable(job)) return null;
-  const at = previewTime ?? (job.state === "done" ? whole : 0);
+  if (job === undefined || timeline === undefined || total === 0 || isOnTable(job)) return null;
+  const at = previewTime ?? (job.state === "done" ? total : 0);
   return (
-    <div className={`${overCss.float} ${overCss.scrubber}`} data-testid="scrubber">
+    <div className={`${overlayCss.float} ${overlayCss.scrubber}`} data-testid="scrubber">
       <ActionIcon
         variant="subtle"
         color="gray"
         aria-label={playing ? "Pause the preview of the program" : "Play a preview of the program"}
         data-testid="play"
         onClick={() => {
-          if (!playing && (previewTime === null || previewTime >= whole)) set({ previewTime: 0 });
+          if (!playing && (previewTime === null || previewTime >= total)) set({ previewTime: 0 });
           setPlaying(!playing);
         }}
       >
@@ -57,8 +57,8 @@ export function Scrubber() {
         size={4}
         thumbSize={14}
         min={0}
-        max={whole}
-        step={whole / 1000}
+        max={total}
+        step={total / 1000}
         value={at}
         label={null}
         thumbLabel="Time in the preview of the program"
@@ -68,7 +68,7 @@ export function Scrubber() {
         }}
       />
       <span className={css.rowFigure}>
-        {formatDuration(at)} / {formatDuration(whole)}
+        {formatDuration(at)} / {formatDuration(total)}
       </span>
     </div>
   );

@@ -10,7 +10,7 @@ import { useEdges } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
 import { USE_PROFILE_TYPE } from "./labels";
-import css from "./over.module.css";
+import css from "./overlay.module.css";
 import { Swatch } from "./Swatch";
 
 export function SelectionBar() {
@@ -18,10 +18,10 @@ export function SelectionBar() {
   const selectEdges = useUiStore((ui) => ui.selectEdges);
   const busy = useUiStore((ui) => ui.busy);
   const { data: edges } = useEdges();
-  const length = useFormatLength();
+  const formatLength = useFormatLength();
   if (selection.size === 0 || edges === undefined) return null;
   const rows = [...selection];
-  const run = rows.reduce((sum, row) => sum + (edges.length[row] ?? 0), 0);
+  const total = rows.reduce((sum, row) => sum + (edges.length[row] ?? 0), 0);
   const types = new Set(rows.map((row) => lineTypeOf(edges.lineType[row])));
   return (
     <div
@@ -31,7 +31,7 @@ export function SelectionBar() {
       data-testid="selection"
     >
       <span className={css.selectionText}>
-        {pluralize(rows.length, "edge")} selected · {length(run)}
+        {pluralize(rows.length, "edge")} selected · {formatLength(total)}
       </span>
       {ASSIGNABLE_TYPES.map((type) => {
         const { title, key } = LINE_STYLES[type];

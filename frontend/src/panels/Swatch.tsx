@@ -1,4 +1,4 @@
-/** Sample of a line type: its colour and dash. */
+/** Sample of the colour and dash of a line type. */
 
 import type { LineType } from "../geometry/records";
 import { LINE_STYLES } from "../state/palette";

@@ -70,7 +70,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
         <span className={css.weight} aria-hidden>
           <span style={{ width: "60%" }} />
         </span>
-        Bar: strength of the evidence for the unit
+        The bar shows the strength of the evidence
       </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);

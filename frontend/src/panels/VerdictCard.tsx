@@ -28,10 +28,10 @@ const MIN_VIEW = 8;
 const VIEW = 2;
 
 export function VerdictCard({ job }: { job: Job }) {
-  const { data: whole } = useVerdict();
+  const { data: fullVerdict } = useVerdict();
   const { verdict } = job;
   if (verdict === null) return null;
-  const findings = whole?.findings ?? [];
+  const findings = fullVerdict?.findings ?? [];
   return (
     <article
       className={verdictCss.verdict}
@@ -58,7 +58,7 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{formatLength(verdict.overcut)}</dd>
         </div>
         <div>
-          <dt>Longest uncut</dt>
+          <dt>Longest uncut part</dt>
           <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>
@@ -89,19 +89,24 @@ export function VerdictCard({ job }: { job: Job }) {
 
 /** Areas that the tool cannot reach; each click zooms to the next one, the largest first. */
 function Unreached({ verdict }: { verdict: VerdictSummary }) {
-  const { data: whole } = useVerdict();
+  const { data: fullVerdict } = useVerdict();
   const [next, setNext] = useState(0);
   const zoomToBox = useUiStore((ui) => ui.zoomToBox);
   if (verdict.unreached_places === 0) return null;
-  const goThere = () => {
-    const there = whole?.areas[next % whole.areas.length];
-    if (there === undefined) return;
-    const reach = Math.max(MIN_VIEW, VIEW * Math.sqrt(there.area));
-    zoomToBox([there.x - reach, there.y - reach, there.x + reach, there.y + reach]);
+  const zoomToNext = () => {
+    const area = fullVerdict?.areas[next % fullVerdict.areas.length];
+    if (area === undefined) return;
+    const reach = Math.max(MIN_VIEW, VIEW * Math.sqrt(area.area));
+    zoomToBox([area.x - reach, area.y - reach, area.x + reach, area.y + reach]);
     setNext(next + 1);
   };
   return (
-    <button type="button" className={verdictCss.noteRow} onClick={goThere} data-testid="unreached">
+    <button
+      type="button"
+      className={verdictCss.noteRow}
+      onClick={zoomToNext}
+      data-testid="unreached"
+    >
       <span className={verdictCss.noteArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
       <span>
         {formatArea(verdict.unreached)} in {pluralize(verdict.unreached_places, "place")} cannot be
@@ -113,14 +118,14 @@ function Unreached({ verdict }: { verdict: VerdictSummary }) {
 
 /** Time saved by short lifts. */
 function Saved({ verdict }: { verdict: VerdictSummary }) {
-  const full = verdict.seconds_retracted ?? 0;
-  const share = full <= 0 ? 0 : Math.round((1 - verdict.seconds / full) * 100);
+  const retracted = verdict.seconds_retracted ?? 0;
+  const share = retracted <= 0 ? 0 : Math.round((1 - verdict.seconds / retracted) * 100);
   if (share < 1) return null;
   return (
     <div className={verdictCss.noteRow} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
-        Short lifts between the cuts save {formatDuration(full - verdict.seconds)} ({share}
+        Short lifts between the cuts save {formatDuration(retracted - verdict.seconds)} ({share}
         {"\u202f"}%).
       </span>
     </div>

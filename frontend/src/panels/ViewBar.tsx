@@ -3,7 +3,7 @@
 import { MARKS, SWEPT, TRAVEL, UNCUT } from "../state/palette";
 import { useToolpath, useVerdictColumns } from "../state/queries";
 import { type Layer, useUiStore } from "../state/store";
-import css from "./over.module.css";
+import css from "./overlay.module.css";
 
 const LAYERS: readonly {
   layer: Layer;
@@ -52,16 +52,16 @@ export function ViewBar() {
   const layers = useUiStore((ui) => ui.layers);
   const toggle = useUiStore((ui) => ui.toggleLayer);
   const { data: toolpath } = useToolpath();
-  const { data: along } = useVerdictColumns();
+  const { data: columns } = useVerdictColumns();
   // Without unreachable areas the layer has no button.
-  const some = (along?.areas.size.length ?? 0) > 0;
+  const hasUnreachable = (columns?.areas.size.length ?? 0) > 0;
   return (
     <div
       className={`${css.float} ${css.chips}`}
       role="toolbar"
       aria-label="Show or hide parts of the picture"
     >
-      {LAYERS.filter(({ layer }) => layer !== "uncut" || some).map(
+      {LAYERS.filter(({ layer }) => layer !== "uncut" || hasUnreachable).map(
         ({ layer, title, shows, colour, dashed, thick, dot }) => {
           const needsPath = layer !== "nominal";
           return (

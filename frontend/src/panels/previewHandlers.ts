@@ -3,8 +3,8 @@
 import { LINE_TYPES, type LineType } from "../geometry/records";
 import { type RetypePreview, useUiStore } from "../state/store";
 
-const isLineType = (word: string | undefined): word is LineType =>
-  LINE_TYPES.some((type) => type === word);
+const isLineType = (name: string | undefined): name is LineType =>
+  LINE_TYPES.some((type) => type === name);
 
 /** Handlers of an element that previews some line types. */
 export function previewHandlers(make: () => readonly RetypePreview[]) {
@@ -22,9 +22,9 @@ export function previewHandlers(make: () => readonly RetypePreview[]) {
 export function answerHandlers(rows: readonly number[], now: LineType) {
   const { set } = useUiStore.getState();
   const show = ({ target }: { target: EventTarget }) => {
-    const held = target instanceof Element ? target.closest<HTMLElement>("[data-answer]") : null;
-    const word = held?.dataset.answer;
-    const type = isLineType(word) ? word : now;
+    const answer = target instanceof Element ? target.closest<HTMLElement>("[data-answer]") : null;
+    const name = answer?.dataset.answer;
+    const type = isLineType(name) ? name : now;
     const [shown] = useUiStore.getState().retypePreviews;
     if (shown?.rows !== rows || shown.type !== type) set({ retypePreviews: [{ rows, type }] });
   };

@@ -1,4 +1,4 @@
-/** Areas bounded by lines and arcs → filling triangles and outlines. */
+/** Makes filling triangles and outlines from areas that lines and arcs bound. */
 
 import { flattenArc } from "../geometry/arc";
 import type { Areas, Point } from "../geometry/records";

@@ -1,4 +1,4 @@
-/** Edges → lines in the colours of their line types. */
+/** Makes lines for display from the edges of a drawing, in the colours of their line types. */
 
 import { arcLength, flattenArc, partialBulge, pointAt } from "../geometry/arc";
 import {

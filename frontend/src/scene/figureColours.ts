@@ -1,4 +1,4 @@
-/** Figures of a verdict → a colour per edge, on a scale from 0 to a limit. */
+/** Computes a colour per edge from a figure of the verdict, on a scale from 0 to a limit. */
 
 import { type Edges, lineTypeOf, type Samples } from "../geometry/records";
 import type { EdgeStretches } from "./dieline";
@@ -17,9 +17,9 @@ export interface FigureMap {
   /** (n,) */
   readonly figure: readonly number[];
   readonly limit: number;
-  /** (n,) uncut length */
+  /** (n,) uncut length (mm) */
   readonly uncut: readonly number[];
-  /** (n,) length left uncut on purpose */
+  /** (n,) length left uncut on purpose (mm) */
   readonly setback: readonly number[];
 }
 
@@ -37,7 +37,7 @@ export function scaleColour(figure: number, limit: number, { stops, beyond }: Sc
   return [mixed(0), mixed(1), mixed(2), mixed(3)];
 }
 
-/** Whether some of an edge was machined. */
+/** Whether at least a part of an edge was machined. */
 export function isWorked(edges: Edges, { uncut, setback }: FigureMap, row: number): boolean {
   const type = lineTypeOf(edges.lineType[row]);
   if (type === "ignored" || type === "unclassified") return false;
@@ -63,8 +63,8 @@ export function figureColours(edges: Edges, map: FigureMap, scale: Scale): Uint8
 /**
  * Colours of the deviations measured along the edges.
  *
- * The figure of an edge includes the rounding of the controller, the samples do not. The difference
- * is added to all samples, so that the worst sample has the colour of the edge.
+ * The figure of an edge includes the rounding of the controller, the samples do not. The
+ * difference is added to all samples, so that the worst sample has the colour of the edge.
  */
 export function stretchColours(
   edges: Edges,

@@ -73,7 +73,7 @@ export function ringLines(
   return lines.build();
 }
 
-/** Pin (pixels): radius of its ring, length of its arms, distance of its frame. */
+/** Sizes of a pin (pixels): radius of the ring, length of the arms, distance of the frame. */
 const PIN = { ring: 12, arm: 9, gap: 4 };
 
 /** Pin: a ring about a small box, or a frame about a larger one, with four arms. */

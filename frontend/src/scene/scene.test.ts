@@ -6,7 +6,7 @@ import { tipOffset } from "../geometry/tip";
 import { dielineLines, highlightLines, type Palette } from "./dieline";
 import { NEVER, type Rgba, rgba } from "./lines";
 import { gridLines, gridStep } from "./overlays";
-import { travelLines } from "./travel";
+import { pathLines } from "./pathLines";
 
 const RED: Rgba = [255, 0, 0, 255];
 const BLUE: Rgba = [0, 0, 255, 255];
@@ -114,7 +114,7 @@ describe("the travel", () => {
   };
   const colours = { head: BLUE, lead: BLUE, tip: RED, rapid: GREY };
   const offsets = new Map([[3, tipOffset(vCutter(4, 1.5))]]);
-  const travel = travelLines(buildTimeline(PATH), { x: 0, y: 0 }, colours, offsets);
+  const travel = pathLines(buildTimeline(PATH), { x: 0, y: 0 }, colours, offsets);
 
   test("is in the drawing's coordinates: the placement is taken off", () => {
     expect([...travel.head.ends.slice(0, 4)]).toEqual([1.5, -4, 101.5, -4]);

@@ -1,5 +1,5 @@
 /**
- * Tool path and tools → the area that each tool cuts or presses, in plan view.
+ * Makes the area that each tool cuts or presses, in plan view, from tool path and tools.
  *
  *     cutter, beam   the disc that removes material, along every move that cuts
  *     V-cutter       on each pass one flank, h tan θ wide at the top face: both make the groove
@@ -8,14 +8,14 @@
 
 import { circleOf, flattenArc } from "../geometry/arc";
 import { MOTIONS, type Motion, type Point, type Toolpath } from "../geometry/records";
-import { contactOf, type Sweep } from "../geometry/sweep";
+import { halfContactLength, type Sweep } from "../geometry/sweep";
 import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
 import { degree, mm, radians } from "../geometry/units";
 import { LineBuilder, type Lines, type Rgba } from "./lines";
 
 /** Triangles for display, float32 relative to an origin. */
 export interface Bands {
-  /** of triangles */
+  /** number of triangles */
   readonly count: number;
   /** (m, 3, 2) mm */
   readonly corners: Float32Array;
@@ -27,7 +27,7 @@ export interface SweptColours {
   readonly cutter: Rgba;
   readonly groove: Rgba;
   readonly crease: Rgba;
-  /** Of the marks at the ends of a contact. */
+  /** Colour of the marks at the ends of a wheel's contact. */
   readonly groovesRim: Rgba;
   readonly contact: Rgba;
 }
@@ -45,7 +45,7 @@ export interface Tools {
   readonly caliper: number;
 }
 
-/** Chords keep this near to the rim of a disc. */
+/** Greatest distance of a chord from the rim of a disc (mm). */
 const CHORD_TOLERANCE = mm(0.02);
 /** Cosine of the largest turn between moves that continue straight. */
 const STRAIGHT_COSINE = 0.9999;
@@ -254,7 +254,7 @@ function addCrease(
   colours: SweptColours,
 ): void {
   const move = moveAt(toolpath, row);
-  const reach = contactOf(radius, depth);
+  const reach = halfContactLength(radius, depth);
   const creases = (kind: Motion) => kind === "feed";
   const { first, last } = tangents(move);
   addStrip(bands, move, width / 2, colours.crease);

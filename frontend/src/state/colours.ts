@@ -1,4 +1,4 @@
-/** The colours that drawings are made in: AutoCAD's index, as far as people use it by name. */
+/** Names and display colours of the AutoCAD colour index that drawings use. */
 
 const NAMED: Readonly<Record<number, string>> = {
   1: "#ff4d4d",
@@ -24,13 +24,13 @@ const WORDS: Readonly<Record<number, string>> = {
   9: "light grey",
 };
 
-/** An index as people say it. */
-export function colourWords(index: number): string {
+/** Text for a colour index: its number, with its name if it has one. */
+export function colourName(index: number): string {
   const word = WORDS[index];
   return word === undefined ? `${index}` : `${index} (${word})`;
 }
 
-/** A colour to show for an index: named ones as they are, 10 to 249 round the circle of hues. */
+/** CSS colour for a colour index; 10 to 249 go around the circle of hues. */
 export function indexColour(index: number): string {
   const named = NAMED[index];
   if (named !== undefined) return named;

@@ -25,12 +25,13 @@ export function cornerNear(edges: Edges, row: number, to: Point): Point | null {
   return first ? { x: x0, y: y0 } : { x: x1, y: y1 };
 }
 
-const isThere = (one: CornerAt, { x, y }: Point) => Math.hypot(one.x - x, one.y - y) <= SAME_CORNER;
+const isSameCorner = (one: CornerAt, { x, y }: Point) =>
+  Math.hypot(one.x - x, one.y - y) <= SAME_CORNER;
 
 /** Add a corner with a type of its own. */
 export function addCorner(corners: Corners, place: Point): Corners {
-  if (corners.at.some((one) => isThere(one, place))) return corners;
-  // The opposite of what the others are, so that a click is seen to do something.
+  if (corners.at.some((one) => isSameCorner(one, place))) return corners;
+  // A type that differs from the common one, so that the click has a visible effect.
   const type = corners.type === "C" ? "B" : "C";
   return { ...corners, at: [...corners.at, { x: place.x, y: place.y, type, k: null }] };
 }

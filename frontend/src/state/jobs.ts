@@ -94,5 +94,5 @@ export const isOnTable = (job: Job): boolean => job.state === "running" || job.s
 export const hasProgram = (job: Job): boolean => job.program_sha256 !== "";
 
 /** The job is in a final state. */
-export const isOver = (job: Job): boolean =>
+export const isFinal = (job: Job): boolean =>
   ["done", "refused", "scrapped", "cancelled"].includes(job.state);

@@ -47,10 +47,10 @@ export const TRAVEL = {
 } as const;
 
 /**
- * A figure from nothing to its limit.
+ * Colour scale of a figure from 0 to its limit.
  *
- * The stops lie equally far apart in OKLab, and each is lighter than the one before: a step of the
- * figure looks the same everywhere, and in grey too.
+ * Neighbouring stops have equal distances in OKLab and increasing lightness, so that equal steps
+ * of the figure look equal, also in shades of grey.
  */
 export const SCALE = {
   stops: [

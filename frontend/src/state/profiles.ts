@@ -1,8 +1,9 @@
 /** Saving, learning, importing and deleting of line-type profiles. */
 
 import { type Profile, type Proposal, service } from "../api/client";
-import { enqueue, saveProfile } from "./actions";
+import { saveProfile } from "./actions";
 import { addRule, type Draft, draftFromProfile, newRule, profileRequest, slugOf } from "./draft";
+import { enqueue } from "./drawingSync";
 import { profileRefOf } from "./history";
 import { queries, queryClient } from "./queries";
 import { useUiStore } from "./store";

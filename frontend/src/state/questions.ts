@@ -1,4 +1,4 @@
-/** What a question card shows beside the facts of the edges. */
+/** Text of a question card, beside the layer, colour and length that the card lists. */
 
 import { renderText, type ServerMessage, typed } from "../messages/render";
 

@@ -60,7 +60,7 @@ export class PlaneCamera {
     };
   }
 
-  /** Centre and scale at which a box fills the canvas without the insets. */
+  /** Centre and scale with which a box fills the part of the canvas inside the insets. */
   frameBox(box: Box, insets: Insets): { centre: Point; scale: number } {
     const wide = Math.max(1, this.width - insets.left - insets.right);
     const tall = Math.max(1, this.height - insets.top - insets.bottom);

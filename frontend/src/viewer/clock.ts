@@ -17,12 +17,12 @@ export class HeadClock {
     this.seconds = seconds;
   }
 
-  /** Animate to a time within `lasts` ms. */
+  /** Animate to a time in `lasts` ms. */
   travelTo(seconds: number, lasts: number, now: number): void {
     const from = this.timeAt(now);
     // The marker is slightly ahead of the report: wait for the next one.
     if (from !== null && seconds < from && from - seconds < SLACK) return;
-    // Further back: a new copy, or another place; jump there.
+    // The report is further back, for example of a new copy: jump there.
     if (from === null || seconds < from) this.set(seconds);
     else this.run = { from, to: seconds, began: now, lasts: Math.max(1, lasts) };
   }

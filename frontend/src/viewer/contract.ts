@@ -4,10 +4,10 @@ import type { Point } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
 import type { Rgba } from "../scene/lines";
 import type { Marked } from "../scene/marks";
+import type { PathColours } from "../scene/pathLines";
 import type { SweptColours } from "../scene/swept";
-import type { TravelColours } from "../scene/travel";
 
-export interface ViewerColours extends TravelColours {
+export interface ViewerColours extends PathColours {
   readonly palette: Palette;
   readonly swept: SweptColours;
   readonly marks: Readonly<Record<Marked, Rgba>>;
@@ -27,9 +27,9 @@ export interface ViewerColours extends TravelColours {
   readonly blade: Rgba;
   readonly uncut: Rgba;
   readonly uncutRim: Rgba;
-  /** Ring about a selected corner. */
+  /** Colour of the ring around a corner with a type of its own. */
   readonly corner: Rgba;
-  /** Mark about a place. */
+  /** Colour of a pin. */
   readonly pin: Rgba;
 }
 

@@ -16,7 +16,7 @@ export const ORDER = {
   /** The edges while coloured by a figure: above the tool paths. */
   map: 8.5,
   hovered: 9,
-  // Concentric dots: lift, swivel and plunge at one place are all visible.
+  // The dots have different sizes, so that a lift, swivel and plunge at one point are all visible.
   lift: 9.1,
   swivel: 9.2,
   plunge: 9.3,

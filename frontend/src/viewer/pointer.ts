@@ -1,5 +1,5 @@
 /**
- * Mouse, pen and touch input → pan, zoom, hover and select.
+ * Translates mouse, pen and touch input to pan, zoom, hover and select.
  *
  *     drag, middle or right drag   pan         wheel, pinch    zoom about the cursor
  *     click                        select      shift + drag    select with a box

@@ -14,11 +14,11 @@ const ARM = 36;
 
 export class Surroundings {
   readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
-  /** The table in the drawing's coordinates. */
+  /** The table as a box in drawing coordinates. */
   box: Box | null = null;
-  /** Selected corners. */
+  /** Corners that have a type of their own. */
   corners: readonly Point[] = [];
-  /** Marked place. */
+  /** The box that a pin marks. */
   pin: Box | null = null;
 
   private readonly gridLayer = new LineLayer(1, ORDER.grid);
@@ -43,7 +43,7 @@ export class Surroundings {
     this.table.frustumCulled = false;
   }
 
-  /** Rebuild the table after a change of it or of the origin. */
+  /** Rebuild the table after a change of the table or of the origin. */
   updateTable(origin: Point): void {
     const { box } = this;
     this.table.visible = box !== null;

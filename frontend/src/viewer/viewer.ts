@@ -16,10 +16,10 @@ import { HeadClock } from "./clock";
 import type { ViewerColours, ViewerEvents, VisibleLayers } from "./contract";
 import { DielineLayers, type EdgePreview } from "./dieline";
 import { HeadMark } from "./head";
+import { PathLayers } from "./pathLayers";
 import { Picker } from "./picker";
 import { listenToPointer } from "./pointer";
 import { Surroundings } from "./surroundings";
-import { TravelLayers } from "./travel";
 import { ViewTransition } from "./viewTransition";
 
 /** Width of the controls above the canvas, at its sides (pixels). */
@@ -36,7 +36,7 @@ export class Viewer {
   private readonly scene = new Scene();
   private readonly surroundings: Surroundings;
   private readonly dieline: DielineLayers;
-  private readonly travel: TravelLayers;
+  private readonly travel: PathLayers;
   private readonly head: HeadMark;
   private readonly clock = new HeadClock();
   private readonly transition = new ViewTransition(this.camera);
@@ -77,7 +77,7 @@ export class Viewer {
     this.renderer.setClearColor(colours.backdrop);
     this.surroundings = new Surroundings(colours);
     this.dieline = new DielineLayers(colours);
-    this.travel = new TravelLayers(colours);
+    this.travel = new PathLayers(colours);
     this.head = new HeadMark(colours);
     this.scene.add(this.surroundings.table);
     for (const { mesh } of [...this.travel.areas, ...this.layers]) this.scene.add(mesh);
@@ -127,7 +127,7 @@ export class Viewer {
     this.draw();
   }
 
-  showTravel(timeline: Timeline | null, tools: Tools): void {
+  showToolpath(timeline: Timeline | null, tools: Tools): void {
     if (timeline !== this.timeline) {
       this.clock.set(null);
       this.picker.setTimeline(timeline);
@@ -139,26 +139,26 @@ export class Viewer {
     this.draw();
   }
 
-  /** Unreachable areas. */
+  /** Show areas that the tool cannot reach. */
   showAreas(areas: Areas | null): void {
     this.areas = areas;
     this.travel.setAreas(areas, this.origin);
     this.draw();
   }
 
-  /** Selected corners. */
+  /** Show rings around corners that have a type of their own. */
   showCorners(places: readonly Point[]): void {
     this.surroundings.corners = places;
     this.draw();
   }
 
-  /** Marked place. */
+  /** Mark a box of the drawing with a pin; null removes the pin. */
   showPin(box: Box | null): void {
     this.surroundings.pin = box;
     this.draw();
   }
 
-  /** The table, in the drawing's coordinates. */
+  /** Show the table, given as a box in drawing coordinates; null hides it. */
   showTable(box: Box | null): void {
     this.surroundings.box = box;
     this.surroundings.updateTable(this.origin);
@@ -181,7 +181,7 @@ export class Viewer {
     this.draw();
   }
 
-  /** Highlight an edge, or moves if `row` is null. */
+  /** Highlight an edge, or some moves if `row` is null. */
   showHovered(row: number | null, moves: readonly number[] = []): void {
     this.hoverRow = row;
     this.hoverMoves = moves;

@@ -4,20 +4,20 @@ import type { Areas, Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import { areaShapes } from "../scene/areas";
 import { MARKED, type Marked, motionMarks } from "../scene/marks";
+import { pathLines } from "../scene/pathLines";
 import { sweptShapes, type Tools } from "../scene/swept";
-import { travelLines } from "../scene/travel";
 import { BandLayer } from "./bands";
 import type { ViewerColours, VisibleLayers } from "./contract";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
 
-/** Diameter of the dots of moves (pixels) … */
+/** Diameter of the dots that mark plunges, lifts and swivels (pixels) … */
 const MARKS: Readonly<Record<Marked, number>> = { lift: 10, swivel: 7, plunge: 4 };
-/** … from this scale on (pixels per mm); smaller below, to this fraction of it. */
+/** … at this scale and above (pixels per mm); below it, dots shrink to this fraction. */
 const FULL_MARKS = 2;
 const LEAST_MARKS = 0.4;
 
-export class TravelLayers {
+export class PathLayers {
   private readonly bands = new BandLayer(ORDER.bands);
   private readonly rims = new LineLayer(1.25, ORDER.rims);
   private readonly uncut = new BandLayer(ORDER.uncut);
@@ -50,7 +50,7 @@ export class TravelLayers {
   setTimeline(timeline: Timeline | null, tools: Tools, origin: Point): void {
     const { colours } = this;
     this.timeline = timeline;
-    const lines = timeline === null ? null : travelLines(timeline, origin, colours, tools.offsets);
+    const lines = timeline === null ? null : pathLines(timeline, origin, colours, tools.offsets);
     this.head.show(lines?.head ?? null);
     this.tip.show(lines?.tip ?? null);
     this.rapids.show(lines?.rapids ?? null);

@@ -1,5 +1,5 @@
 /**
- * Tool path → lines of the head path, the tip path and the rapids.
+ * Makes lines of the head path, the tip path and the air moves from a tool path.
  *
  * A tool path is in sheet coordinates, the canvas in drawing coordinates: the placement is
  * subtracted here.
@@ -12,14 +12,14 @@ import { NO_OFFSET, type TipOffset, tipOf } from "../geometry/tip";
 import { CHORD_TOLERANCE } from "./dieline";
 import { DASHES, LineBuilder, type Lines, type Rgba } from "./lines";
 
-export interface TravelColours {
+export interface PathColours {
   readonly head: Rgba;
   readonly lead: Rgba;
   readonly tip: Rgba;
   readonly rapid: Rgba;
 }
 
-export interface TravelLines {
+export interface PathLines {
   readonly head: Lines;
   readonly tip: Lines;
   readonly rapids: Lines;
@@ -29,12 +29,12 @@ const DASHED = DASHES.indexOf("dashed");
 /** Step for the tip path of a swivel (degrees). */
 const TURN_STEP = 5;
 
-export function travelLines(
+export function pathLines(
   line: Timeline,
   origin: Point,
-  colours: TravelColours,
+  colours: PathColours,
   offsets: ReadonlyMap<number, TipOffset>,
-): TravelLines {
+): PathLines {
   const { clock, toolpath } = line;
   const { pose, bulge, motion, placement } = toolpath;
   const onSheet = { x: origin.x + placement[0], y: origin.y + placement[1] };

@@ -1,0 +1,56 @@
+"""The banner that shows how far a server is prepared after an installation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+from knifetip.api.schemas.common import ServiceOut
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+
+PARTS = 240
+
+
+def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepared(
+    page: Page, screenshots: Path
+) -> None:
+    compiled = 60
+    answers: list[ServiceOut] = []
+
+    def answer(route: Route) -> None:
+        preparing = compiled < PARTS
+        status = ServiceOut(
+            version="test", preparing=preparing, parts_compiled=compiled, parts=PARTS
+        )
+        answers.append(status)
+        route.fulfill(json=status.model_dump())
+
+    banner = page.get_by_test_id("preparation")
+    # The server of these tests has compiled all of its parts.
+    expect(page.get_by_test_id("welcome")).to_be_visible()
+    expect(banner).to_be_hidden()
+
+    page.route("**/api/service", answer)
+    page.reload()
+    expect(banner).to_contain_text("The server is being prepared: 60 of 240 parts are ready")
+    expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "25")
+    page.screenshot(path=screenshots / "preparation.png")
+
+    compiled = 180
+    expect(banner).to_contain_text("180 of 240 parts are ready")
+    expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "75")
+    # A drawing can be opened meanwhile: the banner lets clicks through.
+    page.get_by_test_id("drawing-row").first.click()
+    expect(page.get_by_test_id("picture")).to_be_visible()
+    expect(banner).to_be_visible()
+
+    compiled = PARTS
+    expect(banner).to_be_hidden()
+    # A prepared server remains prepared: the page stops asking.
+    asked = len(answers)
+    page.wait_for_timeout(2500)
+    assert len(answers) == asked
+    assert not answers[-1].preparing
