@@ -91,7 +91,9 @@ function Compiling({ job }: { job: Job }) {
 function Waiting({ job }: { job: Job }) {
   return (
     <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
-      {job.message === null ? `The job waits for the machine ${job.machine}.` : renderText(job.message)}
+      {job.message === null
+        ? `The job waits for the machine ${job.machine}.`
+        : renderText(job.message)}
       <Hint message={job.message} />
     </div>
   );
