@@ -290,14 +290,15 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
     # Around 1,400 mm and a crease of 400; 200 mm of the outline twice, the crease too.
     expect(page.get_by_test_id("report-drawn")).to_have_text(re.compile(r"^2000"))
     told = page.get_by_test_id("report-groups")
+    selection = page.get_by_test_id("selection")
     # Edges: a click chooses them in the picture.
     told.get_by_text("It lies on other edges").click()
-    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge selected · 200\smm"))
+    expect(selection).to_contain_text(re.compile(r"1 edge selected · 200\smm"))
     expect(page.get_by_test_id("inspector")).to_contain_text("merged")
     # An entity that was drawn twice leads to the one that is there.
     told.get_by_text("It is drawn twice").click()
     page.get_by_test_id("entity").click()
-    expect(page.get_by_test_id("selection")).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
+    expect(selection).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
     told.get_by_text("It is drawn twice").click()
     # Words have no edge: their place is marked.
     told.get_by_text("Text is not cut").click()
