@@ -1,20 +1,22 @@
 """Verify a program: read its bytes back and compare the tool's work with the drawn edges.
 
-    reading       program bytes -> moves of the machine's joints, one reader for each language
-    kinematics    moves -> poses of the tool tip -> its paths in the board
-    expectation   drawn edges, board, tools -> what must be worked, how deep and how far
-    checks        paths against expectation -> findings and figures
-    curves        lines, arcs and their overlaps, for all of the above
+Sub-packages and modules, in the order in which they are used:
+
+    reading       converts program bytes to moves of the machine's joints; one reader per language
+    kinematics    computes the poses of the tool tip from the moves, and its paths in the board
+    expectation   derives from edges, board and tools what must be worked, how deep and how far
+    checks        compares the paths with the expectation; adds findings and figures
+    curves        lines, arcs and their overlaps, which all of the above use
 
 This package shares no calculation with the stages that make a program: it imports nothing from
-``geometry`` or from them, so that an error there is not repeated here.
+``geometry`` or from those stages, so that an error there is not repeated here.
 
 Where each kind of finding is made (modules of ``checks`` where no package is named):
 
 ==========  ========================================================================
 kind        modules
 ==========  ========================================================================
-program     readers in ``reading``, ``output_checks`` (unstated or early switching),
+program     readers in ``reading``, ``output_checks`` (unset outputs, early switching),
             ``motion_checks`` (outputs while working, unknown positions), ``verify``
             (placement)
 travel      ``motion_checks``

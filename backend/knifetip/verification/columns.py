@@ -1,4 +1,4 @@
-"""Array types; this package imports nothing from ``geometry``, so it has its own."""
+"""NumPy array types for annotations; this package imports nothing from ``geometry``."""
 
 from __future__ import annotations
 

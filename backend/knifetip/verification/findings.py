@@ -1,4 +1,4 @@
-"""Collect the findings of one verification, at most a thousand."""
+"""The list that collects the findings of one verification, with a limit of a thousand findings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_FINDINGS: Final = 1000
 
 
 class Findings:
-    """A list of findings with a limit; further findings are dropped."""
+    """A list of findings that holds at most ``MAX_FINDINGS``; later findings are dropped."""
 
     def __init__(self) -> None:
         self._kept: list[Finding] = []
@@ -21,23 +21,27 @@ class Findings:
     def add(
         self, kind: str, message: Message, measure: float, *, edge: int = -1, line: int = -1
     ) -> None:
-        """Append a finding, unless the list is full."""
+        """Append a finding, unless the list is full.
+
+        ``edge`` is the row of the edge in the dieline and ``line`` the 1-based program line; each
+        is -1 if the finding concerns none.
+        """
         if not self.full:
             self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
 
-    def program(self, faults: Iterable[tuple[int, Message]]) -> None:
-        """Append faults of lines of the program: (1-based line, message)."""
+    def add_faults(self, faults: Iterable[tuple[int, Message]]) -> None:
+        """Append a finding of kind "program" for each fault (1-based program line, message)."""
         for line, message in faults:
             self.add("program", message, 0.0, line=line)
 
     @property
     def full(self) -> bool:
-        """True if further findings are dropped."""
+        """True if the list holds ``MAX_FINDINGS`` findings, so that later ones are dropped."""
         return len(self._kept) >= MAX_FINDINGS
 
     def __len__(self) -> int:
         return len(self._kept)
 
     def sorted(self) -> tuple[Finding, ...]:
-        """Return the findings in order of lines; findings without a line come last."""
+        """Return the findings in order of program lines; those without a line come last."""
         return tuple(sorted(self._kept, key=lambda finding: (finding.line < 0, finding.line)))

@@ -1,4 +1,4 @@
-"""Poses of the tool tip for moves of the joints, and its paths in the board.
+"""Poses of the tool tip at the ends of moves, and the paths of the tip in the board.
 
     Moves, Machine, Board -> TipPoses -> TipPaths
 
@@ -38,35 +38,38 @@ _MAX_CHORDS: Final = 10_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPoses:
-    """Poses of the tip of the station in use at both ends of n moves; NaN if unknown."""
+    """Poses of the tip of the selected station's tool at both ends of n moves; NaN if unknown."""
 
     start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
     end: F64  #: (n, 4)
     line: I32  #: (n,) 1-based line of the program
     station: I32  #: (n,) index into ``machine.stations``, -1 for none
-    inside: Bool  #: (n,) part of the move is below the board's top face
+    inside: Bool  #: (n,) part of the move is below the board's top face, or the beam is on
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:
-    """n paths of the tip at constant depth in the board: lines, arcs, and points of plunges."""
+    """n paths of the tip in the board: lines and arcs at constant depth, and points of plunges."""
 
     curve: F64  #: (n, 6) rows as in ``curves.curve``
     z: F64  #: (n,) height of the tip above the table, mm
     heading: F64  #: (n, 2) degrees, at start and end
     operation: U8  #: (n,) ``OperationKind``
     station: I32  #: (n,) index into ``machine.stations``
-    track: I32  #: (n,) number of the track: paths without lifting have the same
+    track: I32  #: (n,) number of the track; paths that no lift separates have one number
     line: I32  #: (n,) 1-based line of the program
-    blend: F64  #: (n,) mm, rounding of corners by the controller
+    blend: F64  #: (n,) mm, by which the controller may round corners
 
     def ends(self) -> tuple[F64, F64]:
-        """Return start and end points of the paths, (n, 2) mm each."""
+        """Return the start points and the end points of the paths, (n, 2) mm each."""
         return point_at(self.curve, np.zeros(len(self.z))), point_at(self.curve, self.curve[:, 5])
 
 
 def tip_offset(heading: F64, station: Station) -> F64:
-    """Return the vectors from the head's axis to the tip, (n, 2) mm, for headings (degrees)."""
+    """Return the vectors from the head's axis to the tip of a station's tool, (n, 2) mm.
+
+    ``heading`` is the direction of the tool, (n,) degrees.
+    """
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
     tool = expected_tool(station.tool)
     ahead, right = tool.ahead, tool.right
@@ -74,7 +77,7 @@ def tip_offset(heading: F64, station: Station) -> F64:
 
 
 def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
-    """Return the poses of the tip at the ends of the moves."""
+    """Return the poses of the tip of the selected station at both ends of each move."""
     start, end = moves.start.copy(), moves.end.copy()
     for index, station in enumerate(machine.stations):
         rows = moves.station == index
@@ -84,13 +87,13 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
     lowest = np.fmin(start[:, 2], end[:, 2])
     inside = (moves.station >= 0) & (lowest < board.caliper - LEVEL)
     beam = beam_moves(moves, machine)
-    # A beam works wherever it is on, at any height.
+    # A beam cuts wherever it is on, at any height.
     inside[beam] = moves.oscillating[beam]
     return TipPoses(start, end, moves.line, moves.station, inside)
 
 
 def beam_moves(moves: Moves, machine: Machine) -> Bool:
-    """Return a mask of the moves of stations with a beam, (n,)."""
+    """Return the mask of the moves whose selected station carries a laser, shape (n,)."""
     held = [expected_tool(station.tool).beam is not None for station in machine.stations]
     result: Bool = np.array([*held, False])[moves.station]
     return result
@@ -99,16 +102,14 @@ def beam_moves(moves: Moves, machine: Machine) -> Bool:
 def tip_paths(
     moves: Moves, tip: TipPoses, usable: Bool, machine: Machine, board: Board
 ) -> TipPaths:
-    """Return the paths of the tip in the board.
+    """Return the paths of the tip in the board, in the order of the program.
+
+    A plunge gives a path without length at its lower end, unless a level move follows it.
 
     Parameters
     ----------
     usable : (n,)
-        Mask of the moves to use; other checks report the rest.
-
-    Notes
-    -----
-    A plunge gives a path without length at its lower end, unless a level move follows it.
+        Mask of the moves that are used.  The moves left out have findings from other checks.
     """
     with np.errstate(invalid="ignore"):
         drop = tip.end[:, 2] - tip.start[:, 2]
@@ -146,7 +147,20 @@ def tip_paths(
 def _path_pieces(
     moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return pieces of moves: row of the move, curve, and start and end share of the move."""
+    """Return the lines and arcs that the tip follows in moves.
+
+    Parameters
+    ----------
+    rows
+        Indices of the moves.
+    point : (n,)
+        Mask of the moves whose path is only the point where they end.
+
+    Returns
+    -------
+    Index of the move (k,), curve (k, 6), and start and end of the curve as fractions of the move
+    (k, 2).
+    """
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
     turn = np.radians(np.abs(tip.end[rows, 3] - tip.start[rows, 3]))
@@ -183,7 +197,21 @@ def _path_pieces(
 def _flatten_paths(
     moves: Moves, tip: TipPoses, rows: I64, bent: I64, offset: F64, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return chords of tip paths that are neither lines nor arcs, as in ``_path_pieces``."""
+    """Return chords that replace tip paths which are neither lines nor arcs.
+
+    Parameters
+    ----------
+    rows
+        Indices of moves.
+    bent
+        Indices into ``rows`` of the moves to replace.
+    offset
+        Distance of the tip from the head's axis for each of ``rows``, mm.
+
+    Returns
+    -------
+    Index into ``rows`` (k,), curve (k, 6), and start and end as fractions of the move (k, 2).
+    """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])
     out = moves.start[own, :2] - moves.centre[own]
@@ -216,7 +244,9 @@ def _flatten_paths(
 
 def _operations(z: F64, station: I32, machine: Machine, board: Board) -> U8:
     held = [expected_tool(station.tool) for station in machine.stations]
-    kinds = np.array([(tool.through, tool.partly) for tool in held], np.uint8).reshape(-1, 2)
+    kinds = np.array([(tool.through_kind, tool.partial_kind) for tool in held], np.uint8).reshape(
+        -1, 2
+    )
     # A knife has two depths; choose the operation with the nearer one.
     half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)
     result: U8 = kinds[station, half.astype(np.int64)]

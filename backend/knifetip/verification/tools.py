@@ -1,4 +1,4 @@
-"""What the verifier expects of each kind of tool.
+"""The properties that the verifier expects of each kind of tool.
 
     Tool -> ExpectedTool
 
@@ -27,7 +27,7 @@ _ENTRY_RATIO: Final = 1.5
 
 
 class OperationKind(IntEnum):
-    """Kind of operation: what a tool does to the board at its depth."""
+    """What a tool does to the board at its depth: cut, half-cut, crease, groove or mill."""
 
     CUT = 0  #: knife, through the board
     HALF_CUT = 1  #: knife, part of the way
@@ -37,22 +37,22 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """The tool's name in messages, a key of ``english.TOOLS``."""
+        """The name of the tool in messages, a key of ``english.TOOLS``."""
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
 
 
 @dataclass(frozen=True, slots=True)
 class Disc:
-    """The disc of board that a rotating cutter or a beam removes."""
+    """The disc of board that a rotating cutter or a laser beam removes."""
 
     radius: float  #: mm
-    step: float  #: deepest cut in one pass (mm); 0 for all at once
-    set_up: float  #: longest path from the entry point to a contour (mm)
+    step: float  #: deepest cut in one pass (mm); 0 if one pass cuts through the board
+    entry_length: float  #: longest path from the entry point to a contour (mm)
 
 
 @dataclass(frozen=True, slots=True)
 class Beam:
-    """Properties of a beam, which works wherever it is on, at any height."""
+    """Properties of a laser beam, which cuts wherever it is on, at any height of the head."""
 
     focus: float  #: height of the focus above the board's top face (mm)
     pierce: float  #: dwell at the point where it is switched on (s)
@@ -60,27 +60,30 @@ class Beam:
 
 @dataclass(frozen=True, slots=True)
 class ExpectedTool:
-    """Properties of a tool that a program must respect, and what it does to the board."""
+    """Properties of a tool that the verifier checks a program against."""
 
-    through: OperationKind
-    partly: OperationKind  #: operation at a depth part of the way through
-    ahead: float = 0.0  #: from the head's axis to the tip, in the direction of C (mm)
-    right: float = 0.0  #: from the head's axis to the tip, to the right of C (mm)
-    slope: float = 0.0  #: sideways travel per mm of depth
-    trails: bool = False  #: the head moves round the tip while C turns
+    through_kind: OperationKind  #: operation at a depth through the board
+    partial_kind: OperationKind  #: operation at a smaller depth
+    ahead: float = 0.0  #: distance from the head's axis to the tip, in the direction of C (mm)
+    right: float = 0.0  #: distance from the head's axis to the tip, to the right of C (mm)
+    slope: float = 0.0  #: travel to the right per mm that the tip rises
+    circles_tip: bool = False  #: the head moves round the resting tip while C turns
     swivel: float = MAX_TURN  #: greatest turn of C in place in the board (degrees)
-    most: float = 180.0  #: greatest turn of C that is ever needed (degrees)
-    follows: bool = True  #: C follows the direction of the path
+    max_turn: float = 180.0  #: greatest turn of C that is ever needed (degrees)
+    follows_path: bool = True  #: C follows the direction of the path
     speed: float = 1.0  #: S word of M3
-    turns: bool = False  #: M3 must be in force while it works; if False, M3 must not be
-    at_rest: str = ""  #: code of the message if M3 is not in force
-    wait: float = 0.0  #: dwell after switching, if longer than the machine's (s)
+    needs_spindle: bool = False  #: M3 must be in force while it works; if False, it must not
+    stopped_code: str = ""  #: code of the message if M3 is not in force
+    min_dwell: float = 0.0  #: dwell after switching, if longer than the machine's (s)
     disc: Disc | None = None
     beam: Beam | None = None
     outputs: tuple[int, ...] = ()  #: outputs that must be on while it works, besides its station's
 
     def through_depth(self, caliper: float, into_mat: float) -> float:
-        """Return the depth of the tip below the top face in a cut through the board (mm)."""
+        """Return the depth of the tip below the board's top face in a cut through the board (mm).
+
+        For a beam this is the depth of its focus, which is negative above the top face.
+        """
         return -self.beam.focus if self.beam else caliper + into_mat
 
 
@@ -89,15 +92,15 @@ def _knife(tool: Knife) -> ExpectedTool:
         OperationKind.CUT,
         OperationKind.HALF_CUT,
         ahead=-tool.trail,
-        trails=tool.trail > 0.0,
+        circles_tip=tool.trail > 0.0,
         swivel=tool.swivel + ANGLE_TOLERANCE,
-        turns=tool.oscillating,
-        at_rest="verify.knife-at-rest",
+        needs_spindle=tool.oscillating,
+        stopped_code="verify.knife-at-rest",
     )
 
 
 def _crease_wheel(_tool: CreaseWheel) -> ExpectedTool:
-    return ExpectedTool(OperationKind.CREASE, OperationKind.CREASE, most=90.0)
+    return ExpectedTool(OperationKind.CREASE, OperationKind.CREASE, max_turn=90.0)
 
 
 def _v_cutter(tool: VCutter) -> ExpectedTool:
@@ -114,11 +117,11 @@ def _cutter(tool: Cutter) -> ExpectedTool:
     return ExpectedTool(
         OperationKind.MILL,
         OperationKind.MILL,
-        follows=False,
+        follows_path=False,
         speed=tool.speed,
-        turns=tool.speed > 0.0,
-        at_rest="verify.cutter-at-rest",
-        wait=tool.spin_up,
+        needs_spindle=tool.speed > 0.0,
+        stopped_code="verify.cutter-at-rest",
+        min_dwell=tool.spin_up,
         disc=Disc(tool.radius, tool.step, tool.lead or _ENTRY_RATIO * tool.radius),
     )
 
@@ -128,10 +131,10 @@ def _laser(tool: Laser) -> ExpectedTool:
     return ExpectedTool(
         OperationKind.MILL,
         OperationKind.MILL,
-        follows=False,
+        follows_path=False,
         speed=tool.power,
-        turns=True,
-        at_rest="verify.laser-off",
+        needs_spindle=True,
+        stopped_code="verify.laser-off",
         disc=Disc(radius, 0.0, tool.lead or _ENTRY_RATIO * radius),
         beam=Beam(tool.focus, tool.pierce),
         outputs=(tool.air,) if tool.air >= 0 else (),
@@ -148,17 +151,17 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the outputs of tools, without those of stations, in ascending order."""
+    """Return the outputs that tools need besides those of their stations, in ascending order."""
     return tuple(
         sorted({one for held in machine.stations for one in expected_tool(held.tool).outputs})
     )
 
 
 def has_beam(machine: Machine) -> bool:
-    """Return True if a station carries a beam."""
+    """Return whether a station of the machine carries a laser."""
     return any(expected_tool(held.tool).beam is not None for held in machine.stations)
 
 
 def expected_tool(tool: Tool) -> ExpectedTool:
-    """Return the expected properties of a tool."""
+    """Return the properties that the verifier expects of a tool."""
     return _EXPECTED[type(tool)](tool)

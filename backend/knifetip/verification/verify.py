@@ -3,8 +3,8 @@
     program bytes, Dieline, placement, Machine, Board -> Verdict
 
 A reader converts the bytes to moves of the joints, kinematics computes the paths of the tool tip,
-and the checks compare them with each edge.  No code is shared with the stages that make programs,
-so programs from any source can be verified.
+and the checks compare the paths with each edge.  No code is shared with the stages that make
+programs, so programs from any source can be verified.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
 
-#: Greatest number of rows in the map of deviations.
+#: Greatest number of sampled deviations in a verdict.
 MAX_SAMPLES: Final = 200_000
 
 __all__ = ["read_placement", "trace_program", "verify"]
@@ -47,7 +47,7 @@ def verify(
     *,
     tolerance: float = 0.01,
 ) -> Verdict:
-    """Return the verdict on a program.
+    """Return the verdict on a program: findings, figures for each edge, and the nominal time.
 
     Parameters
     ----------
@@ -56,22 +56,23 @@ def verify(
     dieline : Dieline
         Edges in the drawing's coordinates.
     placement : (x, y), mm
-        Offset that places them on the sheet.
+        Offset from the drawing's coordinates to the sheet's coordinates.
     machine, board
         Machine and board that the program is made for.
     tolerance : float, mm
-        Greatest distance of the tip from its line, including the controller's rounding of corners
+        Greatest distance of the tip from its edge, including the controller's rounding of corners
         (G64).  The rounding of coarse coordinates is added; the verdict contains the sum.
 
     Returns
     -------
     Verdict
-        Accepted if there are no findings.  A text that is not a program gives findings too.
+        Accepted if there are no findings.  Bytes that are not a program give findings too.
 
     Raises
     ------
     ProgramUnreadable
-        The text is not bytes, or is too large.
+        The text is not of type bytes, is too large, or the machine's file lacks what its reader
+        needs.
     ProgramError
         The tolerance is not a positive, finite number.
     GeometryError
@@ -112,7 +113,7 @@ def verify(
 
 
 def _samples(context: CheckContext) -> Samples:
-    """Return the map of deviations, thinned evenly to at most ``MAX_SAMPLES`` rows."""
+    """Return the deviations sampled along edges, thinned evenly to at most ``MAX_SAMPLES`` rows."""
     columns = [np.concatenate(column) for column in zip(*context.samples, strict=True)]
     if not columns:
         return Samples()
@@ -122,7 +123,10 @@ def _samples(context: CheckContext) -> Samples:
 
 
 def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
-    """Return the moves of a program, the poses of the tip, and its paths in the board."""
+    """Return the moves of a program, the poses of the tip, and the paths of the tip in the board.
+
+    Findings are discarded.  Raises ProgramUnreadable if the text cannot be read as a program.
+    """
     return _trace(text, machine, board, math.inf, Findings())
 
 
@@ -130,7 +134,7 @@ def _trace(
     text: bytes, machine: Machine, board: Board, tolerance: float, findings: Findings
 ) -> tuple[Moves, TipPoses, TipPaths]:
     moves, faults = _reader(machine).read(text, machine, board)
-    findings.program(faults)
+    findings.add_faults(faults)
     tip = tip_poses(moves, machine, board)
     usable = motion_checks.check_travel(moves, machine, findings)
     motion_checks.check_feeds(moves, tip, machine, findings)
@@ -144,7 +148,7 @@ def _trace(
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
-    """Return the placement in the program's comments (mm), None if there is none."""
+    """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
     return _reader(machine).placement(text)
 
 

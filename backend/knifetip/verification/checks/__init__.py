@@ -1,1 +1,1 @@
-"""The checks that a program must pass, each with the findings it reports."""
+"""The checks that a program must pass; each adds findings and figures to the verdict."""

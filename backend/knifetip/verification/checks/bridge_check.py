@@ -1,10 +1,10 @@
 """Check the bridges that hold a part in the sheet.
 
-    EdgePaths, overlaps of the work with their edges -> Bridges -> what is wrong with them
+    EdgePaths, overlaps of the tip paths with their edges -> Bridges -> findings
 
 Widths are measured in the top face.  A slanted blade cuts the top face ahead of its tip by its
-lead.  So where the tip stops before a bridge, its gap is wider than the bridge by the lead; where
-it enters the board after a bridge, the cuts in both faces begin at the same point.
+lead.  So if the tip stops before a bridge, the gap in its path is wider than the bridge by the
+lead.  Where the tip enters the board after a bridge, the cuts in both faces begin at one point.
 """
 
 from __future__ import annotations
@@ -49,7 +49,9 @@ def find_bridges(
     Parameters
     ----------
     rows
-        Overlaps of the work with the edges of the paths.
+        Overlaps of the tip paths with the edges of the paths.
+    paths, edges
+        Paths, and the edges that form them.
     held : (c,)
         Mask of the paths that are searched.
     lead : mm
@@ -112,7 +114,17 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 
 
 def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
-    """Return 1 for each place (mm) of a path at which a stretch of work ends, else 0."""
+    """Return 1 for each position on a path at which a worked stretch ends, else 0, shape (k,).
+
+    Parameters
+    ----------
+    path, at : (n,)
+        Path of each stretch, and the position of its end along the path (mm).
+    which, place : (k,)
+        Paths and positions that are looked up.
+    length : (k,) mm
+        Length of each looked-up path.
+    """
     result = np.zeros(len(which))
     for k in range(len(which)):
         off = np.abs(at[path == which[k]] - place[k]) % length[k]
@@ -123,12 +135,14 @@ def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F6
 def check_bridges(
     found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
-    """Yield what is wrong with bridges: kind of finding, edge, message, measure (mm).
+    """Yield the faults of bridges: kind of finding, edge, message, measure (mm).
 
     Parameters
     ----------
-    edges
-        The edges of the paths.
+    found
+        All bridges.
+    paths, edges
+        Paths, and the edges that form them.
     held : (c,)
         Mask of the paths that must have bridges.
     slack : mm
@@ -174,7 +188,10 @@ def check_bridges(
 
 
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
-    """Return the edge of each bridge, and the missing distance to a sharp corner (mm)."""
+    """Return the edge of each bridge, and by how much it is too near to a sharp corner (mm).
+
+    The shortfall is 0 or negative if the bridge is far enough from sharp corners.
+    """
     size = edges.curve[:, 5]
     edge, place = paths.locate(found.path, found.middle, edges.curve)
     least = np.minimum(CORNER_DISTANCE + found.need / 2.0, size[edge] / 2.0)
@@ -186,7 +203,7 @@ def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I
 
 
 def _sharp_corners(paths: EdgePaths, edges: Edges) -> Bool:
-    """Return a mask of the ends of edges on closed paths, (2n,), at sharp corners."""
+    """Return the mask of the ends of edges, (2n,), at which a closed path has a sharp corner."""
     order = np.lexsort((paths.begin, paths.path))
     path = paths.path[order]
     new = np.ones(len(order), np.bool_)

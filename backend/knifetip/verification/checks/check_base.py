@@ -1,12 +1,12 @@
-"""Checks that apply to every kind of operation: position, depth, heading, completeness.
+"""Checks for every kind of operation with a tip: position, depth, heading, completeness.
 
     CheckContext, TipPaths, Edges -> findings and figures of the edges
 
-Work within the tolerance of a drawn line counts as work on that line.
+Work within the tolerance of a drawn edge counts as work on that edge.
 
 Heading: a tool that reaches ρ from its tip (the blade's width, half the wheel's contact, a
-V-cutter's whole edge) swings by 2 ρ sin(ΔC / 2) when its heading differs by ΔC from the direction
-of the line.  The swing must not exceed the tolerance.  ΔC is taken modulo 180° for a wheel, which
+V-cutter's cutting edge) swings by 2 ρ sin(ΔC / 2) when its heading differs by ΔC from the direction
+of the edge.  The swing must not exceed the tolerance.  ΔC is taken modulo 180° for a wheel, which
 has no front, and modulo 360° for other tools.
 """
 
@@ -38,7 +38,7 @@ ToolKind = TypeVar("ToolKind", Knife, CreaseWheel, VCutter)
 
 
 class StationCheck(ABC):
-    """Base class: compares the work of one station in one kind of operation with its edges."""
+    """Base class of checks: compares one station's work in one kind of operation with its edges."""
 
     def __init__(
         self,
@@ -67,7 +67,7 @@ class StationCheck(ABC):
         self.set_edges(edges)
 
     def set_edges(self, edges: Edges) -> None:
-        """Set the edges that must be worked, each over its whole length."""
+        """Set the edges that must be worked, each over its entire length."""
         self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
@@ -78,18 +78,18 @@ class StationCheck(ABC):
         self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
-        """Run the check if there is work or an edge."""
+        """Run the check, unless there are neither tip paths nor edges."""
         if len(self.curve) or len(self.edges):
             self.check()
 
     @abstractmethod
     def check(self) -> None:
-        """Compare the work with the edges; add findings and figures."""
+        """Compare the tip paths with the edges; add findings and figures."""
 
     def tool(self, kind: type[ToolKind]) -> ToolKind | None:
-        """Return the tool of the checked station, or of the first station with such a tool.
+        """Return the tool of the checked station, or None if that tool is of another kind.
 
-        None if the checked station has another kind of tool, or if no station has this kind.
+        If the station has not worked, return the machine's first tool of this kind, or None.
         """
         stations = self.context.machine.stations
         if len(self.station):
@@ -106,26 +106,32 @@ class StationCheck(ABC):
         work: int = -1,
         line: int = -1,
     ) -> None:
-        """Add a finding about an edge; ``edge`` is -1 if it concerns no edge."""
+        """Add a finding about an edge; ``edge`` is -1 if it concerns no edge.
+
+        The program line is that of the tip path ``work``, or ``line`` if ``work`` is -1.
+        """
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
         self.findings.add(kind, message, measure, edge=row, line=line)
 
     def record_overcut(self, edges: I64, measure: F64) -> None:
+        """Raise the overcut of the edges to ``measure`` (mm) where that is more."""
         rows = self.edges.row[edges]
         np.maximum.at(self.figures.overcut, rows, measure)
 
     def match_edges(self) -> Overlaps:
-        """Return the overlaps of the tip paths with the edges."""
+        """Return the overlaps of the tip paths with the edges, within the tolerance."""
         return find_overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
 
     def check_position(
         self, rows: Overlaps, final: Bool | None = None, wide: F64 | None = None
     ) -> None:
-        """Check the distance of the work from the edges, and its depth.
+        """Check the distance of the tip paths from the edges, and their depth.
 
         Parameters
         ----------
+        rows
+            Overlaps of the tip paths with the edges.
         final
             Mask of the overlaps whose depth is checked; all if None.
         wide : (n,) mm
@@ -184,6 +190,8 @@ class StationCheck(ABC):
 
         Parameters
         ----------
+        rows
+            Overlaps of the tip paths with the edges.
         reach : mm
             Distance from the tip to the farthest point of the tool, for each tip path.
         turn : degrees
@@ -232,7 +240,17 @@ class StationCheck(ABC):
     def check_swing(
         self, off: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64
     ) -> None:
-        """Check the swing of the tool where its heading is ``off`` degrees off the line."""
+        """Add a finding for each wrong heading that swings the tool by more than the tolerance.
+
+        Parameters
+        ----------
+        off, slack : (k,) degrees
+            Difference of the heading from the edge's direction, and the part of it that is ignored.
+        reach : (k,) mm
+            Distance from the tip to the farthest point of the tool.
+        work, edge : (k,)
+            Index of the tip path and of the edge, -1 for no edge.
+        """
         if "C" not in self.context.programmed:
             return
         turned = np.maximum(off - slack, 0.0)
@@ -254,10 +272,12 @@ class StationCheck(ABC):
     def check_uncut(
         self, rows: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
-        """Check that work covers these edges between their limits.
+        """Check that tip paths cover these edges between their limits; record the uncut length.
 
         Parameters
         ----------
+        rows
+            Overlaps of the tip paths with the edges.
         which
             Indices of the edges to check.
         only
@@ -278,7 +298,7 @@ class StationCheck(ABC):
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
-        done = self._done(forward)
+        phrase = self._work_phrase(forward)
         for row in np.flatnonzero(bare)[:MAX_FINDINGS]:
             e = int(edge[row])
             place = begin[row] - self.before[e]
@@ -289,11 +309,11 @@ class StationCheck(ABC):
                 drawn = self.size[e] - self.spare[e, 1]
                 if drawn - begin[row] <= missed[row] + self.slack:
                     where = Message("verify.where-past-end")
-            message = Message("verify.not-worked", length=missed[row], work=done, where=where)
+            message = Message("verify.not-worked", length=missed[row], work=phrase, where=where)
             self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
-    def _done(self, forward: bool | None) -> Message:
-        """Return the message that describes this work, from one end of the edge or from either."""
+    def _work_phrase(self, forward: bool | None) -> Message:
+        """Return the phrase for what the tool does: cut, creased, or grooved (from which end)."""
         if self.operation == OperationKind.CREASE:
             return Message("verify.work-creased")
         if self.operation != OperationKind.GROOVE:
@@ -305,10 +325,21 @@ class StationCheck(ABC):
         )
 
     def edge_gaps(self, rows: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
-        """Return the gaps between stretches of work: length, edge, start, line of the program.
+        """Return the gaps between the worked stretches of edges.
 
-        There is one gap before each stretch and one after the last stretch of each edge; many
-        have no length.
+        There is one gap before each stretch and one after the last stretch of each edge; many have
+        length 0.  A stretch that overlaps earlier ones has a gap of negative length before it.
+
+        Parameters
+        ----------
+        rows, keep
+            Overlaps of the tip paths with the edges, and the indices of those that count.
+        wanted
+            Indices of the edges that are searched.
+
+        Returns
+        -------
+        Length (mm), index of the edge, start on the edge (mm), and line of the program, (k,) each.
         """
         edge = rows.edge[keep].astype(np.int64)
         low, high = rows.place[keep].min(axis=1), rows.place[keep].max(axis=1)

@@ -1,4 +1,4 @@
-"""What every check needs: edges, machine, board and tolerance, and where results are collected."""
+"""The inputs and results that all checks share, and their tolerances."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PRINT_TURN: Final = 1.5e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeFigures:
-    """The columns of the verdict, one row to an edge of the dieline (mm)."""
+    """Columns of the verdict: one row for each edge of the dieline, all in mm."""
 
     deviation: F64
     overcut: F64
@@ -40,19 +40,19 @@ class EdgeFigures:
     top_overcut: F64
 
     def copy_rows(self, source: I32, target: I32) -> None:
-        """Copy figures between edges, which are given by their rows in the dieline."""
+        """Copy the figures of edges to other edges; both are given as rows of the dieline."""
         for column in (getattr(self, name) for name in self.__slots__):
             column[target] = column[source]
 
     @classmethod
     def zeros(cls, count: int) -> EdgeFigures:
-        """Return figures that are all 0."""
+        """Return figures for ``count`` edges, all 0."""
         return cls(*(np.zeros(count) for _ in range(10)))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CheckContext:
-    """Inputs and results that all checks of one program share."""
+    """The inputs and results that all checks of one program share."""
 
     edges: Edges  #: all edges on the sheet
     machine: Machine

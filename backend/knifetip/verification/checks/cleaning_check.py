@@ -56,7 +56,10 @@ _REPLACES: Final[dict[LineType, tuple[LineType, ...]]] = {
 
 
 def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
-    """Return the differences between a cleaned dieline and the drawn edges."""
+    """Return findings where a cleaned dieline differs from the drawn edges, at most fifty.
+
+    ``drawn`` is the dieline before cleaning.
+    """
     found: list[Finding] = []
     after, parts = cleaned.dieline, cleaned.stretches
     length = _edge_lengths(drawn.ends, drawn.bulge)
@@ -108,7 +111,11 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
 
 
 def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
-    """Return the points at a share of the length of lines and arcs."""
+    """Return a point on each line or arc, (n, 2) mm.
+
+    ``ends`` is (n, 2, 2) mm, ``bulge`` (n,), and ``share`` the position as a fraction of the
+    length.
+    """
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
     bent = np.abs(bulge) > _BULGE
@@ -123,7 +130,20 @@ def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
 def _measure_stretches(
     drawn: Dieline, after: Dieline, row: I64, target: I64, begin: F64, end: F64
 ) -> tuple[F64, F64]:
-    """Return the distances (mm) of stretches from their cleaned edges, and their shares, (q, 2)."""
+    """Measure how far drawn stretches lie from their cleaned edges.
+
+    Parameters
+    ----------
+    drawn, after
+        Dieline before and after cleaning.
+    row, target : (q,)
+        Drawn edge of each stretch, and its cleaned edge.
+    begin, end : (q,)
+        Start and end of each stretch, as fractions of the drawn edge's length.
+
+    Returns ------- Greatest distance (q,) mm, and the stretch's start and end as fractions of the
+    cleaned edge (q, 2).
+    """
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))
     if len(row) == 0:
@@ -161,7 +181,17 @@ def _measure_stretches(
 def _check_added_work(
     after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Report cleaned edges that extend beyond the drawn stretches by more than a gap."""
+    """Report cleaned edges that extend beyond drawn stretches by over twice the gap tolerance.
+
+    Parameters
+    ----------
+    target : (q,)
+        Cleaned edge of each drawn stretch.
+    along : (q, 2)
+        Start and end of each stretch as fractions of the cleaned edge.
+    report
+        Called with the drawn edge, the measure (mm) and the message of each fault.
+    """
     length = _edge_lengths(after.ends, after.bulge)
     worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))
     low, high = along.min(axis=1), along.max(axis=1)

@@ -1,7 +1,7 @@
 """Check the creases that a wheel makes.
 
-Where a crease starts and ends depends on the wheel's contact length, the board's end clearance and
-the cuts that cross it.
+A crease's planned start and end depend on the wheel's contact length, the board's end clearance
+and the cuts that cross the crease.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from knifetip.verification.tools import OperationKind
 
 
 class CreaseCheck(StationCheck):
-    """Checks the work of a crease wheel."""
+    """Compares the creases that a wheel makes with the crease lines."""
 
     def check(self) -> None:
         wheel = self.tool(CreaseWheel)

@@ -1,9 +1,9 @@
 """The faces that cuts enclose, with small gaps in contours closed.
 
-    cuts -> CutFaces: pieces of cuts and links over gaps, and the face on either side of each
+    cuts -> CutFaces: pieces of cuts, links over gaps, and the face on either side of each
 
-Cuts are split where they meet.  A contour is closed where an end lies within ``GAP_LENGTH`` of
-another cut.
+Cuts are split where they meet.  If an end of a cut lies within ``GAP_LENGTH`` of another cut, a
+link closes the contour there.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
-    """p pieces of cuts, the last of them links over gaps, and f faces; face 0 is outside."""
+    """The f faces that p pieces enclose, cuts first, then links over gaps; face 0 is outside."""
 
     curve: F64  #: (p, 6)
     edge: I64  #: (p,) the cut, -1 for a link
@@ -57,7 +57,10 @@ class CutFaces:
     unique: I64  #: (q,) pieces without duplicates
 
     def locate(self, points: F64) -> I64:
-        """Return the face that contains each point, (m, 2) mm."""
+        """Return the index of the face that contains each point, shape (m,).
+
+        ``points`` is (m, 2) mm.
+        """
         alone = self.unique
         met, rising = _first_curve_left(points, np.full(len(points), -1), self.curve[alone], alone)
         side = self.face[alone[met], np.where(rising, 1, 0)]
@@ -66,7 +69,7 @@ class CutFaces:
 
 
 def find_cut_faces(cuts: Edges) -> CutFaces:
-    """Return the faces that cuts enclose."""
+    """Return the faces that cuts enclose, with small gaps closed."""
     links = _gap_links(cuts)
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split_curves(curve)
@@ -88,9 +91,10 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return lines that close gaps, from dangling ends to the nearest cut or to each other.
+    """Return lines, as curves, that close gaps from dangling ends to the nearest cut or end.
 
-    Two dangling ends are not linked if a third one is nearer to both; it is linked to both.
+    Two dangling ends are not linked to each other if a third dangling end is nearer to both of
+    them; then each of them is linked to the third end.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -142,7 +146,16 @@ def _gap_links(cuts: Edges) -> F64:
 
 @kernel
 def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
-    """Return a mask of the pairs of points, (k,), without a third point nearer to both."""
+    """Return the mask of the pairs of points that have no third point nearer to both points.
+
+    Parameters
+    ----------
+    one, other : (k,)
+        The pairs, as indices into ``points``, sorted by ``one``.
+    points : (n, 2) mm
+    first : (n + 1,)
+        Index of the first pair of each point.
+    """
     kept = np.ones(len(one), np.bool_)
     for k in range(len(one)):
         ax, ay = points[one[k], 0], points[one[k], 1]
@@ -157,7 +170,10 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
 
 
 def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
-    """Split curves where others end on them or cross them; return pieces, curves, starts (mm)."""
+    """Split curves where ends of other curves lie on them, and where curves cross.
+
+    Returns the pieces (p, 6), the curve of each piece (p,), and its start on that curve (p,) mm.
+    """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
     on = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
@@ -188,7 +204,19 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
-    """Return the faces on both sides of each piece, (p, 2), and the number of faces."""
+    """Return the faces on the left and right of each piece, (p, 2), and the number of faces.
+
+    Parameters
+    ----------
+    curve : (p, 6)
+        The pieces.
+    cycle : (p, 2)
+        Cycle of half-edges on the left and right of each piece.
+    outside : (w,)
+        Mask of the cycles that run round the outside of a component.
+    component : (p,)
+        Connected component of each piece.
+    """
     count = int(component.max()) + 1
     # The leftmost point of each component, at the side of a circle or at an end.
     start, end = point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])
@@ -212,7 +240,17 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
 
 @kernel
 def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, name: I64_1) -> Any:
-    """Return the face that encloses each component, from the cycle to the left of it."""
+    """Return the face that encloses each component, 0 for none, shape (c,).
+
+    Parameters
+    ----------
+    order : (c,)
+        Components from left to right.
+    beside : (c,)
+        The cycle to the left of each component, or -1.
+    outside, of, name : (w,)
+        Of each cycle: whether it runs round the outside of a component, its component, its face.
+    """
     around = np.zeros(len(order), np.int64)
     for c in order:
         walk = beside[c]
@@ -222,14 +260,20 @@ def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, na
 
 
 def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
-    """Return the first curve to the left of each point, or -1, and whether it runs upwards.
+    """Find the first curve to the left of each point.
 
     Parameters
     ----------
+    points : (m, 2) mm
     own : (m,)
         Owner whose curves are ignored for each point, or -1.
+    curve : (n, 6)
     owner : (n,)
         Owner of each curve.
+
+    Returns
+    -------
+    Index of the curve (m,), -1 for none, and whether the curve runs upwards there (m,).
     """
     corner, size, shape = grid_layout(curve, 0.0)
     met, rising = _search_left(
@@ -296,7 +340,10 @@ def _search_left(
 
 @kernel(checks_division=True)
 def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
-    """Return x of the first crossing to the left of a point, and whether the curve runs upwards."""
+    """Return the x of a curve's nearest crossing to the left of the point (x, y), or -inf.
+
+    Also returns whether the curve runs upwards there.
+    """
     best, up = -math.inf, False
     if curve[0] == 0.0:
         y1 = curve[2] + curve[4] * curve[5]

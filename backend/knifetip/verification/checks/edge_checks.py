@@ -1,9 +1,9 @@
-"""Compare all work with all edges: each kind of operation, then each station.
+"""Compare all tip paths with all edges, one kind of operation and one station at a time.
 
     CheckContext, TipPaths -> findings and figures of every edge
 
-Each stretch of work must lie on an edge of the right line type, between the points where the tip
-may start and stop.  Each edge must be worked between those points.
+Each stretch of work must lie on an edge of the right line type, between the points at which the
+tip may start and stop.  Each edge must be worked between those points.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ from knifetip.verification.tools import OperationKind, expected_tool
 
 
 def check_edges(context: CheckContext, work: TipPaths) -> None:
-    """Compare all work with all edges; add findings and figures to the context."""
-    held = {expected_tool(station.tool).through for station in context.machine.stations}
+    """Compare all tip paths with all edges; add findings and figures to the context."""
+    held = {expected_tool(station.tool).through_kind for station in context.machine.stations}
     knives, cutters = OperationKind.CUT in held, OperationKind.MILL in held
     for operation, kinds in WORKED_TYPES.items():
         edges = context.edges.with_types(*kinds)
@@ -51,7 +51,17 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the station that works most of each edge, (n,); the first station if none does."""
+    """Return the station that works the greatest length of each edge, shape (n,).
+
+    An edge that no station works gets the first station, or -1 if there are no tip paths.
+
+    Parameters
+    ----------
+    rows
+        Indices of the tip paths that count.
+    tolerance : mm
+        Greatest distance of a tip path from the edge.
+    """
     stations = np.unique(work.station[rows])
     if len(stations) < 2:
         return np.full(len(edges), stations[0] if len(stations) else -1, np.int64)
@@ -68,7 +78,7 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
 
 
 class _MillingStationCheck(StationCheck):
-    """Check the work of a router bit or a laser, which removes a disc."""
+    """Compares the cuts of a router bit or a laser, which removes a disc, with the edges."""
 
     def check(self) -> None:
         held = self.context.machine.stations[int(self.station[0])] if len(self.station) else None

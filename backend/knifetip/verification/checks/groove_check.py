@@ -28,7 +28,7 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class GrooveCheck(StationCheck):
-    """Checks the work of a V-cutter, in one or more passes in each direction."""
+    """Compares the grooves of a V-cutter, in one or more passes per direction, with the edges."""
 
     def check(self) -> None:
         self.depth[:] = self.context.board.groove_depth
@@ -38,7 +38,7 @@ class GrooveCheck(StationCheck):
         for edge in np.flatnonzero(curved)[:MAX_FINDINGS] if leaves <= 0.0 else ():
             self.add_finding("deviation", edge, Message("verify.groove-arc"), 0.0)
         drawn = self.edges
-        boundary = self._run_out(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
+        boundary = self._add_run_outs(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
         rows = self.match_edges()
         wide = np.full(len(self.edges), self.tolerance)
         if leaves > 0.0 and curved.any():
@@ -46,8 +46,8 @@ class GrooveCheck(StationCheck):
             wide[curved] = leaves + self.tolerance
             wider = find_overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
             rows = within_limits(wider, wide, self.curve)
-        final = self._passes(rows)
-        self._stepped()
+        final = self._deepest_passes(rows)
+        self._check_pass_steps()
         self.check_position(rows, final, wide)
         off_board = 0.0
         if blade and curved.any():
@@ -64,8 +64,8 @@ class GrooveCheck(StationCheck):
         if blade is None:
             return
         self.check_heading(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
-        self._flanks(rows, final, blade, wide)
-        self._beside_cuts(drawn, blade)
+        self._check_flanks(rows, final, blade, wide)
+        self._check_cuts_beside(drawn, blade)
         worked = np.zeros(len(self.edges), np.bool_)
         worked[rows.edge[rows.best]] = True
         inside = ~(boundary | groove_continues(self.edges).reshape(-1, 2)).all(axis=1)
@@ -80,10 +80,11 @@ class GrooveCheck(StationCheck):
                 past[edge],
             )
 
-    def _run_out(self, blade: VCutter) -> Bool:
-        """Lengthen grooves by their run-outs; return a mask of the ends with one, (n, 2).
+    def _add_run_outs(self, blade: VCutter) -> Bool:
+        """Lengthen the edges of grooves by their required run-outs past the board's edge.
 
         The tip must go no farther than necessary: the space past the board may be occupied.
+        Returns the mask of the ends at which a groove leaves the board, shape (n, 2).
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
@@ -105,10 +106,10 @@ class GrooveCheck(StationCheck):
         self.before = more[:, 0]
         return boundary
 
-    def _passes(self, rows: Overlaps) -> Bool:
-        """Return a mask of the overlaps of the deepest pass in each direction of each edge.
+    def _deepest_passes(self, rows: Overlaps) -> Bool:
+        """Return the mask of the overlaps in the deepest pass of their edge and direction.
 
-        Earlier passes may be shallower; each pass must be at least as deep as the previous one.
+        Adds a finding for each pass that is shallower than the pass before it.
         """
         deep = (self.context.board.caliper - self.z)[rows.curve]
         pass_key = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
@@ -130,8 +131,8 @@ class GrooveCheck(StationCheck):
             )
         return final
 
-    def _stepped(self) -> None:
-        """Check that each pass goes deeper than the previous one by at most the board's limit."""
+    def _check_pass_steps(self) -> None:
+        """Check that each pass goes deeper than the previous pass by at most the board's limit."""
         step = self.context.board.groove_pass
         if step <= 0.0:
             return
@@ -154,10 +155,18 @@ class GrooveCheck(StationCheck):
                 row,
             )
 
-    def _flanks(self, rows: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
-        """Check where the flanks reach the top face: h tan θ beside the line.
+    def _check_flanks(self, rows: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
+        """Check the distance from the edge at which each flank of a groove reaches the top face.
 
-        In each pass the blade leans to the right of travel and cuts the flank on that side.
+        It should be depth × tan(tilt).  In each pass the blade leans to the right of travel and
+        cuts the flank on that side.
+
+        Parameters
+        ----------
+        final
+            Mask of the overlaps of the deepest passes.
+        limit : (n,) mm
+            Tolerance of each edge.
         """
         size = np.abs(np.diff(rows.place)[:, 0])
         which = np.flatnonzero(rows.best & final & (size > SHORT))
@@ -191,24 +200,27 @@ class GrooveCheck(StationCheck):
                 int(work[k]),
             )
 
-    def _beside_cuts(self, drawn: Edges, blade: VCutter) -> None:
-        """Check that no flank goes through the edge of a cut beside the groove."""
+    def _check_cuts_beside(self, drawn: Edges, blade: VCutter) -> None:
+        """Check that no flank of a groove damages the edge of a cut beside the groove.
+
+        ``drawn`` contains the grooves without run-outs.
+        """
         cuts = self.context.edges.with_types(LineType.CUT)
         reach = self.context.board.groove_depth * blade.slope
         out = self.before[:, None] - self.spare
         out[:, 1] = self.size - drawn.curve[:, 5] - self.before - self.spare[:, 1]
-        torn = damaged_cuts(drawn, cuts, reach, out)
-        through = reach - torn.nearest
+        damaged = damaged_cuts(drawn, cuts, reach, out)
+        through = reach - damaged.nearest
         for k in np.flatnonzero(through > self.tolerance)[:MAX_FINDINGS]:
             self.add_finding(
                 "overcut",
-                int(torn.groove[k]),
+                int(damaged.groove[k]),
                 Message(
                     "verify.flank-through-cut",
                     depth=through[k],
-                    edge=cuts.row[torn.cut[k]],
-                    distance=torn.nearest[k],
-                    place=torn.place[k],
+                    edge=cuts.row[damaged.cut[k]],
+                    distance=damaged.nearest[k],
+                    place=damaged.place[k],
                 ),
                 float(through[k]),
             )

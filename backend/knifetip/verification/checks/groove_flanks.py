@@ -1,6 +1,6 @@
-"""Cuts so near to a V-groove that a flank of the groove damages their edge.
+"""Find cuts so near to a V-groove that a flank of the groove damages their edge.
 
-Grooves, cuts, reach of a flank -> DamagedCuts
+    Edges (grooves), Edges (cuts), reach of a flank -> DamagedCuts
 
 In the top face a groove is a strip on both sides of its line, as wide as the flanks reach.  A cut
 inside the strip loses its edge.  Exceptions: the groove ends on that cut or runs out over it, or
@@ -29,7 +29,7 @@ SAMPLE_COUNT: Final = 9
 
 @dataclass(frozen=True, eq=False, slots=True)
 class DamagedCuts:
-    """k cuts that a flank of a groove damages."""
+    """k pairs of a groove and a cut whose edge a flank of the groove damages."""
 
     groove: I64  #: (k,) index of the groove
     cut: I64  #: (k,) index of the cut
@@ -40,6 +40,9 @@ class DamagedCuts:
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
     """Return the cuts that lie inside the strips of grooves.
 
+    Near an end that lies within twice the reach of a cut, the strip is shortened by twice the
+    reach, or by the run-out if that is longer.
+
     Parameters
     ----------
     grooves, cuts
@@ -48,11 +51,6 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
         Distance from a groove's line to its flanks in the top face.
     out : (n, 2) mm
         Required run-out of each groove past its start and end.
-
-    Notes
-    -----
-    Near an end that lies within twice the reach of a cut, the strip is shortened by twice the
-    reach, or by the run-out if that is longer.
     """
     margin = 2.0 * reach
     strip, before = _lengthen(grooves.curve, margin)
@@ -81,7 +79,17 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
 def _nearest_places(
     rows: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
-    """Return the nearest point of each pair of groove and cut, without cuts that cross."""
+    """Return for each pair of groove and cut the nearest point; cuts that cross are left out.
+
+    Parameters
+    ----------
+    rows
+        Overlaps of ``pieces`` with ``strip``.
+    pieces, owner : (p, 6), (p,)
+        Chords of the cuts, and the cut of each chord.
+    strip, before : (n, 6), (n,)
+        Grooves lengthened at both ends, and the added length at the start (mm).
+    """
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(
         [
@@ -112,7 +120,10 @@ def _nearest_places(
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
-    """Return minimum and maximum of the rows of each group."""
+    """Return the least and the greatest value of each group, (count,) each.
+
+    ``values`` is (k, j) and ``group`` is the group of each of its k rows.
+    """
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))
     np.maximum.at(high, group, values.max(axis=1))
@@ -120,7 +131,7 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 
 
 def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
-    """Return curves extended at both ends, and the extension of each (mm).
+    """Return curves extended by a length at both ends (mm), and the actual extension of each (mm).
 
     An arc is extended to less than a full circle.
     """
@@ -136,7 +147,10 @@ def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
 
 
 def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
-    """Return chords that replace the curves of some rows, and the row of each chord."""
+    """Return chords, (k, 6), that replace the curves with indices ``rows``.
+
+    Also returns the index of the curve of each chord, (k,).
+    """
     curve = curves[rows]
     round_ = curve[:, 0] != 0.0
     radius = np.where(round_, curve[:, 3], 1.0)

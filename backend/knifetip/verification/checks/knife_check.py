@@ -31,26 +31,26 @@ from knifetip.verification.tools import OperationKind
 
 
 class KnifeCheck(StationCheck):
-    """Checks the work of a knife, through the board or part of the way."""
+    """Compares the cuts of a knife, through the board or half-cuts, with the edges."""
 
     def check(self) -> None:
         if self.operation == OperationKind.CUT:
-            self._cut()
+            self._check_cuts()
         else:
-            self._half_cut()
+            self._check_half_cuts()
 
-    def _cut(self) -> None:
+    def _check_cuts(self) -> None:
         into = self.context.machine.into_mat
         caliper = self.context.board.caliper
         self.depth[:] = caliper + into
-        self._knife(caliper + into, caliper)
+        self._check_work(caliper + into, caliper)
 
-    def _half_cut(self) -> None:
+    def _check_half_cuts(self) -> None:
         depth = self.context.board.half_cut_depth
         self.depth[:] = depth
-        self._knife(depth, depth)
+        self._check_work(depth, depth)
 
-    def _knife(self, leads: float, runs: float) -> None:
+    def _check_work(self, leads: float, runs: float) -> None:
         """Check the knife's work.
 
         Parameters
@@ -63,42 +63,45 @@ class KnifeCheck(StationCheck):
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
         cuts = self.context.edges.with_types(LineType.CUT)
-        torn = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
-        solid = np.flatnonzero(~torn)
+        perforated = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
+        solid = np.flatnonzero(~perforated)
         whole = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
-        ring = find_outlines(whole).outer if self._hangs else None
+        ring = find_outlines(whole).outer if self._needs_bridges else None
         ends = knife_ends(whole, cuts, leads * slant, runs * slant, ring)
-        rounds = self._held(whole, ends.paths)
+        rounds = self._paths_with_bridges(whole, ends.paths)
         held = np.zeros(len(self.edges), np.bool_)
         held[solid[rounds[ends.paths.path]]] = True
         if blade and self.operation == OperationKind.CUT:
-            self._unled(blade)
+            self._remove_leads(blade)
         rows = self.match_edges()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
-        dashed[self.track[rows.curve[rows.best & torn[rows.edge]]]] = True
-        dashed |= self._mostly_on(rows, held)
+        dashed[self.track[rows.curve[rows.best & perforated[rows.edge]]]] = True
+        dashed |= self._tracks_along(rows, held)
         over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
         # An overrun crosses other edges, but it is not work on them.
         until = overrun_starts(self, over)
         rows = mark_nearest(rows, self.curve, until)
         self.check_position(rows)
         check_stray_work(self, rows, until)
-        self.check_uncut(rows, np.flatnonzero(~torn & ~held))
+        self.check_uncut(rows, np.flatnonzero(~perforated & ~held))
         if held.any():
-            self._bridged(rows, whole, solid, ends.paths, rounds, leads * slant)
-        if torn.any():
-            self._perforated(
-                rows, np.flatnonzero(torn), dashed & ~self._mostly_on(rows, held), leads * slant
+            self._check_bridge_gaps(rows, whole, solid, ends.paths, rounds, leads * slant)
+        if perforated.any():
+            self._check_perforations(
+                rows,
+                np.flatnonzero(perforated),
+                dashed & ~self._tracks_along(rows, held),
+                leads * slant,
             )
         if blade:
             self.check_heading(rows, np.full(len(self.z), blade.blade_width), 360.0)
-            self._faces(rows, over, leads * slant, (leads - runs) * slant)
+            self._record_faces(rows, over, leads * slant, (leads - runs) * slant)
 
-    def _faces(self, rows: Overlaps, over: F64, top: float, bottom: float) -> None:
+    def _record_faces(self, rows: Overlaps, over: F64, top: float, bottom: float) -> None:
         """Record uncut length in the bottom face and overcut in the top face.
 
         Where a track ends, the cut extends ahead of the tip by ``top`` mm in the top face and by
-        ``bottom`` mm in the bottom face.
+        ``bottom`` mm in the bottom face.  ``over`` is the overrun of each track, mm.
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
@@ -127,7 +130,7 @@ class KnifeCheck(StationCheck):
         )
 
     @property
-    def _hangs(self) -> bool:
+    def _needs_bridges(self) -> bool:
         """True if the board's settings require bridges in cuts."""
         board = self.context.board
         return (
@@ -136,17 +139,23 @@ class KnifeCheck(StationCheck):
             and board.bridge_spacing > 0.0
         )
 
-    def _held(self, whole: Edges, paths: EdgePaths) -> Bool:
-        """Return a mask of the paths, (c,), whose parts bridges must hold."""
+    def _paths_with_bridges(self, whole: Edges, paths: EdgePaths) -> Bool:
+        """Return the mask of the closed paths whose parts must be held by bridges, shape (c,).
+
+        ``whole`` are the edges that form the paths.
+        """
         result = np.zeros(len(paths.length), np.bool_)
-        if self._hangs:
+        if self._needs_bridges:
             result |= paths.first < 0
             inner = ~find_outlines(whole).outer
             result[paths.path[inner]] = False
         return result
 
-    def _mostly_on(self, rows: Overlaps, some: Bool) -> Bool:
-        """Return a mask of the tracks that follow edges of a mask for over half of their length."""
+    def _tracks_along(self, rows: Overlaps, some: Bool) -> Bool:
+        """Return the mask of the tracks of which over half the length follows edges of a mask.
+
+        ``some`` is the mask of the edges, (n,).
+        """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
         mine = rows.best & some[rows.edge]
@@ -155,10 +164,20 @@ class KnifeCheck(StationCheck):
         result: Bool = on > 0.5 * size
         return result
 
-    def _bridged(
+    def _check_bridge_gaps(
         self, rows: Overlaps, whole: Edges, solid: I64, paths: EdgePaths, rounds: Bool, lead: float
     ) -> None:
-        """Check width, number and spacing of bridges, and their distance from corners."""
+        """Check width, number and spacing of bridges, and their distance from corners.
+
+        Parameters
+        ----------
+        whole, solid, paths
+            Edges that may have bridges, their indices in the edges of the check, and their paths.
+        rounds : (c,)
+            Mask of the paths that must have bridges.
+        lead : mm
+            Length by which the cut in the top face is ahead of the tip.
+        """
         board = self.context.board
         place = np.full(len(self.edges), -1, np.int32)
         place[solid] = np.arange(len(solid))
@@ -178,8 +197,8 @@ class KnifeCheck(StationCheck):
         ):
             self.add_finding(kind, int(solid[at]), message, measure)
 
-    def _unled(self, blade: Knife) -> None:
-        """Remove lead-ins and lead-outs, which run through waste, from the work to compare."""
+    def _remove_leads(self, blade: Knife) -> None:
+        """Remove lead-ins and lead-outs, which run through waste, from the checked tip paths."""
         if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
             return
         bounds = find_outlines(self.edges.with_types(LineType.CUT))
@@ -215,14 +234,17 @@ class KnifeCheck(StationCheck):
             bad[self.track[mine[~waste]]] = True
             led = (complete & ~bad)[self.track[mine]]
             keep[mine[led]] = False
-        self._turned(np.flatnonzero(~keep), blade)
+        self._check_lead_headings(np.flatnonzero(~keep), blade)
         self.curve, self.z, self.heading = self.curve[keep], self.z[keep], self.heading[keep]
         self.station, self.line = self.station[keep], self.line[keep]
         self.blend = self.blend[keep]
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
-    def _turned(self, which: I64, blade: Knife) -> None:
-        """Check the heading along leads: a blade turned across its path tears the board."""
+    def _check_lead_headings(self, which: I64, blade: Knife) -> None:
+        """Check the heading along lead-ins and lead-outs; ``which`` are the indices of tip paths.
+
+        A blade that is turned across its path tears the board.
+        """
         off = np.zeros(len(which))
         for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
             own = azimuth_at(self.curve[which], along)
@@ -230,12 +252,22 @@ class KnifeCheck(StationCheck):
         reach = np.full(len(which), blade.blade_width)
         self.check_swing(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
 
-    def _perforated(self, rows: Overlaps, which: I64, dashed: Bool, lead: float) -> None:
-        """Check perforations: lengths of the cuts (less the blade's lead) and of the gaps."""
+    def _check_perforations(self, rows: Overlaps, which: I64, dashed: Bool, lead: float) -> None:
+        """Check perforations: the lengths of their cuts, less the blade's lead, and of their gaps.
+
+        Parameters
+        ----------
+        which
+            Indices of the perforated edges.
+        dashed
+            Mask of the tracks that are dashes of perforations.
+        lead : mm
+            Length by which the cut in the top face is ahead of the tip.
+        """
         cut, gap = self.context.board.perforation
-        torn = np.zeros(len(self.edges), np.bool_)
-        torn[which] = True
-        keep = np.flatnonzero(torn[rows.edge])
+        perforated = np.zeros(len(self.edges), np.bool_)
+        perforated[which] = True
+        keep = np.flatnonzero(perforated[rows.edge])
         gaps, edge, begin, line = self.edge_gaps(rows, keep, which)
         wide = gaps > gap + lead + self.slack
         np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])

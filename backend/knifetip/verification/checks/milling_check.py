@@ -1,15 +1,15 @@
-"""Check cuts that a router bit or a laser makes, which removes a disc of radius r.
+"""Check cuts that a router bit or a laser makes by removing a disc of radius r.
 
     Edges (closed cuts), CentrePaths, Station -> findings and figures of the edges
 
 The disc must touch each edge from the waste side without cutting into the part.  Its centre must
 follow the offset of the edge by r wherever the offset is at least r from all other edges.  In a
-concave corner or a narrow slot it is not; that length of the edge is recorded as ``unreached``.
-Convex corners may be rounded or square.
+concave corner or a narrow slot it is nearer to other edges; that length of the edge is recorded as
+``unreached``.  Convex corners may be rounded or square.
 
 A cutter that deflects by δx, δy under load is moved that much nearer to the edge: the centre is at
-P + ((r - δx) n_x, (r - δy) n_y) with the normal n towards the waste.  Round a convex corner it
-moves on an ellipse.
+P + ((r - δx) n_x, (r - δy) n_y) with the point P on the edge and the normal n towards the waste.
+Round a convex corner the centre moves on an ellipse.
 
 Source: the radius paper, equations 1-9; the corner's reach is our derivation.
 """
@@ -46,7 +46,7 @@ PRINT_ROUNDING: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CentrePaths:
-    """n paths of the cutter's centre in the board; columns as in ``kinematics.TipPaths``."""
+    """n paths of the cutter's centre in the board, with columns as in ``kinematics.TipPaths``."""
 
     curve: F64
     z: F64
@@ -55,7 +55,7 @@ class CentrePaths:
     blend: F64
 
     def select(self, rows: I64 | Bool) -> CentrePaths:
-        """Return some of the paths."""
+        """Return the paths with these indices, or of this mask."""
         return CentrePaths(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )
@@ -64,27 +64,33 @@ class CentrePaths:
 def check_milling(
     context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
 ) -> None:
-    """Check what a cutter removes against the cuts.
+    """Check the board that a cutter removes against the cuts.
 
     Parameters
     ----------
     edges
         Cuts that the cutter must make.
     centres
-        Paths of its centre.
+        Paths of the cutter's centre.
+    station
+        Station of the cutter.
     slack : mm
-        Shorter gaps are ignored.
+        Gaps and excesses up to this length are ignored.
     """
     tool = expected_tool(station.tool)
     assert tool.disc is not None
     planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
-    give = next((held for held in context.board.deflection if held.tool == station.name), None)
-    reach = np.array([tool.disc.radius, tool.disc.radius]) - ((give.x, give.y) if give else 0.0)
+    deflection = next(
+        (held for held in context.board.deflection if held.tool == station.name), None
+    )
+    reach = np.array([tool.disc.radius, tool.disc.radius]) - (
+        (deflection.x, deflection.y) if deflection else 0.0
+    )
     _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
 
 
 class _MillingCheck:
-    """Compares the paths of one cutter with all cuts."""
+    """Compares the paths of one cutter with all cuts that it must make."""
 
     def __init__(
         self,
@@ -102,7 +108,7 @@ class _MillingCheck:
         self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
     def run(self, planned: float) -> None:
-        """Check the work; ``planned`` is its depth below the top face (mm)."""
+        """Run the check; ``planned`` is the depth of a cut below the board's top face (mm)."""
         deep = self.context.board.caliper - self.centres.z
         wrong = deep - planned
         if self.tool.step == 0.0:
@@ -115,17 +121,17 @@ class _MillingCheck:
                 float(wrong[row]),
                 row,
             )
-        self._stepped(deep)
+        self._check_pass_steps(deep)
         through = deep >= planned - DEPTH_TOLERANCE
         pieces = cutter_paths(self.bounds, self.reach)
-        gap_edge, begin, end = self._untouched(pieces, through)
-        self._uncut(pieces, gap_edge, begin, end)
-        self._too_near()
-        self._past_open_ends()
-        self._astray()
+        gap_edge, begin, end = self._untouched_stretches(pieces, through)
+        self._record_untouched(pieces, gap_edge, begin, end)
+        self._check_parts()
+        self._check_open_ends()
+        self._check_stray_work()
 
-    def _stepped(self, deep: F64) -> None:
-        """Check that each pass goes deeper by at most the cutter's step."""
+    def _check_pass_steps(self, deep: F64) -> None:
+        """Check that each pass goes deeper than the previous pass by at most the cutter's step."""
         if self.tool.step == 0.0:
             return
         which, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
@@ -155,8 +161,18 @@ class _MillingCheck:
 
     # -- the edges -------------------------------------------------------------------------------
 
-    def _untouched(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges that the disc has not touched: edge, start, end (mm)."""
+    def _untouched_stretches(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
+        """Return the stretches of edges that the disc has not touched: edge, start, end (mm).
+
+        Also records deviations of the centre.
+
+        Parameters
+        ----------
+        pieces
+            Expected paths of the centre.
+        through : (n,)
+            Mask of the centre's paths that go through the board.
+        """
         centres = self.centres.select(through)
         rounds = centres.blend
         length = pieces.curve[:, 5]
@@ -197,9 +213,12 @@ class _MillingCheck:
             )
         return uncovered_edges(edge, low, high, self.size)
 
-    def _uncut(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
-        """Divide untouched stretches into unreachable ones, bridges and uncut ones."""
-        blocked_edge, low, high = self._blocked(pieces)
+    def _record_untouched(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
+        """Divide untouched stretches into unreachable ones, bridges and uncut ones; record them.
+
+        ``edge``, ``begin`` and ``end`` are the stretches as ``_untouched_stretches`` returns them.
+        """
+        blocked_edge, low, high = self._blocked_stretches(pieces)
         # Gaps that remain after the blocked stretches are subtracted.
         touched_edge, first, last = uncovered_edges(edge, begin, end, self.size)
         left_edge, left_begin, left_end = uncovered_edges(
@@ -224,7 +243,7 @@ class _MillingCheck:
         self.context.unreached.append(
             unreached_areas(self.bounds, edge[reached], begin[reached], end[reached], self.reach)
         )
-        bare &= ~self._bridges(left_edge, left_begin, left_end)
+        bare &= ~self._check_bridge_gaps(left_edge, left_begin, left_end)
         np.add.at(figures.uncut, row[left_edge[bare]], missed[bare])
         for k in np.flatnonzero(bare)[:MAX_FINDINGS]:
             self._add_finding(
@@ -239,10 +258,10 @@ class _MillingCheck:
                 float(missed[k]),
             )
 
-    def _bridges(self, edge: I64, begin: F64, end: F64) -> Bool:
-        """Check the bridges among untouched stretches; return a mask of them.
+    def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
+        """Check the bridges among untouched stretches; return the mask of those that are bridges.
 
-        The width of a bridge is the gap in the path of the centre less 2r.
+        The width of a bridge is the gap in the path of the centre less the disc's diameter.
         """
         board = self.context.board
         if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
@@ -271,8 +290,11 @@ class _MillingCheck:
             self._add_finding(kind, at, message, measure)
         return is_bridge
 
-    def _blocked(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges where the disc would cut another: edge, start, end (mm)."""
+    def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
+        """Return the stretches of edges beside which the disc would cut another edge or a corner.
+
+        They are edge (k,), start (k,) mm and end (k,) mm.
+        """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         near = float(self.reach.min())
@@ -312,19 +334,19 @@ class _MillingCheck:
 
     # -- the paths of the centre -----------------------------------------------------------------
 
-    def _too_near(self) -> None:
-        """Check that the disc has not cut into a part."""
+    def _check_parts(self) -> None:
+        """Check that the disc has not cut into a part; record overcuts."""
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         widest = float(self.reach.max())
         rows = find_overlaps(self.centres.curve, curve, np.zeros(len(curve)), curve[:, 5], widest)
         path, edge = rows.curve, rows.edge
         # An open cut is followed on its line, so the disc removes board on both sides.
-        along = self._on_open_cuts()
+        along = self._open_cut_mask()
         into = np.zeros(len(path))
         sides = np.zeros((2, len(path)))
         for at in milling_geometry.nearest_candidates(
-            self.centres.curve[path], rows.along, curve[edge], self._round
+            self.centres.curve[path], rows.along, curve[edge], self._disc_is_round
         ):
             into = np.maximum(
                 into,
@@ -337,7 +359,7 @@ class _MillingCheck:
         # A path with points on both sides of an edge crosses the edge.
         crosses = (sides[0] < -EPSILON) & (sides[1] > EPSILON)
         into = np.where(crosses, np.maximum(into, self.reach.min()), into)
-        self._overcut(closing[edge], path, np.where(along[path], 0.0, into))
+        self._record_overcut(closing[edge], path, np.where(along[path], 0.0, into))
 
         corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
         met = find_overlaps(
@@ -349,7 +371,7 @@ class _MillingCheck:
         )
         touched = met.edge
         near = np.full(len(touched), np.inf)
-        for share in np.linspace(0.0, 1.0, 2 if self._round else 33):
+        for share in np.linspace(0.0, 1.0, 2 if self._disc_is_round else 33):
             off = point_at(self.centres.curve[touched], share * self.centres.curve[touched, 5])
             near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
         foot = milling_geometry.nearest_along(
@@ -359,10 +381,10 @@ class _MillingCheck:
         near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
         into = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
         at_corner = np.repeat(closing, 2)[met.curve]
-        self._overcut(at_corner, touched, into)
+        self._record_overcut(at_corner, touched, into)
 
-    def _on_open_cuts(self) -> Bool:
-        """Return a mask of the paths that follow an open cut."""
+    def _open_cut_mask(self) -> Bool:
+        """Return the mask of the centre's paths that follow an open cut, shape (n,)."""
         own = self.edges.curve[~self.bounds.closing]
         rows = find_overlaps(self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
         size = np.diff(rows.along)[:, 0] >= 0.5 * self.centres.curve[rows.curve, 5]
@@ -370,9 +392,9 @@ class _MillingCheck:
         result[rows.curve[size]] = True
         return result
 
-    def _past_open_ends(self) -> None:
+    def _check_open_ends(self) -> None:
         """Check that paths on open cuts stop at the ends of those cuts."""
-        rows = np.flatnonzero(self._on_open_cuts())
+        rows = np.flatnonzero(self._open_cut_mask())
         own = self.edges.curve[~self.bounds.closing]
         curve = self.centres.curve[rows]
         near = find_overlaps(curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
@@ -388,10 +410,10 @@ class _MillingCheck:
             )
 
     @property
-    def _round(self) -> bool:
+    def _disc_is_round(self) -> bool:
         return bool(self.reach[0] == self.reach[1])
 
-    def _overcut(self, edge: I64, path: I32 | I64, into: F64) -> None:
+    def _record_overcut(self, edge: I64, path: I32 | I64, into: F64) -> None:
         into = np.where(into > EPSILON, into, 0.0)
         figure = into + np.where(into > 0.0, self.rounds[path], 0.0)
         row = self.edges.row[edge]
@@ -409,14 +431,14 @@ class _MillingCheck:
                 int(path[k]),
             )
 
-    def _astray(self) -> None:
+    def _check_stray_work(self) -> None:
         """Check for work inside a part, and for work far from every edge."""
         centres = self.centres
         first = np.unique(centres.track, return_index=True)[1]
         middle = 0.5 * centres.curve[first, 5]
         depth = count_enclosing(point_at(centres.curve[first], middle), self.bounds)
         slits = np.zeros(int(centres.track.max(initial=-1)) + 1, np.bool_)
-        slits[centres.track[self._on_open_cuts()]] = True
+        slits[centres.track[self._open_cut_mask()]] = True
         for row in first[(depth % 2 == 1) & ~slits[centres.track[first]]][:MAX_FINDINGS]:
             x, y = point_at(centres.curve[row : row + 1], np.zeros(1))[0]
             self._add_finding(
@@ -426,7 +448,7 @@ class _MillingCheck:
                 float(centres.curve[row, 5]),
                 int(row),
             )
-        far = 2.0 * self.tool.radius + max(self.tool.set_up, NEAR_EDGE)
+        far = 2.0 * self.tool.radius + max(self.tool.entry_length, NEAR_EDGE)
         near = find_overlaps(
             centres.curve, self.edges.curve, np.zeros(len(self.edges)), self.size, far
         )

@@ -20,6 +20,11 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
 
     Start is greater than end if there is none.  Only one stretch is returned; an arc of more than
     half a turn may have a second one.
+
+    Parameters
+    ----------
+    curve, point : (n, 6), (n, 2) mm
+    limit : mm
     """
     to = point - curve[:, 1:3]
     straight = curve[:, 0] == 0.0
@@ -42,7 +47,17 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
 
 
 def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
-    """Yield positions (mm) on stretches of curves at which they may be nearest to edges."""
+    """Yield positions on stretches of curves at which these may be nearest to edges, (n,) mm each.
+
+    Parameters
+    ----------
+    curve, edge : (n, 6)
+        Curves, and the edge that each is compared with.
+    along : (n, 2) mm
+        Start and end of the stretch of each curve.
+    round_
+        The removed area is a circle; if False, more positions are yielded.
+    """
     low, high = along.T
     yield low
     yield high
@@ -60,9 +75,9 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 
 
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
-    """Return the position (mm) on each curve that is nearest to its point.
+    """Return the position on each curve that is nearest to its point, (n,) mm.
 
-    Distances are measured in units of the half-axes ``reach``.
+    Distances are measured in units of the half-axes ``reach``, (2,) mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]
@@ -80,7 +95,10 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
 
 
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
-    """Return how far a disc (or ellipse) centred at points extends past edges (mm)."""
+    """Return how far a disc (or ellipse) centred at each point extends past its edge, (n,) mm.
+
+    The result is negative if it does not reach the edge.  ``reach`` are its half-axes, (2,) mm.
+    """
     to = points - edge[:, 1:3]
     straight = edge[:, 0] == 0.0
     normal = np.where(straight[:, None], edge[:, [4, 3]] * (-1.0, 1.0), 0.0)

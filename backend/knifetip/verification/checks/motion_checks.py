@@ -1,6 +1,6 @@
 """Check feeds, outputs, travel and turns of the moves, and compute the machine time.
 
-Moves, TipPoses, Machine, Board -> findings, nominal seconds
+Moves, TipPoses, Machine, Board -> findings, nominal time
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ MAX_BOW: Final = 1e-3
 
 
 def move_lengths(moves: Moves) -> F64:
-    """Return the length of each move along X, Y and Z (mm); NaN if a position is unknown."""
+    """Return the length of each move along X, Y and Z, (n,) mm; NaN if a position is unknown."""
     vector = moves.end - moves.start
     radius = np.hypot(*(moves.start[:, :2] - moves.centre).T)
     flat = np.where(
@@ -43,7 +43,10 @@ def move_lengths(moves: Moves) -> F64:
 
 
 def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
-    """Return a mask of the moves within the machine's travel; add findings for the others."""
+    """Return the mask of the moves within the machine's travel, shape (n,).
+
+    Adds a finding for each move that leaves the travel, or moves outside of it.
+    """
     good = np.ones(len(moves.line), np.bool_)
     # Report the move that leaves the travel, not those that start or stay outside.
     low, high = moves.end.copy(), moves.end.copy()
@@ -81,10 +84,10 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 
 
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check feeds against the tool: its feed on level moves, its plunge feed otherwise.
+    """Check that level moves have the tool's feed and other moves its plunge feed.
 
-    A turn of C alone may run at the greatest speed of C.  The time of a timed move (G93) is the
-    longer of travel and turn.
+    A turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must
+    be that of its travel or of its turn, whichever is longer.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -127,13 +130,13 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
 
 
 def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
-    """Return a mask of the moves in which the tip rests in X and Y.
+    """Return the mask of the moves in which the tip rests in X and Y, shape (n,).
 
-    The head of a drag knife moves round its tip in such a move.
+    The head of a drag knife moves round its resting tip.
     """
-    trails = np.array([expected_tool(station.tool).trails for station in machine.stations])
+    circles = np.array([expected_tool(station.tool).circles_tip for station in machine.stations])
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    result: Bool = (distance < 1e-3) & ((moves.sweep == 0.0) | trails[moves.station])
+    result: Bool = (distance < 1e-3) & ((moves.sweep == 0.0) | circles[moves.station])
     return result
 
 
@@ -142,7 +145,7 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
 
 
 def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check outputs while a tool works: its station lowered, no other, spindle as needed."""
+    """Check that only the selected station is lowered while it works, with the outputs it needs."""
     wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):
@@ -172,8 +175,8 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findi
             on = moves.extra[:, extra.index(output)]
             off = Message("verify.output-off", station=station.number, output=output)
             wrong.append((mine & ~on, off))
-        if tool.turns:
-            wrong.append((mine & ~moves.oscillating, Message(tool.at_rest)))
+        if tool.needs_spindle:
+            wrong.append((mine & ~moves.oscillating, Message(tool.stopped_code)))
         else:
             running = Message("verify.oscillation-on", station=station.number)
             wrong.append((mine & moves.oscillating, running))
@@ -194,7 +197,10 @@ def check_board_moves(
     tolerance: float,
     findings: Findings,
 ) -> None:
-    """Check moves in the board: no rapids, unknown positions, slanted plunges or wide turns."""
+    """Check moves in the board: no rapids, unknown positions, slanted plunges or wide turns.
+
+    ``tolerance`` is the greatest sideways deviation of a plunge or lift (mm).
+    """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
     _check_beam(moves, tip, beam, findings)
@@ -229,7 +235,7 @@ def check_board_moves(
 
 
 def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
-    """Check that a beam is off in rapids, and that its focus keeps its height while it is on."""
+    """Check that a beam is off in rapids, and that the head keeps its height while it is on."""
     on = beam & tip.inside
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
@@ -246,9 +252,10 @@ def _check_turns(
 ) -> None:
     """Check that C turns by the same angle as the direction of travel in the board.
 
-    Along a line or an arc both turn at a constant rate, so comparing the angles covers the whole
-    move.  Comparing the headings at both ends would miss full turns.  A tool that turns in place,
-    or while it plunges or lifts, has no direction of travel; its turn is limited by itself.
+    Along a line or an arc C and the direction of travel turn at constant rates, so comparing the
+    two angles covers the entire move.  Comparing the headings at the ends of the move would miss
+    full turns.  A tool that turns in place, or while it plunges or lifts, has no direction of
+    travel; only the size of its turn is limited.
 
     Parameters
     ----------
@@ -257,8 +264,8 @@ def _check_turns(
     """
     held = [expected_tool(station.tool) for station in machine.stations]
     widest = np.array([tool.swivel for tool in held])
-    most = np.array([tool.most for tool in held])
-    follows = np.array([tool.follows for tool in held])
+    max_turn = np.array([tool.max_turn for tool in held])
+    follows = np.array([tool.follows_path for tool in held])
     turn = tip.end[:, 3] - tip.start[:, 3]
     in_place = slanted | _resting_tips(moves, tip, machine)
     path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)
@@ -268,7 +275,7 @@ def _check_turns(
     straight = stay & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
     # The angle of an arc over this chord with a sagitta of MAX_BOW.
     limit[straight] += np.degrees(8.0 * MAX_BOW / length[straight])
-    limit = np.minimum(limit, most[moves.station] + ANGLE_TOLERANCE)
+    limit = np.minimum(limit, max_turn[moves.station] + ANGLE_TOLERANCE)
     for row in np.flatnonzero(stay & (off > limit))[:MAX_FINDINGS]:
         if in_place[row]:
             message = Message("verify.turn-in-board", degrees=off[row], most=limit[row])
@@ -278,7 +285,10 @@ def _check_turns(
 
 
 def nominal_seconds(moves: Moves, machine: Machine) -> float:
-    """Return the nominal time (s): lengths / feeds, rapids at the axes' velocities, and dwells."""
+    """Return the nominal duration of a program (s), without acceleration.
+
+    It is the sum of length / feed of feed moves, of rapids at the axes' velocities, and of dwells.
+    """
     length = move_lengths(moves)
     velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])
     rapid = np.max(np.nan_to_num(np.abs(moves.end - moves.start)) / velocity, axis=1, initial=0.0)

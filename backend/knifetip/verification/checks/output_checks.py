@@ -1,6 +1,6 @@
-"""Check that outputs and spindle are set before the first move and switched only at travel height.
+"""Check that programs set all outputs before they move, and switch them only at travel height.
 
-Moves, Machine, Board -> findings
+    Moves, Machine, Board -> findings
 
 A cancelled job may have left a station lowered, its tool in the board and the spindle on.  So the
 state of every output and of the spindle is unknown until a line of the program sets it.  Until then
@@ -39,7 +39,10 @@ def check_switching(moves: Moves, machine: Machine, board: Board, findings: Find
 
 
 def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Findings) -> None:
-    """Check that only lifts come before the lines that set each output and the spindle."""
+    """Check that the program sets each output and the spindle before any move but a lift.
+
+    ``highest`` is the height at which every station clears the board (mm).
+    """
     lift = _is_upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT_ROUNDING)
     things = {
         index: Message("verify.output", output=station.output)
@@ -62,13 +65,13 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Find
                 message = Message("verify.moves-with-beam")
             else:
                 message = Message("verify.moves-before-stated", thing=thing, height=highest)
-            findings.program([(line, message)])
+            findings.add_faults([(line, message)])
         elif not moves.switches.at_end[index]:
             findings.add("program", Message("verify.never-stated", thing=thing), 0.0)
 
 
 def _is_upright(moves: Moves) -> Bool:
-    """Return a mask of the moves that do not change X, Y and C."""
+    """Return the mask of the moves that do not change X, Y and C, shape (n,)."""
     start, end = moves.start[:, [0, 1, 3]], moves.end[:, [0, 1, 3]]
     same = (start == end) | (np.isnan(start) & np.isnan(end))
     result: Bool = same.all(axis=1)
@@ -78,7 +81,15 @@ def _is_upright(moves: Moves) -> Bool:
 def _check_heights(
     moves: Moves, machine: Machine, board: Board, highest: float, datum: F64, findings: Findings
 ) -> None:
-    """Check the height of the head where the program switches; one finding for each move."""
+    """Check the height of the head where the program switches; one finding for each move.
+
+    Parameters
+    ----------
+    highest : mm
+        Height at which every station clears the board.
+    datum : (stations,) mm
+        Z datum of each station.
+    """
     switches = moves.switches
     # Before the first move the height is unknown, and no station has moved.
     height = np.append(moves.end[:, 2], np.nan)[switches.move]
@@ -101,7 +112,7 @@ def _check_heights(
             message = Message("verify.switches-at-unknown-height", needed=needed[row])
         else:
             message = Message("verify.switches-low", height=height[row], needed=needed[row])
-        findings.program([(int(switches.line[row]), message)])
+        findings.add_faults([(int(switches.line[row]), message)])
 
 
 def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> None:
@@ -117,4 +128,4 @@ def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> 
         message = Message(
             "verify.lowers-second", station=number, other=other.number, output=other.output
         )
-        findings.program([(line, message)])
+        findings.add_faults([(line, message)])

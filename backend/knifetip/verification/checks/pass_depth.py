@@ -20,14 +20,14 @@ from knifetip.verification.expectation.edges import angle_between
 def too_deep_spans(
     curve: F64, deep: F64, step: float, near: float, *, one_way: bool = False
 ) -> tuple[I32, F64]:
-    """Return the stretches that go more than a step deeper than the passes before them.
+    """Return the stretches of tip paths that go more than a step deeper than earlier passes.
 
     Parameters
     ----------
     curve : (n, 6)
         Tip paths in the order of the program.
     deep : (n,) mm
-        Their depths below the top of the board.
+        Depth of each tip path below the top of the board.
     step : mm
         Deepest cut in one pass.
     near : mm
@@ -37,7 +37,7 @@ def too_deep_spans(
 
     Returns
     -------
-    index of the path (k,), and start and end along it (k, 2) mm
+    Index of the tip path (k,), and start and end of the stretch along it (k, 2) mm.
     """
     late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
     if len(late) == 0:

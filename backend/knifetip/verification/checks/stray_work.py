@@ -26,6 +26,8 @@ def check_stray_work(check: StationCheck, rows: Overlaps, until: F64, past: floa
 
     Parameters
     ----------
+    rows
+        Overlaps of the tip paths with the edges.
     until : (n,) mm
         Length of each tip path that is checked; the rest is a planned overrun.
     past : mm
@@ -62,7 +64,17 @@ def check_stray_work(check: StationCheck, rows: Overlaps, until: F64, past: floa
 def _report_stray(
     check: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
-    """Add a finding for each stretch on no edge: past an end, beside an edge, or stray."""
+    """Add a finding for each stretch on no edge: past an end, beside an edge, or stray.
+
+    Parameters
+    ----------
+    which, spans : (k,), (k, 2) mm
+        Tip path of each stretch, and its start and end along the path.
+    first, total : (g,), (g,) mm
+        First stretch of each group of consecutive stretches, and the group's length.
+    bad
+        Indices of the groups to report.
+    """
     bad = bad[:MAX_FINDINGS]
     if len(bad) == 0 or check.findings.full:
         return
@@ -112,7 +124,11 @@ def _report_stray(
 
 
 def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
-    """Return the overlaps of one curve, their lengths within a span, and which are parallel."""
+    """Return the overlaps of one curve with edges, restricted to a span (start, end) of the curve.
+
+    Returns the slice of the curve's overlaps in ``rows``, the length of each overlap inside the
+    span (mm, negative outside), and the mask of the overlaps that run along their edge.
+    """
     mine = slice(*np.searchsorted(rows.curve, [curve, curve + 1]))
     along, place = rows.along[mine], rows.place[mine]
     shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
@@ -121,14 +137,17 @@ def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, 
 
 
 def _edge_along(rows: Overlaps, curve: int, span: F64) -> int:
-    """Return the edge that at least half of a span of a curve follows, or -1."""
+    """Return an edge that at least half of a span (start, end) of a curve follows, or -1."""
     mine, shared, parallel = _shared_lengths(rows, curve, span)
     good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
     return int(rows.edge[mine][good[0]]) if len(good) else -1
 
 
 def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
-    """Return the nearest edge parallel to the span, or -1, and its distance (mm)."""
+    """Return the nearest edge that runs along a span of a curve, and its distance (mm).
+
+    Returns -1 and 0 if no edge runs along at least 80 % of the span.
+    """
     mine, shared, parallel = _shared_lengths(rows, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
     if len(good) == 0:
@@ -137,7 +156,7 @@ def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
 
 
 def _edge_touched(rows: Overlaps, curve: int, span: F64) -> int:
-    """Return the edge at which the span starts or ends, or -1."""
+    """Return an edge at whose overlap a span (start, end) of a curve starts or ends, or -1."""
     mine, _, _ = _shared_lengths(rows, curve, span)
     along = rows.along[mine]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)

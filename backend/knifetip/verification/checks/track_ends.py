@@ -26,7 +26,7 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class _RunStops(NamedTuple):
-    """Stops of k runs, and which of them are wrong."""
+    """Stops of k runs, and which of them are wrong; a run is a chain of tracks."""
 
     wrong: I64  #: indices of the runs to report
     work: I64  #: (k,) last tip path
@@ -47,9 +47,9 @@ def check_track_ends(
     lead: float,
     overrun: float,
 ) -> F64:
-    """Check where the knife enters and leaves the board; return the overrun of tracks (mm).
+    """Check where the knife enters and leaves the board; return the overrun of each track (mm).
 
-    A track that begins where the previous one ended, as at a corner turned above the board,
+    A track that begins where the previous track ended, as at a corner turned above the board,
     continues its run.  An open run must begin at an end of an edge and stop at a planned stop of an
     end.  A closed run must stop on its own path, ``overrun`` mm after its start.
 
@@ -58,7 +58,7 @@ def check_track_ends(
     whole
         Cuts and half-cuts, without perforations.
     solid
-        Their indices in the edges of the check.
+        Index of each edge of ``whole`` in the edges of the check.
     ends
         Planned stops of ``whole``.
     dashed
@@ -139,7 +139,10 @@ def check_track_ends(
 
 
 def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: _RunStops) -> None:
-    """Add a finding for each run that stops neither at a planned stop nor at its own start."""
+    """Add a finding for each run that stops neither at a planned stop nor at its own start.
+
+    ``solid`` is the index of each edge of ``ends`` in the edges of the check.
+    """
     for k in runs.wrong[:MAX_FINDINGS]:
         work = int(runs.work[k])
         edge = int(solid[runs.planned[k] // 2]) if runs.planned[k] >= 0 else -1
@@ -172,7 +175,10 @@ def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: 
 
 
 def overrun_starts(check: StationCheck, over: F64) -> F64:
-    """Return the distance (mm) along each tip path at which the overrun of its track begins."""
+    """Return the position along each tip path at which the overrun of its track begins, (n,) mm.
+
+    ``over`` is the overrun of each track, mm.  A path without overrun has its full length.
+    """
     until = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
     at = np.searchsorted(check.track, track, side="right") - 1
@@ -187,7 +193,10 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
 
 
 def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64) -> F64:
-    """Return the points at distances (mm) from the starts of runs, (n, 2) mm."""
+    """Return the point at a distance from the start of each run, (k, 2) mm.
+
+    ``first`` and ``last`` are the first and last tip path of each run, ``distance`` is (k,) mm.
+    """
     at, left = first.copy(), distance
     while True:
         size = check.curve[at, 5]
@@ -201,7 +210,16 @@ def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64
 def _record_setback(
     check: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
 ) -> None:
-    """Shorten the edges by the lead at free ends, and record that length as setback."""
+    """Shorten the edges by the lead at these free ends, and record that length as setback.
+
+    Parameters
+    ----------
+    whole, solid, ends
+        As for ``check_track_ends``.
+    which
+        Indices of the ends.
+    lead : mm
+    """
     paths = ends.paths
     path = paths.path[which // 2]
     begin = np.zeros(len(paths.length))

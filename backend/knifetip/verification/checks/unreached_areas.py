@@ -1,6 +1,6 @@
 """Areas of waste that a cutter's disc cannot reach.
 
-    untouched stretches of edges, CutOutlines, r -> loops of lines and arcs, and their areas
+    untouched stretches of edges, CutOutlines, radius r -> loops of lines and arcs, their areas
 
 A loop follows an untouched stretch with the waste on its left.  At the end of the stretch the disc
 touches the edge, or rests between two corners.  From there the loop follows the disc clockwise to
@@ -39,8 +39,8 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
     ----------
     bounds
         Outlines of the cuts.
-    edge, begin, end : (k,) index of the cut, mm, mm
-        Stretches that the disc does not touch.
+    edge, begin, end : (k,)
+        Cut, start and end (mm) of each stretch that the disc does not touch.
     reach : (2,) mm
         Half-axes of the removed disc along X and Y.
     """
@@ -85,7 +85,19 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
 
 
 def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
-    """Return for each end of a chain the chain that starts on the same disc, or -1."""
+    """Return for each end of a chain of stretches the chain that starts on the same disc, or -1.
+
+    Parameters
+    ----------
+    stop, ahead : (t, 2)
+        End of each chain (mm), and its unit direction there.
+    inward : (t, 2) mm
+        Vector from the end of the chain to the centre of the disc that touches the edge there.
+    start : (h, 2) mm
+        Starts of the chains.
+    reach : (2,) mm
+        Half-axes of the disc.
+    """
     result = np.full(len(stop), -1)
     widest = 2.0 * float(reach.max()) + _EXTRA_DISTANCE
     tail, head = pairs_within(stop, start, widest)
@@ -111,7 +123,10 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
 
 @kernel
 def _trace_loops(onward: I64_1) -> Any:
-    """Return the pieces of all closed loops in order, and the first index of each loop."""
+    """Return the pieces of all closed loops, loop by loop, and the first index of each loop.
+
+    ``onward`` is the piece that follows each piece, or -1.
+    """
     count = len(onward)
     order = np.empty(count, np.int64)
     first = np.zeros(count + 1, np.int64)
@@ -137,7 +152,11 @@ def _trace_loops(onward: I64_1) -> Any:
 
 
 def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
-    """Return the loops that enclose at least ``MIN_AREA``."""
+    """Return the loops that enclose more than ``MIN_AREA``, with their areas.
+
+    ``ends``, (n, 2, 2) mm, and ``bulge`` are pieces of loops; ``first`` is the index of each loop's
+    first piece.
+    """
     if len(first) < 2:
         return Unreached()
     owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
@@ -156,7 +175,7 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
-    """Concatenate the areas of several cutters and move them to drawing coordinates."""
+    """Return the areas of several cutters as one set, moved from sheet to drawing coordinates."""
     if not parts:
         return Unreached()
     pieces = np.cumsum([0] + [len(part.bulge) for part in parts])

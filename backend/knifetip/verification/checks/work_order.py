@@ -59,7 +59,7 @@ _PROBES: Final = (0.1, 0.5, 0.9)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _WorkedSpans:
-    """k stretches of cuts that are worked, sorted by edge and line of the program."""
+    """k worked stretches of cuts, sorted by edge and program line."""
 
     edge: I64  #: (k,)
     low: F64  #: (k,) mm along the edge
@@ -75,52 +75,62 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
         return
-    net = find_cut_faces(cuts)
-    done = _worked_spans(context, work, cuts)
+    faces = find_cut_faces(cuts)
+    worked = _worked_spans(context, work, cuts)
     complete = _completing_lines(
-        net.edge, net.begin, net.begin + net.curve[:, 5], done.edge, done.low, done.high,
-        np.where(done.through, done.line, -1), len(cuts), done.reach,
+        faces.edge, faces.begin, faces.begin + faces.curve[:, 5],
+        worked.edge, worked.low, worked.high,
+        np.where(worked.through, worked.line, -1), len(cuts), worked.reach,
     )  # fmt: skip
     order = np.argsort(-complete, kind="stable")
-    free = _freeing_lines(order, complete, net.face, net.count)
-    _check_cuts(context, cuts, net, done, free)
-    _check_other_edges(context, cuts, net, work, done, free)
+    free = _freeing_lines(order, complete, faces.face, faces.count)
+    _check_cuts(context, cuts, faces, worked, free)
+    _check_other_edges(context, cuts, faces, work, worked, free)
 
 
 def _check_cuts(
-    context: CheckContext, cuts: Edges, net: CutFaces, done: _WorkedSpans, free: F64
+    context: CheckContext, cuts: Edges, faces: CutFaces, worked: _WorkedSpans, free: F64
 ) -> None:
-    """Check the work on cuts.
+    """Check that no cut is worked on loose board.
 
     A stretch of a long cut may lie partly in held and partly in loose board; it counts as held
     until the last of its pieces is released.  Pieces shorter than ``GAP_LENGTH`` are ignored.
+    ``free`` is the program line that releases each face of ``faces``.
     """
-    pieces = np.flatnonzero(net.edge >= 0)
-    first = np.searchsorted(net.edge[pieces], np.arange(len(cuts) + 1))
-    held = free[net.face[pieces]].max(axis=1)
-    begin = net.begin[pieces]
+    pieces = np.flatnonzero(faces.edge >= 0)
+    first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
+    held = free[faces.face[pieces]].max(axis=1)
+    begin = faces.begin[pieces]
     until = _held_until(
-        done.edge, done.low, done.high, first, begin, begin + net.curve[pieces, 5], held
+        worked.edge, worked.low, worked.high, first, begin, begin + faces.curve[pieces, 5], held
     )
-    late = done.line > until
-    if done.reach == 0.0:
+    late = worked.line > until
+    if worked.reach == 0.0:
         # The overrun of a knife may lie on a cut that is already made.
-        late &= _new_spans(done.edge, done.low, done.high)
+        late &= _new_spans(worked.edge, worked.low, worked.high)
     some = np.flatnonzero(late)
-    for k in some[np.unique(done.edge[some], return_index=True)[1]][:MAX_FINDINGS]:
-        edge = int(done.edge[k])
+    for k in some[np.unique(worked.edge[some], return_index=True)[1]][:MAX_FINDINGS]:
+        edge = int(worked.edge[k])
         place = point_at(
-            cuts.curve[edge : edge + 1], np.array([0.5 * (done.low[k] + done.high[k])])
+            cuts.curve[edge : edge + 1], np.array([0.5 * (worked.low[k] + worked.high[k])])
         )
-        _add_finding(context, int(cuts.row[edge]), place[0], int(done.line[k]), int(until[k]))
+        _add_finding(context, int(cuts.row[edge]), place[0], int(worked.line[k]), int(until[k]))
 
 
 def _check_other_edges(
-    context: CheckContext, cuts: Edges, net: CutFaces, work: TipPaths, done: _WorkedSpans, free: F64
+    context: CheckContext,
+    cuts: Edges,
+    faces: CutFaces,
+    work: TipPaths,
+    worked: _WorkedSpans,
+    free: F64,
 ) -> None:
-    """Check the work on other edges: creases, grooves, half-cuts, perforations."""
+    """Check that no crease, groove, half-cut or perforation is worked on loose board.
+
+    ``free`` is the program line that releases each face of ``faces``.
+    """
     some = work.line > free.min()
-    some[done.path] = False
+    some[worked.path] = False
     rows = np.flatnonzero(some)
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
     edges = context.edges.with_types(*kinds)
@@ -144,7 +154,7 @@ def _check_other_edges(
             cuts.curve[:, 5],
             TOUCH_DISTANCE,
         )
-        held = free[net.locate(points)]
+        held = free[faces.locate(points)]
         held[on.curve] = math.inf
         sooner = held < until
         until[sooner], place[sooner] = held[sooner], points[sooner]
@@ -166,7 +176,7 @@ def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed
 
 
 def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
-    """Return the worked stretches of cuts: a knife works on the line, a cutter beside it."""
+    """Return the worked stretches of cuts: a knife cuts on the edge, a cutter beside it."""
     size = cuts.curve[:, 5]
     knife = np.flatnonzero(work.operation == OperationKind.CUT)
     near = find_overlaps(
@@ -185,8 +195,8 @@ def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _Worked
         assert bounds is not None
         tool = expected_tool(held.tool)
         assert tool.disc is not None
-        give = next((one for one in context.board.deflection if one.tool == held.name), None)
-        reach = np.full(2, tool.disc.radius) - ((give.x, give.y) if give else 0.0)
+        deflection = next((one for one in context.board.deflection if one.tool == held.name), None)
+        reach = np.full(2, tool.disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
         widest = max(widest, float(reach.max()))
         beside = cutter_paths(bounds, reach)
         rows = np.flatnonzero(mill & (work.station == index))
@@ -215,10 +225,21 @@ def _completing_lines(
     owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
     line: I64_1, count: int, reach: float,
 ) -> Any:  # fmt: skip
-    """Return the line that completes each piece: infinite if none does, -1 for links.
+    """Return the program line that completes each piece of a cut: infinite if none, -1 for links.
 
-    A cutter cannot reach all of a piece beside an inner corner, nor a short piece at all.  What it
-    leaves there does not hold the part.
+    A cutter cannot reach all of a piece beside an inner corner, nor a short piece at all.  The rest
+    that it leaves there does not hold the part.
+
+    Parameters
+    ----------
+    owner, begin, end : (p,)
+        Cut of each piece (-1 for a link), and the piece's start and end along the cut (mm).
+    edge, low, high, line : (k,)
+        Worked stretches: cut, start, end (mm), and program line, -1 if not through the board.
+    count
+        Number of cuts.
+    reach : mm
+        Radius of the widest cutter, 0 for knives.
     """
     first = np.searchsorted(edge, np.arange(count + 1))
     complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
@@ -250,7 +271,10 @@ def _completing_lines(
 
 @kernel
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return a mask of the stretches of which at least half was not worked before."""
+    """Return the mask of the stretches of which at least half was not worked before, shape (k,).
+
+    ``edge``, ``low`` and ``high`` are the stretches in order of work on each edge.
+    """
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
     while begin < len(edge):
@@ -270,7 +294,18 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 def _held_until(
     edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
 ) -> Any:
-    """Return the line that releases each stretch; short pieces count only if it has no others."""
+    """Return the program line up to which each worked stretch lies in held board, (k,).
+
+    Pieces shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
+
+    Parameters
+    ----------
+    edge, low, high : (k,)
+        Worked stretches: cut, start and end (mm).
+    first, begin, end, held
+        First piece of each cut; start and end of each piece along its cut (mm), and the line that
+        releases the piece.
+    """
     until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
         for least in (GAP_LENGTH, 0.0):
@@ -290,9 +325,10 @@ def _held_until(
 
 @kernel
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
-    """Return the line that releases each face, infinite for faces that stay held.
+    """Return the program line that releases each face, infinite for faces that remain held.
 
-    ``order`` contains the pieces in descending order of ``complete``.
+    ``order`` contains the pieces in descending order of ``complete``, the line that completes each
+    piece; ``face`` are the faces on both sides of each piece, (p, 2).
     """
     free = np.full(count, math.inf)
     parent = np.arange(count)

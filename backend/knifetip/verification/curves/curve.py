@@ -1,4 +1,4 @@
-"""Lines and arcs as rows of numbers, and points on them.
+"""Lines and arcs as rows of numbers, and points and directions on them.
 
 A curve is a row of six numbers: kind (0 line, 1 arc to the left, -1 arc to the right); for a line
 its start (x, y) and unit direction (x, y), for an arc its centre (x, y), radius and start angle
@@ -15,7 +15,10 @@ from knifetip.verification.columns import F64
 
 
 def point_at(curve: F64, along: F64) -> F64:
-    """Return the points at distances (mm) from the starts of curves, (n, 2) mm."""
+    """Return the point on each curve at a distance from its start, (n, 2) mm.
+
+    ``curve`` is (n, 6) and ``along`` holds the distances, (n,) mm.
+    """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
     angle = curve[:, 4] + curve[:, 0] * along / radius
@@ -26,7 +29,10 @@ def point_at(curve: F64, along: F64) -> F64:
 
 
 def azimuth_at(curve: F64, along: F64) -> F64:
-    """Return the directions of travel (degrees) at distances (mm) from the starts of curves."""
+    """Return the direction of travel on each curve at a distance from its start, (n,) degrees.
+
+    ``curve`` is (n, 6) and ``along`` holds the distances, (n,) mm.
+    """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
     angle = curve[:, 4] + curve[:, 0] * (along / radius + math.pi / 2.0)
@@ -35,11 +41,14 @@ def azimuth_at(curve: F64, along: F64) -> F64:
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:
-    """Return the signed distances (mm) of points on curves from edges, positive to the left.
+    """Return the signed distance of a point on each curve from an edge, positive to the left.
+
+    Distances are measured from the edge's infinite line or full circle, (n,) mm.
 
     Parameters
     ----------
     curve, edge : (n, 6)
+        Curves, and the edge that each is compared with.
     along : (n,) mm
         Positions of the points on ``curve``.
     """
@@ -51,7 +60,10 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
 
 
 def line_curves(start: F64, end: F64) -> F64:
-    """Return the lines between points, (n, 2) mm each; a line between equal points has length 0."""
+    """Return the lines from start to end points, (n, 2) mm each, as curves (n, 6).
+
+    A line between equal points has length 0 and the direction of the X axis.
+    """
     vector = end - start
     length = np.hypot(vector[:, 0], vector[:, 1])
     safe = np.where(length > 0.0, length, 1.0)
@@ -60,7 +72,10 @@ def line_curves(start: F64, end: F64) -> F64:
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return the arcs with centres and start points, (n, 2) mm each, and sweeps in radians."""
+    """Return the arcs with these centres and start points, (n, 2) mm each, as curves (n, 6).
+
+    ``sweep`` is in radians, positive for an anticlockwise arc.
+    """
     out = start - centre
     radius = np.hypot(out[:, 0], out[:, 1])
     first = np.arctan2(out[:, 1], out[:, 0])

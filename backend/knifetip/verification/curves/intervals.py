@@ -1,8 +1,8 @@
-"""Overlaps of curves with edges: which of them count, and what remains uncovered.
+"""Overlaps of curves with edges: which of them count, and which stretches remain uncovered.
 
-    overlaps in any order -> Overlaps -> uncovered stretches of curves and of edges
+    unsorted overlaps -> Overlaps -> uncovered stretches of curves and of edges
 
-Where a curve overlaps several edges, only the nearest one counts.
+If a curve overlaps several edges at once, only the overlap with the nearest edge counts.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SHORT: Final = 0.005
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Overlaps:
-    """k overlaps, sorted by curve and then by distance from the edge."""
+    """k overlaps of curves with edges, sorted by curve and then by distance from the edge."""
 
     curve: I32  #: (k,) index of the curve
     edge: I32  #: (k,) index of the edge
@@ -35,14 +35,16 @@ class Overlaps:
 
 
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
-    """Return sorted overlaps, with the nearest ones marked.
+    """Return the overlaps sorted by curve and distance, with those that count marked in ``best``.
 
     Parameters
     ----------
     pairs : (k, 2)
         Indices of curve and edge.
     spans : (k, 5) mm
-        Start and end along the curve, positions of both on the edge, greatest distance.
+        Start and end along the curve, positions of start and end on the edge, greatest distance.
+    curves : (n, 6)
+        All curves.
     """
     order = np.lexsort((spans[:, 4], pairs[:, 0]))
     pairs, spans = pairs[order], spans[order]
@@ -53,13 +55,19 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(rows: Overlaps, curves: F64, until: F64) -> Overlaps:
-    """Return the overlaps with ``best`` computed for the first ``until`` mm, (n,), of curves."""
+    """Return the overlaps with ``best`` computed anew for the first part of each curve.
+
+    ``until`` is the length of that part, (n,) mm.
+    """
     spans = np.column_stack([rows.along, rows.place, rows.distance])
     return replace(rows, best=_nearest_mask(rows.curve, spans, curves[:, 5].copy(), until))
 
 
 def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
-    """Return the overlaps whose distance is within the limit, (m,) mm, of their edge."""
+    """Return the overlaps within the limit of their edge, with ``best`` computed anew.
+
+    ``limit`` is the greatest distance for each edge, (m,) mm.
+    """
     keep = rows.distance <= limit[rows.edge]
     kept = Overlaps(
         rows.curve[keep],
@@ -73,21 +81,21 @@ def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
 
 
 def uncovered_curves(rows: Overlaps, curves: F64) -> tuple[I32, F64]:
-    """Return the stretches of curves on no edge: curve (k,), start and end (k, 2) mm.
+    """Return the stretches of curves that overlap no edge: curve (k,), start and end (k, 2) mm.
 
-    A curve without length gives a stretch without length.
+    A curve without length that overlaps no edge gives a stretch without length.
     """
     which, spans, count = _uncovered_spans(rows.curve, rows.along, curves[:, 5].copy())
     return which[:count], spans[:count]
 
 
 def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
-    """Return the stretches of edges that no interval covers: edge, start, end (mm).
+    """Return the stretches of edges that no interval covers: edge (k,), start (k,), end (k,) mm.
 
     Parameters
     ----------
-    edge, low, high : (n,) index, mm, mm
-        Intervals on edges in any order.
+    edge, low, high : (n,)
+        Edge index, start and end (mm) of each interval, in any order.
     size : (m,) mm
         Length of each edge.
     """
@@ -109,7 +117,11 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
-    """Return a mask of the overlaps that add length; those of a curve come nearest first."""
+    """Return the mask of the overlaps that cover length which no nearer overlap covers, (k,).
+
+    The overlaps of each curve are sorted by distance.  ``until`` is the length of each curve that
+    is considered, (n,) mm.
+    """
     best = np.zeros(len(curve_of), np.bool_)
     begin = 0
     while begin < len(curve_of):
@@ -134,7 +146,10 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
 
 @kernel
 def add_interval(covered: OutF64_2, many: int, left: float, right: float) -> Any:
-    """Add an interval to sorted disjoint ones; return their number and the added length."""
+    """Merge an interval into ``covered``, sorted disjoint intervals, of which ``many`` are used.
+
+    Returns the new number of intervals, and the length that was not covered before.
+    """
     first = 0
     while first < many and covered[first, 1] < left:
         first += 1

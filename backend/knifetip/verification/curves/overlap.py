@@ -19,13 +19,14 @@ from knifetip.verification.curves.intervals import Overlaps, sort_overlaps
 
 
 def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Overlaps:
-    """Return the stretches of curves within a distance of edges.
+    """Return the stretches of curves that lie within a distance of edges.
 
     Parameters
     ----------
     curves : (n, 6)
         A curve without length is a point; it may lie up to ``limit`` past the ends of an edge.
     edges : (m, 6)
+        The edges, as curves.
     low, high : (m,) mm
         Start and end of the part of each edge that is searched; no part if high < low.
     limit : mm
@@ -51,7 +52,10 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
 
 
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
-    """Return lower left corner (mm), cell size (mm), and columns and rows of a grid over edges."""
+    """Return the layout of a grid of square cells over edges, extended by ``limit`` (mm).
+
+    That is its lower left corner (2,) mm, the cell size in mm, and its numbers of columns and rows.
+    """
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
     ends = edges[:, 1:3] + np.where(straight, edges[:, 5], 0.0)[:, None] * np.where(
@@ -72,9 +76,10 @@ def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
 def cells_near_curve(
     curve: F64_1, margin: float, corner: F64_1, size: float, wide: int, high: int, out: OutI64_1
 ) -> Any:
-    """Write the cells within ``margin`` mm of a curve to ``out``; a cell may occur repeatedly.
+    """Write the indices of the grid cells within ``margin`` mm of a curve to ``out``.
 
-    Returns ``out``, enlarged if necessary, and the number of cells.
+    A cell may occur repeatedly.  Returns ``out``, or a larger copy if it was full, and the number
+    of indices.
     """
     count = 0
     length = curve[5]
@@ -118,7 +123,7 @@ def cells_near_curve(
 
 @kernel
 def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
-    """Return copies of the arrays with twice the capacity; loops compile faster than slices."""
+    """Return copies of both arrays with twice the rows; loops compile faster than slices."""
     more_pairs = np.empty((2 * len(pairs), 2), np.int32)
     more_spans = np.empty((2 * len(pairs), 5))
     for row in range(len(pairs)):
@@ -198,7 +203,7 @@ def _search_grid(
 
 @kernel(checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
-    """Return position along the edge's line or circle, and signed distance from it (mm)."""
+    """Return a point's position along an edge's line or circle, and its signed distance (mm)."""
     dx = x - edge[1]
     dy = y - edge[2]
     if edge[0] == 0.0:
@@ -222,7 +227,10 @@ def _point_on(curve: F64_1, along: float) -> Any:
 def _overlap_pair(
     curve: F64_1, edge: F64_1, low: float, high: float, limit: float, hits: OutF64_2
 ) -> int:
-    """Write the overlaps of one curve and one edge to ``hits``; return their number."""
+    """Write the overlaps of one curve with one edge to the rows of ``hits``; return their number.
+
+    A row is as in ``spans`` of ``intervals.sort_overlaps``.
+    """
     near = np.empty((8, 2))
     if curve[0] == 0.0:
         pieces = _line_near_edge(curve, edge, limit, near)
@@ -297,7 +305,11 @@ def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pie
 
 @kernel(checks_division=True)
 def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Write the stretches of a line within the limit of an edge's line or circle."""
+    """Write start and end (mm) of the stretches of a line within the limit to ``near``.
+
+    The distance is measured from the edge's infinite line or full circle.  Returns the number of
+    stretches.
+    """
     length = curve[5]
     if edge[0] == 0.0:
         _, off = _project(edge, curve[1], curve[2])
@@ -323,7 +335,11 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
 
 @kernel(checks_division=True)
 def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Write the stretches of an arc within the limit: lowest ≤ sin(angle - shift) ≤ highest."""
+    """Write start and end (mm) of the stretches of an arc within the limit to ``near``.
+
+    The distance is measured from the edge's infinite line or full circle.  Within the limit,
+    lowest ≤ sin(angle - shift) ≤ highest.  Returns the number of stretches.
+    """
     radius = curve[3]
     if edge[0] == 0.0:
         # The distance from the line is middle + r sin(angle - direction of the line).
@@ -361,7 +377,10 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 @kernel
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
-    """Write the stretches of an arc between two angles, in every turn."""
+    """Write start and end (mm) of the stretches of an arc between two angles to ``near``.
+
+    The angles may be more than a turn away from the arc's start.  Returns the number of stretches.
+    """
     if curve[0] < 0.0:
         begin, end = -end, -begin
     a = begin - curve[0] * curve[4]

@@ -3,8 +3,9 @@
     Edges (creases), Edges (cuts), Board, paths of the wheel -> Edges
 
 A cut through a crease splits it, and the wheel keeps its clearance on both sides.  Three or more
-collinear dashes may be made as one crease; the work in their gaps shows whether they were.  On a
-board with double creases, each drawn line becomes two, half of their distance to either side.
+collinear dashes may be made as one crease; the wheel's work in their gaps shows whether they were.
+On a board with double creases each drawn line becomes two, at half of the board's crease distance
+to either side.
 """
 
 from __future__ import annotations
@@ -31,14 +32,14 @@ from knifetip.verification.expectation.edges import (
 #: Greatest gap between dashes: mm, and ratio to their mean length.
 MAX_DASH_GAP: Final = 12.0
 MAX_GAP_RATIO: Final = 1.5
-#: Greatest distance of a cut that is on a crease, and greatest length on it of one that crosses
+#: Greatest distance of a cut that lies on a crease, and greatest overlap of a cut that crosses it
 #: (mm).
 ON_DISTANCE: Final = 1e-4
 CROSSING_LENGTH: Final = 0.01
 
 
 def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
-    """Return creases split where cuts cross them, and the crossing points, (k, 2) mm."""
+    """Return the creases split where cuts cross them, and the crossing points, (k, 2) mm."""
     crease, at = _cut_crossings(edges.curve, cuts)
     places = point_at(edges.curve[crease], at)
     within = (at > TOUCH_DISTANCE) & (at < edges.curve[crease, 5] - TOUCH_DISTANCE)
@@ -55,10 +56,10 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
 
 
 def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
-    """Return the indices of curves that cuts cross, and the positions (mm along them).
+    """Return where cuts cross curves: index of the curve (k,), position along the curve (k,) mm.
 
-    A cut crosses between its ends, or several cuts end at one point of the curve and leave it on
-    both sides.
+    A curve is crossed by a cut between the cut's ends, or at a point where cuts end that leave the
+    curve on both sides.
     """
     rows = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
     at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
@@ -87,7 +88,7 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
 
 
 def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
-    """Return the parts of edges between two positions (mm)."""
+    """Return the parts from ``low`` to ``high``, (k,) mm, of the edges with indices ``row``."""
     curve = edges.curve[row].copy()
     start, end = point_at(curve, low), point_at(curve, high)
     outward = np.stack([azimuth_at(curve, low) + 180.0, azimuth_at(curve, high)], axis=1)
@@ -107,12 +108,15 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 
 
 def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
-    """Return the gaps between dashes that were made as one crease, with the row of a dash.
+    """Return the gaps between dashes that were made as one crease, each with the row of a dash.
 
-    Dashes were made as one if the wheel has worked in one of their gaps, or on only one dash.
+    Dashes were made as one crease if the wheel has worked in one of their gaps, or on only one
+    dash.
 
     Parameters
     ----------
+    edges
+        The creases.
     cuts
         A dash that touches a cut bounds a slot, not a gap.  A cut through a gap separates the
         dashes on both sides.
@@ -173,7 +177,10 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
 
 
 def _facing_ends(dash: Edges) -> tuple[I64, I64]:
-    """Return the pairs of ends of dashes on both sides of a gap, each pair once."""
+    """Return pairs of ends of dashes that face each other across a gap: two arrays of end indices.
+
+    Each pair occurs once.
+    """
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     rows = find_overlaps(
@@ -201,7 +208,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
-    """Return the concatenation of two sets of edges."""
+    """Return two sets of edges as one, in this order."""
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])
@@ -211,7 +218,7 @@ def concatenate_edges(edges: Edges, more: Edges) -> Edges:
 
 
 def double_lines(edges: Edges, distance: float) -> Edges:
-    """Return the two lines at half a distance (mm) to either side of each edge."""
+    """Return two parallels of each edge, ``distance`` mm apart: first all left ones."""
     sides = []
     for half in (0.5 * distance, -0.5 * distance):
         curve = edges.curve.copy()
@@ -230,7 +237,7 @@ def double_lines(edges: Edges, distance: float) -> Edges:
 
 
 def ends_at(edges: Edges, places: F64) -> Bool:
-    """Return a mask of the ends of edges, (2n,), at one of these points, (k, 2) mm."""
+    """Return the mask of the ends of edges, (2n,), that touch one of the points, (k, 2) mm."""
     result = np.zeros(len(edges.ends), np.bool_)
     result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True
     return result

@@ -24,14 +24,26 @@ _CHORD_ERROR: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutterPaths:
-    """k pieces of the path of a cutter's centre, each beside a stretch of one edge."""
+    """k curves that a cutter's centre should follow, each beside a stretch of one edge."""
 
     curve: F64  #: (k, 6) rows as in ``curves.curve``
     edge: I64  #: (k,) index of the edge
     place: F64  #: (k, 2) mm, positions on the edge of both ends of the piece
 
     def edge_intervals(self, piece: I32, place: F64) -> tuple[F64, F64]:
-        """Return start and end on the edge (mm) of stretches of pieces, (n, 2) mm."""
+        """Convert stretches of these curves to stretches of the edges beside them.
+
+        Parameters
+        ----------
+        piece : (n,)
+            Indices of the curves.
+        place : (n, 2) mm
+            Two positions on each curve.
+
+        Returns
+        -------
+        Start and end of each stretch along the edge, (n,) mm each.
+        """
         share = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
         first, last = self.place[piece, 0], self.place[piece, 1]
         at = first[:, None] + (last - first)[:, None] * share
@@ -39,10 +51,12 @@ class CutterPaths:
 
 
 def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
-    """Return the path of the centre beside each edge; an open cut is followed on its line.
+    """Return the expected path of the cutter's centre beside each edge, or on an open cut.
 
     Parameters
     ----------
+    bounds
+        Outlines of the cuts.
     reach : (2,) mm
         Half-axes of the removed disc along X and Y.
     """
@@ -77,7 +91,10 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 
 
 def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
-    """Return chords of the elliptic offset of an arc for different reaches along X and Y."""
+    """Return chords for the offset of an arc if the disc's half-axes along X and Y differ.
+
+    ``grows`` is 1 if the offset lies outside the arc's circle and -1 if it lies inside.
+    """
     curve = edges.curve[row]
     axes = curve[3] + grows * reach
     sweep = curve[5] / curve[3]

@@ -27,11 +27,14 @@ _COINCIDENT_PROBE: Final = 2.0
 
 
 def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
-    """Return the end that each end is linked to (-1 for none), and which ends continue straight.
+    """Link the ends of edges where a path continues from one edge to the next.
 
     Two ends that meet alone are linked if they turn by at most ``kink`` degrees.  Where more ends
     meet, two collinear ones are linked if neither has a second candidate.  Two edges of a closed
     contour, given by the mask ``ring``, (n,), are always linked.
+
+    Returns ------- Index of the end linked to each end, (2n,), -1 for none; and the mask of the
+    ends at which another edge continues straight, (2n,).
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
@@ -63,7 +66,7 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
 
 
 def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
-    """Return a mask of the pairs of common ends whose edges are coincident."""
+    """Return the mask of pairs of ends at one point whose edges lie on each other, (k,)."""
     size = np.minimum(edges.curve[a // 2, 5], edges.curve[b // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
     points = [
@@ -76,7 +79,7 @@ def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgePaths:
-    """c paths of n edges that follow each other end to end."""
+    """c paths that n edges form by following each other end to end."""
 
     path: I64  #: (n,) the path of each edge
     begin: F64  #: (n,) mm from the start of the path to the edge
@@ -86,12 +89,17 @@ class EdgePaths:
     last: I64  #: (c,) end at which the path stops
 
     def intervals(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
-        """Return start and end (mm along each edge) of its part between two positions.
+        """Convert an interval of each path to intervals of the path's edges.
 
         Parameters
         ----------
         low, high : (c,) mm
-            Positions from the start of each path.
+            Start and end of the interval, from the start of each path.
+        curve : (n, 6)
+            The edges, as curves.
+
+        Returns ------- Start and end along each edge, (n,) mm each; end < start if the edge is
+        outside the interval.
         """
         size = curve[:, 5]
         near = np.clip(low[self.path] - self.begin, 0.0, None)
@@ -101,7 +109,19 @@ class EdgePaths:
         return own_low, own_high
 
     def locate(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
-        """Return the edge at a position (mm) of each path, and the position on that edge (mm)."""
+        """Return the edge at a position of each given path, and the position along that edge.
+
+        Parameters
+        ----------
+        path, at : (k,)
+            Indices of paths, and positions from their starts (mm).
+        curve : (n, 6)
+            The edges, as curves.
+
+        Returns
+        -------
+        Index of the edge (k,), position along the edge (k,) mm.
+        """
         order = np.lexsort((self.begin, self.path))
         widest = float(self.length.max(initial=0.0)) + 1.0
         key = self.path[order] * widest + self.begin[order]
@@ -111,22 +131,22 @@ class EdgePaths:
 
 
 def joined_ends(edges: Edges) -> I64:
-    """Return the end that each end is linked to at any angle, (2n,), or -1."""
+    """Return the end that each end is linked to, at any angle between the edges, (2n,), or -1."""
     return link_ends(edges, 180.0)[0]
 
 
 def continues_straight(edges: Edges) -> Bool:
-    """Return a mask of the ends, (2n,), at which another edge continues straight."""
+    """Return the mask of the ends at which another edge continues straight, shape (2n,)."""
     return link_ends(edges, STRAIGHT_ANGLE)[1]
 
 
 def edge_paths(edges: Edges, link: I64) -> EdgePaths:
-    """Return the paths of edges with linked ends.
+    """Return the paths that edges with linked ends form.
 
     Parameters
     ----------
     link : (2n,)
-        The end that each end is linked to, or -1.
+        Index of the end linked to each end, or -1.
     """
     path, begin, flipped, length, first, last, count = _trace_paths(link, edges.curve[:, 5].copy())
     return EdgePaths(path, begin, flipped, length[:count], first[:count], last[:count])

@@ -1,4 +1,4 @@
-"""The drawn edges as curves on the sheet, and which of their ends lie together.
+"""The drawn edges as curves on the sheet, and which of their ends meet.
 
 Dieline, placement -> Edges
 """
@@ -15,11 +15,11 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
 
-#: Ends nearer than this are one point (mm).
+#: Ends within this distance are one point (mm).
 JOIN_DISTANCE: Final = 0.002
 
 
-#: Ends nearer than this touch (mm).
+#: Ends within this distance touch (mm).
 TOUCH_DISTANCE: Final = 0.05
 
 
@@ -27,7 +27,7 @@ TOUCH_DISTANCE: Final = 0.05
 STRAIGHT_ANGLE: Final = 1.0
 
 
-#: Greatest number of pairs of near ends.
+#: Greatest number of candidate pairs in the search for near points.
 MAX_PAIRS: Final = 20_000_000
 
 
@@ -50,11 +50,11 @@ class Edges:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
-        """Return the edges of these line types."""
+        """Return the edges whose line type is one of ``types``."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, where: I64) -> Edges:
-        """Return the edges with these indices."""
+        """Return the edges with the indices ``where``, in that order."""
         twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
         return Edges(
             self.row[where],
@@ -67,12 +67,12 @@ class Edges:
 
 
 def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
-    """Return the edges of a dieline in sheet coordinates, without those of zero length.
+    """Return the edges of a dieline in sheet coordinates; edges of zero length are left out.
 
     Raises
     ------
     GeometryError
-        A coordinate of the placement or an edge is not finite.
+        A coordinate of the placement or of an edge is not finite.
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any() or not np.isfinite(placement).all():
@@ -103,15 +103,14 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
 
 
 def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
-    """Return the edges without those that coincide with an earlier one of the same line type.
+    """Return the edges without those that coincide with an earlier edge of the same line type.
 
-    Returns
-    -------
-    edges, rows of the duplicates, row of the remaining edge for each duplicate
+    Returns ------- The remaining edges; the dieline row of each duplicate (k,); and the dieline row
+    of the remaining edge that coincides with the duplicate (k,).
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)
-    # One end of the other lies at the start; its other end must lie at the end.
+    # An end of the second edge lies at the first edge's start; its other end must lie at the end.
     first, other = a[same] // 2, b[same]
     away = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
     middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
@@ -131,7 +130,15 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
 
 
 def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
-    """Return the index pairs of points, (n, 2) and (m, 2) mm, within a distance (mm).
+    """Return the index pairs of a point and an other point that lie within a distance (mm).
+
+    Parameters
+    ----------
+    points, others : (n, 2) and (m, 2) mm
+
+    Returns
+    -------
+    Indices into ``points`` (k,), indices into ``others`` (k,).
 
     Raises
     ------
@@ -165,7 +172,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
-    """Return the smaller angle between directions modulo ``turn`` (degrees)."""
+    """Return the smaller angle between directions modulo ``turn`` (degrees), at most turn / 2."""
     half = turn / 2.0
     result: F64 = np.abs((one - other + half) % turn - half)
     return result

@@ -1,6 +1,6 @@
 """Expected work on creases, cuts and grooves: depths, and where the tip starts and stops.
 
-    Edges, Board, tools -> ExpectedCreases, KnifeEnds, ends at which grooves continue
+    Edges, Board, tools -> ExpectedCreases, KnifeEnds, mask of ends at which grooves continue
 
 The rules are derived from the records of board and tools:
 
@@ -56,14 +56,14 @@ WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExpectedCreases:
-    """Expected depth and limits of the work on n creases."""
+    """Expected depth and limits of the wheel's work on n creases."""
 
     edges: Edges
     depth: F64  #: (n,) mm, depth of the tip below the top face
     low: F64  #: (n,) mm along the edge at which the tip may begin
     high: F64  #: (n,) mm at which the tip must stop; less than ``low`` if there is no work
-    pressed: Bool  #: (n,) the wheel presses one point
-    refused: Bool  #: (n,) too short to roll, and the board's settings forbid pressing
+    pressed: Bool  #: (n,) the wheel presses the crease at one point
+    refused: Bool  #: (n,) too short to roll, and pressing is forbidden or impossible
 
 
 def expected_creases(
@@ -73,13 +73,15 @@ def expected_creases(
     around: Edges | None = None,
     parts: Bool | None = None,
 ) -> ExpectedCreases:
-    """Return depth and limits of the wheel's lowest point for creases and combi lines.
+    """Return the expected depth of the wheel's lowest point and its limits along each crease.
 
     Parameters
     ----------
+    edges
+        Creases and combi lines of one wheel.
     around
         All creases, including those of other wheels; an end that one of them continues is not
-        free.
+        free.  None for ``edges`` alone.
     parts : (2n,)
         Mask of the ends at which a cut splits a crease; they are free.
     """
@@ -123,7 +125,7 @@ def expected_creases(
 
 
 def _continued_ends(edges: Edges, around: Edges) -> Bool:
-    """Return a mask of the ends of edges, (2n,), that an edge of ``around`` continues."""
+    """Return the mask of the ends of edges, (2n,), at which an edge of ``around`` continues."""
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
@@ -148,7 +150,7 @@ def _continued_ends(edges: Edges, around: Edges) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class KnifeEnds:
-    """Planned stops of a knife at the 2n ends of n edges."""
+    """The points at which a knife should stop, at the 2n ends of n edges."""
 
     stop: F64  #: (2n, 2) mm in sheet coordinates, NaN if the knife does not stop
     free: Bool  #: (2n,) the end lies inside a panel
@@ -159,7 +161,7 @@ class KnifeEnds:
 def knife_ends(
     edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
 ) -> KnifeEnds:
-    """Return the planned stops of the tip at the ends of edges that a knife works.
+    """Return the planned stops of the tip at the ends of edges that a knife cuts.
 
     Parameters
     ----------
@@ -210,7 +212,7 @@ def knife_ends(
 
 
 def groove_continues(edges: Edges) -> Bool:
-    """Return a mask of the ends of V-grooves, (2n,), that a collinear groove continues."""
+    """Return the mask of the ends of V-grooves, (2n,), at which a collinear groove continues."""
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     on = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE

@@ -2,9 +2,9 @@
 
     Edges (cuts) -> CutOutlines
 
-Cuts with common ends enclose faces.  A cycle of half-edges with its face on the left is
-anticlockwise round a bounded face and clockwise round a whole component, so the sign of its area
-identifies the outside.  A component inside another one is a hole or a part in a hole.
+Cuts with common ends enclose faces.  A cycle of half-edges with its face on the left runs
+anticlockwise round a bounded face and clockwise round a component as a whole, so the sign of its
+area identifies the outside.  A component inside another one is a hole or a part in a hole.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _MIN_AREA: Final = 1e-6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutOutlines:
-    """Outlines that n cuts form."""
+    """The outlines that n cuts form."""
 
     edges: Edges
     closing: Bool  #: (n,) the edge separates a face from the outside of its component
@@ -40,7 +40,7 @@ class CutOutlines:
 
     @property
     def outer(self) -> Bool:
-        """(n,) mask of the edges of outer contours, of blanks or of parts inside holes."""
+        """Mask of the edges on outer contours, of blanks and of parts inside holes, shape (n,)."""
         result: Bool = self.closing & (self.depth % 2 == 0)
         return result
 
@@ -67,12 +67,12 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     Returns
     -------
     cycle : (2n,)
-        Cycle of each half-edge: first from start to end of an edge, then back.  The face is on
-        the left.
+        Index of the cycle of each half-edge: for each edge first the half-edge from start to end,
+        then the half-edge back.  The face is on the left.
     swept : (w,)
         Twice the signed area of each cycle (mm²); not positive for the outside of a component.
     component : (n,)
-        Connected component of each edge.
+        Index of the connected component of each edge.
     """
     count = len(edges)
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
@@ -107,7 +107,7 @@ def _lowest_connected(a: I64, b: I64, count: int) -> I64:
 
 
 def _swept_areas(edges: Edges) -> F64:
-    """Return twice the signed area between each edge and the first end of all edges (mm²)."""
+    """Return twice the signed area that each edge sweeps about the first end of all edges (mm²)."""
     curve = edges.curve
     origin = edges.ends[0]
     start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
@@ -121,7 +121,17 @@ def _swept_areas(edges: Edges) -> F64:
 
 @kernel
 def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
-    """Return the cycle of each half-edge, and twice the signed area of each cycle."""
+    """Return the cycle of each half-edge (2n,), and twice the signed area of each cycle (w,) mm².
+
+    Parameters
+    ----------
+    order : (2n,)
+        Half-edges sorted anticlockwise about their start vertices.
+    node : (2n,)
+        Start vertex of each half-edge of ``order``.
+    swept : (n,)
+        Twice the signed area that each edge sweeps (mm²).
+    """
     count = len(order)
     rank = np.empty(count, np.int64)
     for place in range(count):
@@ -161,7 +171,10 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
-    """Return the number of components that enclose each point, (n, 2) mm."""
+    """Return the number of components whose outlines enclose each point, (n,).
+
+    ``points`` is (n, 2) mm.
+    """
     rows = np.flatnonzero(outlined.closing)
     rows = rows[np.argsort(outlined.component[rows], kind="stable")]
     around = outlined.edges.curve[rows]
@@ -187,7 +200,19 @@ def _bounding_boxes(around: F64, first: I64) -> F64:
 
 @kernel
 def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
-    """Return the number of outlines that a ray along +X from each point crosses oddly."""
+    """Return the number of outlines that contain each point, shape (n,).
+
+    A point is inside if a ray along +X crosses the outline an odd number of times.
+
+    Parameters
+    ----------
+    around, first
+        Curves of all outlines, and the index of each outline's first curve.
+    boxes : (c, 4) mm
+        Bounding box of each outline: least x, y, greatest x, y.
+    own
+        Point i belongs to outline i, which is not counted.
+    """
     depth = np.zeros(len(points), np.int64)
     for i in range(len(points)):
         x = points[i, 0]
@@ -206,7 +231,10 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
 
 @kernel(checks_division=True)
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
-    """Return the number of crossings of a curve with a ray along +X (half-open rule in y)."""
+    """Return the number of crossings of a curve with the ray from (x, y) along +X.
+
+    A crossing counts if one end of the piece is above y and the other is not (half-open rule).
+    """
     if curve[0] == 0.0:
         y0 = curve[2]
         y1 = curve[2] + curve[4] * curve[5]

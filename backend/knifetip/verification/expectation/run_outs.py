@@ -2,8 +2,9 @@
 
     grooves, cuts, half the groove's width -> RunOuts
 
-A groove of width W in the top face has left the board when both points c ± (W/2) n have.  In the
-direction u past an edge with outward normal m, one of them must go (W/2) |n·m| / (u·m) farther.
+A groove of width W in the top face has left the board when both of its sides have, the points
+c ± (W/2) n beside the tip c with the groove's normal n.  In the direction u, past an edge with
+outward normal m, one side must go (W/2) |n·m| / (u·m) farther than the tip.
 
 Source of the run-out: the turning paper, 1, on a flat board.
 """
@@ -42,8 +43,10 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
     Parameters
     ----------
-    grooves, cuts
-        Arcs among the grooves need no run-out.
+    grooves
+        V-grooves; those that are arcs need no run-out.
+    cuts
+        Cuts, whose outer contours are the board's edge.
     half : mm
         Half of the groove's width in the top face.
     """
@@ -93,7 +96,22 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
 
 def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
-    """Return the distance to an edge's circle if that is nearer than its tangent (mm)."""
+    """Return how far a side of a groove must go to pass an edge (mm).
+
+    For an arc that is the distance to its circle, if that is less than ``straight``, the distance
+    to its tangent.  For a line it is ``straight``.
+
+    Parameters
+    ----------
+    curve : (n, 6)
+        The edges.
+    end, u : (n, 2)
+        End of each groove (mm) and its direction there.
+    aside : (n, 2) mm
+        Vector from the groove's line to its side.
+    straight : (n,) mm
+        Distance to the tangent of each edge.
+    """
     bent = curve[:, 0] != 0.0
     to = end + aside - curve[:, 1:3]
     b = (to * u).sum(axis=1)
@@ -105,7 +123,10 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
 
 
 def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count: int) -> Bool:
-    """Return a mask of the ``count`` ends that lie on a convex corner of the outline."""
+    """Return the mask of groove ends, (count,), that lie on a convex corner of the outline.
+
+    ``end`` and ``edge`` are pairs of a groove end and an edge of ``outer`` that it touches.
+    """
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")
     end, edge = end[order], edge[order]

@@ -1,1 +1,1 @@
-"""Read programs back: one reader for each family of controller languages."""
+"""Readers that convert programs back to moves, one for each family of controller languages."""

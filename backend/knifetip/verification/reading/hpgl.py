@@ -1,12 +1,12 @@
 """Reader of HPGL programs for plotters and flat cutters.
 
-    program bytes, Machine, Board -> Moves, and what is wrong with the lines
+    program bytes, Machine, Board -> Moves, faults of program lines
 
 The reader accepts the instructions that such a program needs: IN, PA, PU, PD, SP, VS, FS and
-comments (CO).  All others are faults.  HPGL moves X and Y; the device sets the depth of each pen
-and turns the tool along the path.  So heights only distinguish tool up and tool down, and headings
-are the directions of the path.  At a corner the device must not turn the tool in the board by more
-than the tool's swivel angle; that is checked here.
+comments (CO).  All other instructions are faults.  HPGL moves X and Y; the device sets the depth of
+each pen and turns the tool along the path.  Heights therefore only distinguish tool up and tool
+down, and headings are the directions of the path.  At a corner the device must not turn the tool in
+the board by more than the tool's swivel angle; the reader checks that.
 
 Source: Hewlett-Packard's interfacing manuals (syntax, pen state, absolute coordinates after IN).
 """
@@ -46,7 +46,7 @@ _Faults = list[tuple[int, Message]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Instructions:
-    """k instructions and their numbers."""
+    """The k instructions of an HPGL program, with their numbers."""
 
     code: I64  #: (k,) index into ``_KNOWN``
     line: I64  #: (k,) 1-based
@@ -57,7 +57,7 @@ class _Instructions:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Track:
-    """n moves, each either along X and Y or of the tool up or down."""
+    """n moves of a pen: each goes along X and Y, or lowers or lifts the tool."""
 
     line: I64  #: (n,) 1-based
     x: I64  #: (n + 1,) plotter units, before the first move and after each
@@ -71,20 +71,20 @@ class _Track:
 
 
 class HpglReader:
-    """Reads HPGL programs for the device in the machine's file."""
+    """Reader of HPGL programs for the device that the machine's file names."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in a comment (mm), None if there is none."""
+        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
         found = _PLACEMENT.search(text)
         return (float(found[1]), float(found[2])) if found else None
 
     def read(self, text: bytes, machine: Machine, board: Board) -> tuple[Moves, _Faults]:
-        """Return the moves and the faults: (line, message).
+        """Return the moves of a program, and its faults (1-based line, message) in ascending order.
 
         Raises
         ------
         ProgramUnreadable
-            The machine's file has no device, or the text is too large.
+            The machine's file has no device, or the text is too large or has too many moves.
         """
         plotter = machine.controller
         if not isinstance(plotter, Plotter):
@@ -92,9 +92,9 @@ class HpglReader:
         if len(text) > MAX_BYTES:
             raise ProgramUnreadable("program.too-large", bytes=len(text), limit=MAX_BYTES)
         faults: _Faults = []
-        given = _parse_instructions(text, plotter.device, faults)
-        track = _make_track(given, faults)
-        _check_state(given, track, plotter, faults)
+        instructions = _parse_instructions(text, plotter.device, faults)
+        track = _make_track(instructions, faults)
+        _check_state(instructions, track, plotter, faults)
         moves = _make_moves(track, plotter, machine, board, faults)
         return moves, sorted(faults, key=itemgetter(0))
 
@@ -102,12 +102,13 @@ class HpglReader:
 READER: Final = HpglReader()
 
 
-def _note(faults: _Faults, lines: I64, message: Message) -> None:
+def _add_faults(faults: _Faults, lines: I64, message: Message) -> None:
+    """Append one fault with this message for each of the program lines, at most ``_MAX_FAULTS``."""
     faults.extend((int(line), message) for line in lines[:_MAX_FAULTS])
 
 
 def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions:
-    """Return the instructions; bytes that belong to no instruction are faults."""
+    """Return the instructions of a program; append faults for bytes that belong to none."""
     if device.comments:
         text = _COMMENT.sub(lambda match: b" " * len(match[0]), bytes(text))
     raw = np.frombuffer(text, np.uint8)
@@ -141,14 +142,14 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
     head = sign | digit
     head[1:] &= sign[1:] | ~(sign | digit)[:-1]
     value, head_at, bad = _parse_numbers(raw, digit, head)
-    _note(faults, line_of[bad], Message("hpgl.bad-number"))
+    _add_faults(faults, line_of[bad], Message("hpgl.bad-number"))
     owner = np.searchsorted(begin, head_at, side="right") - 1
     # A number after a terminator belongs to no instruction.
     stops = np.concatenate([[0], np.cumsum(stop)])
     loose = owner < 0
     if len(begin):
         loose |= stops[head_at] > stops[begin[np.maximum(owner, 0)]]
-    _note(faults, line_of[head_at[loose]], Message("hpgl.loose-number"))
+    _add_faults(faults, line_of[head_at[loose]], Message("hpgl.loose-number"))
     value, owner = value[~loose], owner[~loose]
     keep = code >= 0
     mine = keep[owner] if len(owner) else np.zeros(0, np.bool_)
@@ -160,7 +161,18 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
 
 
 def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
-    """Return the integers, the positions of their first bytes, and those of wrong numbers."""
+    """Return the integers in the program bytes.
+
+    Parameters
+    ----------
+    digit, head : (n,)
+        Masks of the bytes that are digits, and of the first bytes of numbers (a sign or a digit).
+
+    Returns
+    -------
+    The integers (k,), the positions of their first bytes (k,), and the positions of the first bytes
+    of numbers that have no digits or too many.
+    """
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:
         return np.zeros(0, np.int64), head_at, head_at
@@ -180,7 +192,11 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 
 
 def _value_in_force(values: I64, where: Bool, before: int) -> I64:
-    """Return the value in force after each instruction: the last one set, or ``before``."""
+    """Return the value in force after each instruction.
+
+    That is the value of the last instruction in the mask ``where``, or ``before`` if there is none
+    yet.
+    """
     if len(where) == 0:
         return np.zeros(0, np.int64)
     rows = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
@@ -188,18 +204,18 @@ def _value_in_force(values: I64, where: Bool, before: int) -> I64:
     return result
 
 
-def _make_track(given: _Instructions, faults: _Faults) -> _Track:
-    """Convert instructions to moves."""
-    code, count = given.code, np.diff(given.first)
+def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
+    """Convert instructions to moves; append faults for wrong numbers of arguments."""
+    code, count = instructions.code, np.diff(instructions.first)
     single = np.zeros(len(code), np.int64)
     has = count > 0
-    single[has] = given.number[given.first[:-1][has]]
+    single[has] = instructions.number[instructions.first[:-1][has]]
     point = np.isin(code, (_PA, _PU, _PD))
     odd = point & (count % 2 == 1)
-    _note(faults, given.line[odd], Message("hpgl.x-without-y"))
+    _add_faults(faults, instructions.line[odd], Message("hpgl.x-without-y"))
     selects = np.isin(code, (_SP, _VS, _FS))
-    _note(faults, given.line[selects & (count != 1)], Message("hpgl.needs-one-number"))
-    _note(faults, given.line[(code == _IN) & has], Message("hpgl.needs-no-number"))
+    _add_faults(faults, instructions.line[selects & (count != 1)], Message("hpgl.needs-one-number"))
+    _add_faults(faults, instructions.line[(code == _IN) & has], Message("hpgl.needs-no-number"))
 
     lifts = np.isin(code, (_IN, _PU))
     down = _value_in_force((code == _PD).astype(np.int64), lifts | (code == _PD), 0) > 0
@@ -217,14 +233,14 @@ def _make_track(given: _Instructions, faults: _Faults) -> _Track:
     of = np.repeat(np.arange(len(code)), made)
     ordinal = np.arange(total) - np.repeat(np.cumsum(made) - made, made)
     upright = turned[of] & (ordinal == 0)
-    at = given.first[of] + 2 * (ordinal - turned[of])
+    at = instructions.first[of] + 2 * (ordinal - turned[of])
     x, y = np.zeros(total + 1, np.int64), np.zeros(total + 1, np.int64)
     states = np.concatenate([[False], ~upright])
     along = np.flatnonzero(~upright)
-    x[along + 1], y[along + 1] = given.number[at[along]], given.number[at[along] + 1]
+    x[along + 1], y[along + 1] = instructions.number[at[along]], instructions.number[at[along] + 1]
     held = np.maximum.accumulate(np.where(states, np.arange(total + 1), 0))
     return _Track(
-        line=given.line[of],
+        line=instructions.line[of],
         x=x[held],
         y=y[held],
         known=held > 0,
@@ -236,37 +252,45 @@ def _make_track(given: _Instructions, faults: _Faults) -> _Track:
     )
 
 
-def _check_state(given: _Instructions, track: _Track, plotter: Plotter, faults: _Faults) -> None:
-    """Check the state before the first move, pens and values, and the end of the program."""
-    code, device = given.code, plotter.device
+def _check_state(
+    instructions: _Instructions, track: _Track, plotter: Plotter, faults: _Faults
+) -> None:
+    """Append faults for missing IN or PA, unknown pens, bad values, and an unsafe program end."""
+    code, device = instructions.code, plotter.device
     if len(code) == 0:
         faults.append((1, Message("hpgl.no-instruction")))
         return
     if code[0] != _IN:
-        faults.append((int(given.line[0]), Message("hpgl.not-initialised")))
-    _note(faults, given.line[1:][code[1:] == _IN], Message("hpgl.initialised-again"))
-    first = np.flatnonzero(np.isin(code, (_PU, _PD)) & (np.diff(given.first) > 0))
+        faults.append((int(instructions.line[0]), Message("hpgl.not-initialised")))
+    _add_faults(faults, instructions.line[1:][code[1:] == _IN], Message("hpgl.initialised-again"))
+    first = np.flatnonzero(np.isin(code, (_PU, _PD)) & (np.diff(instructions.first) > 0))
     if len(first) and not (code[: first[0]] == _PA).any():
-        faults.append((int(given.line[first[0]]), Message("hpgl.moves-before-pa")))
+        faults.append((int(instructions.line[first[0]]), Message("hpgl.moves-before-pa")))
     down = _value_in_force((code == _PD).astype(np.int64), np.isin(code, (_IN, _PU, _PD)), 0) > 0
-    _note(faults, given.line[(code == _SP) & down], Message("hpgl.selects-while-down"))
+    _add_faults(faults, instructions.line[(code == _SP) & down], Message("hpgl.selects-while-down"))
     number = np.zeros(len(code), np.int64)
-    has = np.diff(given.first) > 0
-    number[has] = given.number[given.first[:-1][has]]
+    has = np.diff(instructions.first) > 0
+    number[has] = instructions.number[instructions.first[:-1][has]]
     known = [0, *(pen.number for pen in plotter.pens)]
-    _note(faults, given.line[(code == _SP) & ~np.isin(number, known)], Message("hpgl.unknown-pen"))
+    _add_faults(
+        faults,
+        instructions.line[(code == _SP) & ~np.isin(number, known)],
+        Message("hpgl.unknown-pen"),
+    )
     for mnemonic, limits, absent, beyond in (
         (_VS, device.speed, "hpgl.no-speed-setting", "hpgl.speed-out-of-range"),
         (_FS, device.force, "hpgl.no-force-setting", "hpgl.force-out-of-range"),
     ):
         rows = code == mnemonic
         if limits is None:
-            _note(faults, given.line[rows], Message(absent))
+            _add_faults(faults, instructions.line[rows], Message(absent))
         else:
             off = rows & ((number < limits[0]) | (number > limits[1]))
-            _note(faults, given.line[off], Message(beyond, low=limits[0], high=limits[1]))
-    last = int(given.line[-1])
-    if not given.ended:
+            _add_faults(
+                faults, instructions.line[off], Message(beyond, low=limits[0], high=limits[1])
+            )
+    last = int(instructions.line[-1])
+    if not instructions.ended:
         faults.append((last, Message("hpgl.no-terminator")))
     if down[-1]:
         faults.append((last, Message("hpgl.ends-down")))
@@ -276,7 +300,7 @@ def _check_state(given: _Instructions, track: _Track, plotter: Plotter, faults: 
     x0, y0, x1, y1 = device.area
     outside = (track.x < x0) | (track.x > x1) | (track.y < y0) | (track.y > y1)
     outside &= track.known
-    _note(faults, track.line[outside[1:] & ~track.upright], Message("hpgl.outside-area"))
+    _add_faults(faults, track.line[outside[1:] & ~track.upright], Message("hpgl.outside-area"))
 
 
 def _make_moves(
@@ -295,18 +319,18 @@ def _make_moves(
         tool = stations[index[pen.station]].tool
         station[mine] = index[pen.station]
         depth[mine] = _pen_height(pen, machine, board)
-        oscillating[mine] = expected_tool(tool).turns
+        oscillating[mine] = expected_tool(tool).needs_spindle
         plunge[mine], feed[mine] = tool.plunge, tool.feed
         if device.force is not None:
             off = mine & track.down & track.upright & (track.force != pen.force)
             message = Message("hpgl.wrong-force", pen=pen.number, force=pen.force)
-            _note(faults, track.line[off], message)
+            _add_faults(faults, track.line[off], message)
     if device.speed is not None:
         feed = np.where(track.speed > 0, track.speed * 600.0, np.nan)
         unset = working & (track.speed <= 0)
-        _note(faults, track.line[unset][:1], Message("hpgl.no-speed"))
+        _add_faults(faults, track.line[unset][:1], Message("hpgl.no-speed"))
     unselected = track.down & track.upright & (station < 0)
-    _note(faults, track.line[unselected], Message("hpgl.no-pen-selected"))
+    _add_faults(faults, track.line[unselected], Message("hpgl.no-pen-selected"))
 
     xy = np.column_stack([track.x, track.y]) / device.units + device.zero
     xy[~track.known] = np.nan
@@ -350,7 +374,7 @@ def _make_moves(
 
 
 def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
-    """Return the height of the tip of a lowered pen (mm)."""
+    """Return the height above the table of the tip of a lowered pen (mm)."""
     if pen.work is PenWork.CUT:
         return -machine.into_mat
     if pen.work is PenWork.HALF_CUT:
@@ -359,9 +383,10 @@ def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
 
 
 def _headings(track: _Track, working: Bool) -> F64:
-    """Return the headings (degrees): of working moves, their directions.
+    """Return the heading of the tool in each move, (n,) degrees.
 
-    Other moves have the heading of the next working move, and lifts that of the last one.
+    A move with the tool down has the direction of its path.  A lift has the direction of the last
+    such move before it, and every other move has the direction of the next one.
     """
     if not working.any():
         return np.zeros(len(working))
@@ -382,9 +407,10 @@ def _check_corners(
     machine: Machine,
     faults: _Faults,
 ) -> None:
-    """Check that the device turns no tool in the board by more than its swivel angle.
+    """Append a fault where the tool turns in the board by more than its swivel angle.
 
-    The limit is widened by the uncertainty of short moves, whose ends are rounded.
+    The ends of moves are rounded, so the limit is widened by the uncertain direction of short
+    moves.
     """
     swivel = np.array([*(expected_tool(held.tool).swivel for held in machine.stations), 360.0])
     length = np.hypot(np.diff(track.x), np.diff(track.y))
@@ -401,4 +427,4 @@ def _check_corners(
         )
     lowers, lifts = track.upright & track.down, track.upright & ~track.down
     still = lowers & np.append(lifts, False)[1:]
-    _note(faults, track.line[still], Message("hpgl.plunge-without-move"))
+    _add_faults(faults, track.line[still], Message("hpgl.plunge-without-move"))

@@ -1,8 +1,8 @@
-"""The moves of a program in a form that all controller languages share.
+"""The moves of a program in a form that is independent of the controller language.
 
-    program bytes -> Moves, faults of lines
+    program bytes -> Moves, faults of program lines
 
-Each language has its own reader in this package, which shares no code with the emitter.
+Each language has its own reader in this package.  A reader shares no code with the emitter.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from knifetip.verification.columns import F64, I32, I64, U8, Bool
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Switches:
-    """k lines that switch an output or the spindle or call a station, in program order."""
+    """The k program lines, in order, that switch an output or the spindle or select a station."""
 
     line: I32  #: (k,) 1-based line of the program
     move: I64  #: (k,) index of the last move before the line, -1 for none
     lowers: I32  #: (k,) index into ``machine.stations`` of the station that the line lowers, or -1
-    beside: Bool  #: (k, stations) outputs that are on or unknown at the line
-    at_end: Bool  #: (stations + e + 1,) states known at the program's end, as ``Moves.stated``
+    beside: Bool  #: (k, stations) the station's output is on or unknown after the line
+    at_end: Bool  #: (stations + e + 1,) ``Moves.stated`` at the end of the program
     spindle: Bool  #: (k,) the line switches only the spindle
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Moves:
-    """n moves of the joints in program order; NaN marks an unknown position."""
+    """n moves of the machine's joints in program order; NaN marks an unknown position."""
 
     line: I32  #: (n,) 1-based line of the program
     code: U8  #: (n,) 0 rapid, 1 line, 2 arc clockwise, 3 arc counter-clockwise
@@ -39,16 +39,16 @@ class Moves:
     centre: F64  #: (n, 2) mm, of arcs, in joints
     sweep: F64  #: (n,) radians, counter-clockwise positive, 0 for lines
     feed: F64  #: (n,) F in force, NaN if there is none
-    inverse: Bool  #: (n,) F is 1 / duration in minutes (G93)
+    inverse: Bool  #: (n,) ``feed`` is 1 / duration in minutes (G93)
     station: I32  #: (n,) index into ``machine.stations``, -1 for none
     lowered: Bool  #: (n, stations) the station's output is on
     oscillating: Bool  #: (n,) the spindle is on (M3)
     extra: Bool  #: (n, e) outputs of ``tools.extra_outputs`` that are on
-    stated: Bool  #: (n, stations + e + 1) known states: stations, extra outputs, spindle
-    blend: F64  #: (n,) mm, the larger of G64's P and Q; inf without a limit
-    waited: F64  #: (n,) seconds of G4 since the last switching, inf before the first
+    stated: Bool  #: (n, stations + e + 1) the program has set stations, extra outputs, spindle
+    blend: F64  #: (n,) mm, corner rounding: larger of P and Q of G64; inf without a limit
+    waited: F64  #: (n,) seconds of dwell since the last switching, inf before the first
     uses_tool_table: bool  #: the controller has a tool table: T words select stations
-    dwell: float  #: sum of all G4 (s)
+    dwell: float  #: sum of all dwells (s)
     switches: Switches
     #: axes that the program moves; the machine controls depth (Z) and heading (C) itself otherwise
     programmed: str = "XYZC"
@@ -57,22 +57,22 @@ class Moves:
 
 
 class ProgramReader(Protocol):
-    """Interface of a reader for one controller language."""
+    """Interface of the reader for one controller language."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in the program's comments (mm), None if there is none."""
+        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
         ...
 
     def read(
         self, text: bytes, machine: Machine, board: Board
     ) -> tuple[Moves, list[tuple[int, Message]]]:
-        """Return the moves and the faults: (1-based line, message), ascending.
+        """Return the moves of a program, and its faults (1-based line, message) in ascending order.
 
         The bytes may come from any source; wrong lines give faults, not exceptions.
 
         Raises
         ------
         ProgramUnreadable
-            The text is not bytes, or is too large.
+            The text is not of type bytes, or is too large.
         """
         ...

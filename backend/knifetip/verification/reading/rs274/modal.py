@@ -1,6 +1,6 @@
-"""Convert words to moves, each with the modal state of the controller.
+"""Convert the words of an RS274/NGC program to moves, each with the controller's modal state.
 
-    ProgramWords, Machine -> Moves, faults of lines
+    ProgramWords, Machine -> Moves, faults of program lines
 
 The controller is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that
 a sample-maker's program needs.  All other words are faults.
@@ -29,7 +29,7 @@ from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
 MAX_BLOCKS: Final = 2_000_000
 #: Greatest difference between the radii at both ends of an arc (mm).
 ARC_TOLERANCE: Final = 0.002
-#: Numbers that differ by less are printed alike (mm).
+#: Numbers that differ by less may be printed as one number (mm).
 PRINT_ROUNDING: Final = 5e-5
 
 _MOTION, _DWELL, _PLANE, _UNITS, _DISTANCE, _CENTRES, _FEED, _RADIUS, _LENGTH, _SYSTEM, _PATH = (
@@ -64,7 +64,7 @@ _M: Final = {
     64: _OUTPUT,
     65: _OUTPUT,
 }
-#: What the program must state before anything moves.
+#: Modes that the program must set before its first move, by modal group.
 _STATED: Final[Mapping[int, Message]] = {
     _UNITS: Message("rs274.mode-g21"),
     _DISTANCE: Message("rs274.mode-g90"),
@@ -80,12 +80,12 @@ _AXES: Final = "XYZC"
 
 
 def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[int, Message]]]:
-    """Return the moves and the faults: (line, message).
+    """Return the moves of a program, and its faults (1-based line, message) in ascending order.
 
     Raises
     ------
     ProgramUnreadable
-        The program has more than two million lines.
+        The program has more than two million lines with words.
     """
     faults: list[tuple[int, Message]] = list(words.faults)
     blocks = _Blocks(words, faults)
@@ -95,7 +95,7 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
 
 
 class _Blocks:
-    """The words of each line in columns; one row for each line with words."""
+    """The words of a program in columns: one block (row) for each program line that has words."""
 
     def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
@@ -147,30 +147,37 @@ class _Blocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, where: Bool, message: Message) -> None:
-        """Add a fault for each of these blocks, at most a thousand."""
+        """Add a fault with this message for each block in the mask, at most a thousand."""
         for block in np.flatnonzero(where)[:1000]:
             self._fault(block, message)
 
     def has(self, letter: str) -> Bool:
-        """Return a mask of the blocks with this letter."""
+        """Return the mask of the blocks that contain a word with this letter, shape (count,)."""
         result: Bool = ~np.isnan(self.number[letter])
         return result
 
     def has_code(self, group: int, code: int | None = None) -> Bool:
-        """Return a mask of the blocks with a word of a modal group, or with one word of it."""
+        """Return the mask of the blocks with a word of a modal group, shape (count,).
+
+        With ``code`` (ten times the number of a G word, or the number of an M word), return the
+        mask of the blocks with that word.
+        """
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
         return result
 
 
 def _latest_block(where: Bool) -> I64:
-    """Return for each block the last block up to it in the mask, -1 before the first."""
+    """Return for each block the last block of the mask at or before it, -1 if there is none."""
     rows: I64 = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
     return rows
 
 
 def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
-    """Return the value in force at each block: the last one set, or ``before``."""
+    """Return the value in force at each block.
+
+    That is the value of the last block in the mask ``where``, or ``before`` if there is none yet.
+    """
     rows = _latest_block(where)
     if len(rows) == 0:
         return np.zeros(0)
@@ -179,7 +186,7 @@ def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
 
 
 class _ModalState:
-    """The modal state of the controller after each block."""
+    """The modal state of the controller after each block, in columns."""
 
     def __init__(self, blocks: _Blocks, machine: Machine) -> None:
         count = blocks.count
@@ -269,7 +276,7 @@ class _ModalState:
 
 
 def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None:
-    """Add the faults of all blocks."""
+    """Add the faults in words, values and modes of all blocks, and in the program's end."""
     _check_words(blocks, state)
     settle = _settle_times(state, machine)
     _check_values(blocks, state, machine, settle)
@@ -278,7 +285,7 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
 
 
 def _check_words(blocks: _Blocks, state: _ModalState) -> None:
-    """Check that the words of each block belong together."""
+    """Check that each block has only words that may occur together, and all that they require."""
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(_MOTION)
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
@@ -308,9 +315,9 @@ def _check_words(blocks: _Blocks, state: _ModalState) -> None:
 
 
 def _settle_times(state: _ModalState, machine: Machine) -> F64:
-    """Return the dwell that each block needs after switching (s), (count,)."""
+    """Return the dwell (s) that each block needs after switching an output or the spindle."""
     tools = [expected_tool(held.tool) for held in machine.stations]
-    settle = np.maximum([*(tool.wait for tool in tools), 0.0], machine.settle)[state.station]
+    settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
     # A beam need not settle; it dwells until it has pierced the board.
     unused = 0.0 if has_beam(machine) else -1.0
     pierce = np.array([*(tool.beam.pierce if tool.beam else -1.0 for tool in tools), unused])
@@ -322,7 +329,7 @@ def _settle_times(state: _ModalState, machine: Machine) -> F64:
 
 
 def _check_values(blocks: _Blocks, state: _ModalState, machine: Machine, settle: F64) -> None:
-    """Check dwells, feeds, speeds, outputs, stations and line numbers."""
+    """Check the values of dwells, feeds, speeds, outputs, stations and line numbers."""
     fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
     timed = has_code(_DWELL)
     # A dwell of 0 only ends blending; all others are for settling after switching.
@@ -359,7 +366,7 @@ def _check_values(blocks: _Blocks, state: _ModalState, machine: Machine, settle:
 
 
 def _check_modes(blocks: _Blocks, state: _ModalState, settle: F64) -> None:
-    """Check that moves come after the modes that they need, and after settling."""
+    """Check that moves come after the modes that they need, and after the dwell for settling."""
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(_MOTION)
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count
@@ -388,7 +395,7 @@ def _check_modes(blocks: _Blocks, state: _ModalState, settle: F64) -> None:
 
 
 def _check_end(blocks: _Blocks, state: _ModalState) -> None:
-    """Check that the program ends, and that it ends in the safe state."""
+    """Check that the program ends with M2 or M30, in the safe state and with nothing after it."""
     fault, has_code = blocks.fault, blocks.has_code
     ends = has_code(_END)
     if not ends.any():
@@ -404,8 +411,8 @@ def _check_end(blocks: _Blocks, state: _ModalState) -> None:
     fault(here & (state.offset_of >= 0), Message("rs274.ends-with-offset"))
 
 
-def _switches(blocks: _Blocks, state: _ModalState, moving: I64) -> Switches:
-    """Return the lines that switch; ``moving`` contains the blocks of the moves."""
+def _switching_lines(blocks: _Blocks, state: _ModalState, moving: I64) -> Switches:
+    """Return the program lines that switch; ``moving`` holds the indices of blocks with moves."""
     rows = np.flatnonzero(
         blocks.has_code(_OUTPUT) | blocks.has_code(_SPINDLE) | blocks.has_code(_CHANGE)
     )
@@ -451,12 +458,15 @@ def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
         waited=state.waited[rows],
         uses_tool_table=state.uses_tool_table,
         dwell=state.dwell,
-        switches=_switches(blocks, state, rows),
+        switches=_switching_lines(blocks, state, rows),
     )
 
 
 def _make_arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F64, F64]:
-    """Return centres (mm) and signed sweeps (radians); an invalid arc is a fault, sweep 0."""
+    """Return the centres of arcs, (n, 2) mm, and their signed sweeps, (n,) radians.
+
+    A line has centre NaN and sweep 0.  So has an invalid arc, which is also reported as a fault.
+    """
     curved = code >= 2
     from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
     centre = np.where(curved[:, None], start[:, :2] + from_start, np.nan)

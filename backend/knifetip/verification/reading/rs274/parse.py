@@ -1,6 +1,6 @@
-"""Parse the bytes of a program into words, with a list of faults by line.
+"""Parse the bytes of a program into words, and list the faults of its lines.
 
-    bytes -> ProgramWords: line, letter and number of every word
+    bytes -> ProgramWords: program line, letter and number of every word
 
 The bytes may come from any source.  Text that is not a program gives faults, not exceptions.
 """
@@ -42,7 +42,7 @@ _PLACEMENT: Final = re.compile(rb"\(placement X(-?\d+\.\d+) Y(-?\d+\.\d+)\)")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ProgramWords:
-    """n words in the order of the text, and the faults of its lines."""
+    """The n words of a program in the order of the text, and the faults of its lines."""
 
     line: I32  #: (n,) 1-based, ascending
     letter: U8  #: (n,) ASCII code of the capital letter
@@ -52,7 +52,7 @@ class ProgramWords:
 
 
 def comment_placement(text: bytes) -> tuple[float, float] | None:
-    """Return the placement in the program's header (mm), None if there is none."""
+    """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
     found = _PLACEMENT.search(text)
     return (float(found[1]), float(found[2])) if found else None
 
@@ -63,7 +63,7 @@ def parse_words(text: bytes) -> ProgramWords:
     Raises
     ------
     ProgramUnreadable
-        The text is not bytes, or is longer than 64 MB.
+        The text is not of type bytes, or is longer than 64 MB.
     """
     if not isinstance(text, bytes | bytearray | memoryview):
         raise ProgramUnreadable("program.not-bytes", type=type(text).__name__)
@@ -78,7 +78,10 @@ def parse_words(text: bytes) -> ProgramWords:
 
 
 def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
-    """Return the lines with a byte that grbl executes at once, even inside a comment."""
+    """Return faults for bytes that grbl executes as real-time commands, even inside a comment.
+
+    Each fault is (1-based line, message), in ascending order, at most ``_MAX_FAULTS``.
+    """
     raw = np.frombuffer(text, np.uint8)
     acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
     places = np.flatnonzero(acts)[:_MAX_FAULTS]
@@ -91,10 +94,10 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
 @kernel(checks_division=True)
 def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
-    """Scan all bytes once; a line with a fault keeps its other words.
+    """Scan the bytes of a program once; a line with a fault keeps its valid words.
 
-    Returns line, letter and value of the words, rows of faults (line, code, byte), and the number
-    of lines.
+    Returns ------- Program line, letter and value of each word, (n,) each; program line, fault code
+    and wrong byte of each fault, (k, 3); and the number of lines.
     """
     letters = 0
     for byte in raw:

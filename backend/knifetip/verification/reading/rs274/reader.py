@@ -14,16 +14,19 @@ from knifetip.verification.reading.rs274.parse import comment_placement, parse_w
 
 
 class Rs274Reader:
-    """Reads programs for LinuxCNC (with T words) and for grblHAL (without)."""
+    """Reader of RS274/NGC programs, for LinuxCNC (with T words) and grblHAL (without them)."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in the header's comment (mm), None if there is none."""
+        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
         return comment_placement(text)
 
     def read(
         self, text: bytes, machine: Machine, board: Board
     ) -> tuple[Moves, list[tuple[int, Message]]]:
-        """Return the moves and the faults: (1-based line, message), ascending."""
+        """Return the moves of a program, and its faults (1-based line, message) in ascending order.
+
+        Raises ProgramUnreadable if the text is not of type bytes or is too large.
+        """
         del board  # the program moves every axis
         moves, faults = interpret(parse_words(text), machine)
         if not moves.uses_tool_table:
