@@ -85,6 +85,8 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         edges.confidence,
         tuple(edges.reasons.messages),
         tuple(edges.reasons.alternatives),
+        features.sides,
+        features.part,
     )
 
 

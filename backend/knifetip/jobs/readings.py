@@ -45,6 +45,8 @@ def edge_block(drawing: Drawing, dieline: Dieline, report: Report) -> bytes:
             "linetype": drawing.linetype,
             "rule": dieline.rule,
             "confidence": dieline.confidence,
+            "face": dieline.face,
+            "part": dieline.part,
             "length": drawing.lengths,
             "outcome": report.outcome,
             "reason": report.reason,
@@ -111,6 +113,8 @@ def unpacked_reading(edges: bytes) -> tuple[Drawing, Dieline]:
         columns["confidence"],
         tuple(map(from_json, meta.get("rule_messages") or meta["rules"])),
         tuple(tuple(LineType.of(word) for word in words) for words in meta["alternatives"]),
+        columns["face"],
+        columns["part"],
     )
     return drawing, dieline
 

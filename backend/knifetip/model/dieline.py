@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 
 import numpy as np
@@ -46,7 +46,11 @@ class LineType(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Dieline:
-    """n edges in the order of the drawing, not yet connected to paths."""
+    """n edges in the order of the drawing, not yet connected to paths.
+
+    Faces and parts come from the planar graph of all edges that may belong to the carton, whatever
+    their line types.  Edges that the profile ignores are in no part and have no faces.
+    """
 
     ends: F64  #: (n, 2, 2) mm
     bulge: F64  #: (n,) tan(sweep / 4)
@@ -57,6 +61,11 @@ class Dieline:
     rules: tuple[Message, ...]  #: reasons: ``layer "FOLDS"``, ``override`` …
     #: for each of ``rules``, other line types of its edges, the likeliest first
     alternatives: tuple[tuple[LineType, ...], ...] = ()
+    #: (n, 2) faces on the left and on the right of the longest piece of each edge, -1 for the
+    #: outside of all contours; -1 on both sides if the edge is in no part or has no length
+    face: I32 = field(default_factory=lambda: np.zeros((0, 2), np.int32))
+    #: (n,) number that is equal for the edges of one blank and all that lies in it, -1 for none
+    part: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -67,6 +76,10 @@ class Dieline:
         put(self, "source", freeze(self.source, np.int32, rows))
         put(self, "rule", freeze(self.rule, np.int32, rows))
         put(self, "confidence", freeze(self.confidence, np.float64, rows))
+        for name, shape in (("face", (rows, 2)), ("part", (rows,))):
+            column = getattr(self, name)
+            filled = column if len(column) else np.full(shape, -1, np.int32)
+            put(self, name, freeze(filled, np.int32, *shape))
         spare = len(self.rules) - len(self.alternatives)
         if spare < 0:
             raise ValueError("more alternatives than rules")

@@ -17,7 +17,7 @@ import numpy as np
 from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.kernels import F64_1, F64_2, I32_1, kernel
-from knifetip.topology.nesting import enclosing_faces, find_left_neighbours
+from knifetip.topology.graph_nesting import enclosing_faces, find_left_neighbours
 from knifetip.topology.planar_graph import PlanarGraph
 from knifetip.topology.segment import BULGE
 

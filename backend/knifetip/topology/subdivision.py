@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.geometry.chain import number_vertices
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import JOIN
-from knifetip.topology.containment import enclosing_by_rays
+from knifetip.topology.exact_nesting import find_enclosing_faces
 from knifetip.topology.faces import trace_sides
 from knifetip.topology.planar_graph import connected_components
 from knifetip.topology.vertices import first_coincident
@@ -68,7 +68,7 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
     component, _ = connected_components(position, first, last)
     face = np.stack([left, right], axis=1)
     outer: Bool = area < _LEAST_AREA
-    enclosing, depth = enclosing_by_rays(
+    enclosing, depth = find_enclosing_faces(
         position[first], position[last], bulge, face, outer, component
     )
     return Subdivision(face.astype(np.int64), outer, component.astype(np.int64), enclosing, depth)

@@ -11,7 +11,7 @@ import pytest
 from knifetip.classification.shape import arrows, features, measures, part_kinds
 from knifetip.classification.shape.features import ShapeFeatures, extract_shape_features
 from knifetip.model.drawing import Drawing
-from knifetip.topology import dash_rows, gap_links, intersections, nesting
+from knifetip.topology import dash_rows, gap_links, graph_nesting, intersections
 from tests.support.cartons import random_drawings
 
 
@@ -31,7 +31,7 @@ def test_several_cores_compute_the_same_as_one(seed: int, monkeypatch: pytest.Mo
     one = _features(drawing)
     for module in (
         *(arrows, features, measures, part_kinds),
-        *(dash_rows, gap_links, intersections, nesting),
+        *(dash_rows, gap_links, graph_nesting, intersections),
     ):
         monkeypatch.setattr(module, "chunks", _five_chunks)
     five = _features(drawing)

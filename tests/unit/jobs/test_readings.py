@@ -43,7 +43,7 @@ def same(one: tuple[Drawing, Dieline], other: tuple[Drawing, Dieline]) -> None:
         assert (getattr(one[0], name) == getattr(other[0], name)).all()
     for name in ("layers", "linetypes", "handles", "unit"):
         assert getattr(one[0], name) == getattr(other[0], name)
-    for name in ("ends", "bulge", "line_type", "source", "confidence"):
+    for name in ("ends", "bulge", "line_type", "source", "confidence", "face", "part"):
         assert (getattr(one[1], name) == getattr(other[1], name)).all()
     words = [[line.rules[rule] for rule in line.rule] for _, line in (one, other)]
     assert words[0] == words[1]

@@ -70,6 +70,8 @@ class ShapeFeatures:
     component: I32  #: (n,) connected component of the graph, -1 for none
     faces: I32  #: (n, 2) faces on the left and right of its longest piece
     face_area: F64  #: (f,) ≤ 0 for the outer face of a component
+    sides: I32  #: (n, 2) as ``faces``, with the face round its component for an outer face, or -1
+    part: I32  #: (n,) outermost component that the edge belongs to or lies in, -1 for none
 
     def spread(self, count: int, rows: I64, role: Role) -> ShapeFeatures:
         """Return the features of ``count`` edges of which these n edges are some.
@@ -90,7 +92,7 @@ class ShapeFeatures:
                 columns[field.name] = column
                 continue
             filled = np.zeros((count, *column.shape[1:]), column.dtype)
-            if field.name in ("component", "coincident"):
+            if field.name in ("component", "coincident", "sides", "part"):
                 filled[:] = -1
             elif field.name == "role":
                 filled[:] = role
@@ -150,6 +152,8 @@ def _no_features(count: int) -> ShapeFeatures:
         np.full(count, -1, np.int32),
         np.zeros((count, 2), np.int32),
         np.zeros(1),
+        np.full((count, 2), -1, np.int32),
+        np.full(count, -1, np.int32),
     )
 
 
@@ -202,6 +206,7 @@ class _Extraction(NamedTuple):
             _sum_pieces(graph.first, pieces, narrow, edges, *chunk)
 
         parallel_map(sum_up, chunks(count, MIN_CHUNK))
+        sides = np.where(edges.length[:, None] > 0.0, _bounded_faces(faces)[edges.faces], -1)
         _fill_short_edges(edges, graph, self.ends, length, touch)
         # Component -1 takes the last entry: a drawing of only very short edges has no component.
         near_text: Bool = np.append(kinds.near_text, np.False_)[edges.component]
@@ -217,7 +222,34 @@ class _Extraction(NamedTuple):
             edges.component,
             edges.faces,
             faces.area,
+            sides,
+            np.append(_outermost_components(faces, kinds.inside), np.int32(-1))[edges.component],
         )
+
+
+def _bounded_faces(faces: Faces) -> I32:
+    """Return each face itself, and for an outer face the face around its component or -1, (f,)."""
+    bounded = np.arange(len(faces.area), dtype=np.int32)
+    bounded[faces.outer_face] = faces.enclosing
+    return bounded
+
+
+def _outermost_components(faces: Faces, inside: Bool) -> I32:
+    """Return for each component the outermost one around it, (c,); itself if it is in no blank.
+
+    Parameters
+    ----------
+    inside : (c,)
+        Whether a component lies in a face of a blank.
+    """
+    own = np.arange(len(inside), dtype=np.int32)
+    outermost = np.where(
+        inside & (faces.enclosing >= 0), faces.component[faces.enclosing], own
+    ).astype(np.int32)
+    # Each round doubles the number of levels that are skipped.
+    while (farther := outermost[outermost]).tobytes() != outermost.tobytes():
+        outermost = farther
+    return outermost
 
 
 class _Pieces(NamedTuple):

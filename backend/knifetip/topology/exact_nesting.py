@@ -1,4 +1,4 @@
-"""containment: the bounded face that holds each component of edges that meet only at their ends.
+"""exact_nesting: the bounded face around each component of edges that meet exactly at their ends.
 
     edges, the faces on their sides, their components -> enclosing face and depth of each component
 
@@ -35,7 +35,7 @@ _SPAN: Final = 8
 _MARGIN: Final = 1e-6
 
 
-def enclosing_by_rays(
+def find_enclosing_faces(
     start: F64, end: F64, bulge: F64, face: I32, outer: Bool, component: I32
 ) -> tuple[I64, I64]:
     """Return the bounded face around each component, -1 for none, and its nesting depth.

@@ -1,4 +1,4 @@
-"""nesting: the face in which each component of a graph lies.
+"""graph_nesting: the face of a drawing's planar graph in which each component lies.
 
     PlanarGraph -> first piece to the left of each component -> enclosing face of each component
 
