@@ -7,14 +7,15 @@ A layer that the file uses but does not define is colour 7, Continuous, on and t
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
-
-from ezdxf.document import Drawing as Document
-from ezdxf.entities.dxfgfx import DXFGraphic
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.encoding import spelled
 from knifetip.messages import Message
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing as Document
+    from ezdxf.entities.dxfgfx import DXFGraphic
 
 #: Linetype of entities that give none.
 BYLAYER: Final = "BYLAYER"

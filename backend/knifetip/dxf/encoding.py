@@ -5,13 +5,23 @@ bytes, header variables -> name of an encoding          text with escapes -> tex
 
 from __future__ import annotations
 
-from ezdxf.lldxf.encoding import decode_dxf_unicode, has_dxf_unicode
-from ezdxf.tools.codepage import toencoding
+import re
+from typing import Final
+
+#: A character that is written by its code point: ``\U+5200``.
+_ESCAPE: Final = re.compile(r"\\U\+([A-Fa-f0-9]{4})")
+#: Python's names of the code pages in $DWGCODEPAGE, by the digits at its end.
+CODE_PAGES: Final = {
+    **{str(page): f"cp{page}" for page in range(1250, 1259)},
+    **{"874": "cp874", "932": "cp932", "936": "gbk", "949": "cp949", "950": "cp950"},
+}
 
 
 def spelled(name: str) -> str:
     """Return a name with the format's own way to write foreign letters, ``\\U+5200``, undone."""
-    return decode_dxf_unicode(name) if has_dxf_unicode(name) else name
+    if "\\U+" not in name:
+        return name
+    return _ESCAPE.sub(lambda escape: chr(int(escape[1], 16)), name)
 
 
 def encoding_of(data: bytes, variables: dict[str, str]) -> str:
@@ -29,4 +39,5 @@ def encoding_of(data: bytes, variables: dict[str, str]) -> str:
         except UnicodeDecodeError:
             return "cp1252"
         return "utf-8"
-    return toencoding(page)
+    known = (name for digits, name in CODE_PAGES.items() if page.endswith(digits))
+    return next(known, "cp1252")

@@ -12,8 +12,6 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.dxf.ezdxf_reader.document import describe_error
-from knifetip.dxf.ezdxf_reader.reader import read_with_ezdxf
 from knifetip.dxf.fast_reader.reader import read_fast
 from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
@@ -58,12 +56,17 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         with np.errstate(all="ignore"):
             found = read_fast(data, unit or "", limits)
             if found is None:
+                # ezdxf is slow to import, and most files do not need it.
+                from knifetip.dxf.ezdxf_reader.reader import read_with_ezdxf
+
                 found = read_with_ezdxf(data, unit or "", limits)
             return found
     except KnifetipError:
         raise
     except Exception as error:
         # ezdxf may raise anything on hostile bytes; a user's file must not end in a traceback.
+        from knifetip.dxf.ezdxf_reader.document import describe_error
+
         reason = f"{type(error).__name__}: {describe_error(error)}"
         raise NotADrawing("reading.damaged", format="DXF", reason=reason) from error
 

@@ -19,6 +19,7 @@ from numba.core import errors, typing
 from numba.core.registry import CPUDispatcher
 from numba.core.typeconv import Conversion
 
+from knifetip.kernels.cache import KernelCache
 from knifetip.kernels.declare import argument_types
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
@@ -26,6 +27,19 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 class Kernel(CPUDispatcher):
     """A function that is compiled for the signature that its annotations declare."""
+
+    def enable_caching(self) -> None:
+        """Keep the machine code beside the source."""
+        del self._cache  # numba's "no cache"; the property below takes its place
+
+    @cached_property
+    def _cache(self) -> KernelCache:
+        """Return the cache files of this kernel.
+
+        Created at first use: numba looks for a folder where it may write, and most kernels of
+        a command are never called.
+        """
+        return KernelCache(self.py_func)
 
     @cached_property
     def declared(self) -> dict[str, Any]:

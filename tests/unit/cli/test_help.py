@@ -4,10 +4,34 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 from knifetip.cli.main import COMMANDS, load_command
+from knifetip.dxf.samples import samples
 
-_HEAVY = ("ezdxf", "fastapi", "numba", "numpy", "shapely", "sqlalchemy")
+_SERVICE = ("alembic", "dbos", "fastapi", "httpx", "psycopg", "sqlalchemy", "uvicorn")
+_READERS = ("cssselect2", "ezdxf", "pypdf", "tinycss2")
+#: Implementations that numba imports when it prepares to compile.
+_COMPILER = ("numba.cpython.printimpl", "numba.misc.cffiimpl")
+
+
+def _loaded(*arguments: object, modules: tuple[str, ...]) -> tuple[str, list[str]]:
+    """Run a command in its own process; return its output and which of some modules it imports."""
+    program = (
+        "import sys\n"
+        "from knifetip.cli.main import app\n"
+        "code = app(sys.argv[1:], standalone_mode=False)\n"
+        "assert not code, code\n"
+        f"print('loaded:', *(name for name in {modules!r} if name in sys.modules))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, *map(str, arguments)], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    text, _, loaded = done.stdout.rpartition("loaded:")
+    return text, loaded.split()
 
 
 def test_the_list_shows_the_first_sentence_of_every_help_text() -> None:
@@ -18,13 +42,21 @@ def test_the_list_shows_the_first_sentence_of_every_help_text() -> None:
 
 
 def test_help_does_not_import_slow_modules() -> None:
-    program = (
-        "import sys\n"
-        "from knifetip.cli.main import app\n"
-        "app(['--help'], standalone_mode=False)\n"
-        f"print('loaded:', *(name for name in {_HEAVY!r} if name in sys.modules))"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    assert "classify" in done.stdout
-    assert done.stdout.splitlines()[-1].split() == ["loaded:"]
+    text, loaded = _loaded("--help", modules=(*_SERVICE, *_READERS, "numba", "numpy", "rich"))
+    assert "classify" in text
+    assert loaded == []
+
+
+@pytest.mark.parametrize("command", ["classify", "program"])
+def test_commands_on_a_drawing_import_no_other_reader_and_no_compiler(
+    command: str, tmp_path: Path
+) -> None:
+    drawing = tmp_path / "carton.dxf"
+    drawing.write_bytes(samples()["tuck-end-carton.dxf"])
+    arguments: list[object] = [command, drawing]
+    if command == "program":
+        arguments += ["--machine", "demo-table", "--board", "fbb-0.4", "-o", tmp_path / "o.ngc"]
+    never = (*_SERVICE, *_READERS, "rich", "shapely")
+    _loaded(*arguments, modules=never)  # compiles what is not compiled yet
+    _, loaded = _loaded(*arguments, modules=(*never, *_COMPILER))
+    assert loaded == []

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -196,3 +199,27 @@ def test_every_kernel_of_the_package_declares_one_signature() -> None:
         assert len(each.declared) == each.py_func.__code__.co_argcount
         assert len(each.signatures) <= 1
     assert len({each.py_func for each in found}) == len(found)
+
+
+def test_a_loaded_kernel_is_linked_into_one_that_is_compiled_later(tmp_path: Path) -> None:
+    (tmp_path / "two.py").write_text(
+        "from knifetip.kernels import F64_1, kernel\n"
+        "@kernel\ndef total(values: F64_1) -> float:\n    return values.copy().sum()\n"
+        "@kernel\ndef twice(values: F64_1) -> float:\n    return 2.0 * total(values)\n"
+    )
+    program = (
+        "import sys, numpy as np, two\n"
+        "for name in sys.argv[1:]:\n    assert getattr(two, name)(np.ones(3)) > 2.0\n"
+        "print(*(len(getattr(two, name)._cache_hits) for name in sys.argv[1:]))"
+    )
+
+    def hits(*names: str) -> str:
+        done = subprocess.run(
+            [sys.executable, "-c", program, *names], cwd=tmp_path, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    assert hits("total") == "0"
+    assert hits("total", "twice") == "1 0"
+    assert hits("twice", "total") == "1 1"

@@ -12,10 +12,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
-from ezdxf.entities.dxfgfx import DXFGraphic
 
 from knifetip.dxf.shapes import (
     chain_count,
@@ -30,6 +29,9 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.ellipse import Ellipse
 from knifetip.geometry.spline import Spline
 from knifetip.messages import Message
+
+if TYPE_CHECKING:
+    from ezdxf.entities.dxfgfx import DXFGraphic
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -13,8 +13,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-from ezdxf.lldxf.tagger import binary_tags_loader
-
 from knifetip.dxf.annotations import WORDS, of_tags
 from knifetip.dxf.encoding import encoding_of, spelled
 from knifetip.dxf.location_boxes import around
@@ -184,6 +182,8 @@ def _ascii_tags(data: bytes, found: Prescan) -> tuple[list[int], list[bytes]]:
 
 
 def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
+    from ezdxf.lldxf.tagger import binary_tags_loader  # slow to import; the fast reader does not
+
     codes: list[int] = []
     values: list[Any] = []
     # Entities before the damage are counted; the reader reports the damage.

@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from ezdxf.lldxf.types import BINARY_DATA, POINT_CODES, TYPE_TABLE
 
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import keywords as w
@@ -27,14 +26,21 @@ THIRD: Final = np.array([-1, -1, w.DB_ARC, -1, -1, -1, -1])
 #: Type of the value of a group code.
 TEXT_VALUE, DECIMAL, INTEGER, HEX = range(4)
 LAST_CODE: Final = 1071
-TYPE: Final = np.array(
-    [
-        HEX if code in BINARY_DATA else {float: 1, int: 2}.get(TYPE_TABLE.get(code, str), 0)
-        for code in range(LAST_CODE + 1)
-    ]
+#: Type of the value by group code ("Group Code Value Types" in the DXF reference), shape (1072,).
+TYPE: Final = np.full(LAST_CODE + 1, TEXT_VALUE)
+for _type, _ranges in (
+    (DECIMAL, ((10, 59), (110, 149), (210, 239), (460, 469), (1010, 1059))),
+    (INTEGER, ((60, 79), (90, 99), (160, 179), (270, 299), (370, 389), (400, 409), (420, 429),
+               (440, 459), (1060, 1071))),
+    (HEX, ((310, 319), (1004, 1004))),
+):  # fmt: skip
+    for _first, _last in _ranges:
+        TYPE[_first : _last + 1] = _type
+#: Mask of the group codes of an x coordinate, which its y coordinate must follow, shape (1072,).
+IS_POINT: Final = np.isin(
+    np.arange(LAST_CODE + 1),
+    [*range(10, 19), *range(110, 113), *range(210, 214), *range(1010, 1014)],
 )
-#: Codes of an x, which its y must follow.
-IS_POINT: Final = np.isin(np.arange(LAST_CODE + 1), list(POINT_CODES))
 
 #: Codes that are read; the others are skipped.
 MEANS: Final = np.zeros(LAST_CODE + 1, np.bool_)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -24,7 +24,6 @@ from knifetip.dxf.annotations import WORDS
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.block_expansion import Block, BlockExpansion, Entry, Reference, idle
 from knifetip.dxf.ezdxf_reader.entities import Drawn, Lines, Undrawable
-from knifetip.dxf.ezdxf_reader.ezdxf_entity import EntityReader, EzdxfEntity
 from knifetip.dxf.ezdxf_reader.place import columns, refuse_after, refuse_beyond, styled
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.fast_reader import fields as f
@@ -59,6 +58,9 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, Drawing
+
+if TYPE_CHECKING:
+    from knifetip.dxf.ezdxf_reader.ezdxf_entity import EzdxfEntity
 
 #: Columns of an entity's style.
 _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
@@ -147,12 +149,15 @@ class FastReader:
 
     def _read_odd(self) -> dict[int, EzdxfEntity]:
         """Return the odd entities, read with ezdxf, by their rows."""
+        is_odd = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
+        if not is_odd.any():
+            return {}
+        from knifetip.dxf.ezdxf_reader.ezdxf_entity import EntityReader  # imports ezdxf: slow
+
         singles = EntityReader(self.tables.version, self.tables.encoding)
         until = time.monotonic() + self.limits.seconds
         odd = {}
-        for row in np.flatnonzero(self.entity[:, f.ODD]).tolist():
-            if self._is_word[self.entity[row, f.WORD]]:
-                continue
+        for row in np.flatnonzero(is_odd).tolist():
             refuse_after(until, self.limits)
             low, high = self.entity[row, [f.START, f.END]].tolist()
             try:

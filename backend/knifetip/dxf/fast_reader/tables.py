@@ -10,9 +10,6 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from ezdxf.entities.dxfentity import DXFTagStorage
-from ezdxf.entities.dxfgfx import DXFGraphic
-from ezdxf.entities.factory import ENTITY_CLASSES
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
@@ -24,8 +21,16 @@ from knifetip.dxf.fast_reader.scan import Scan
 
 #: Characters that DXF does not allow in names; ezdxf reads such files.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
-#: Records among entities that ezdxf accepts.
-_GRAPHIC: Final = (DXFGraphic, DXFTagStorage)
+#: Records of the DXF reference that are no entities.  ezdxf refuses a file with one of them among
+#: its entities, but accepts unknown names there.
+NO_ENTITIES: Final = {
+    "ACDBDICTIONARYWDFLT", "ACDBPLACEHOLDER", "APPID", "BLOCK", "BLOCK_RECORD", "CLASS",
+    "DGNDEFINITION", "DICTIONARY", "DICTIONARYVAR", "DIMSTYLE", "DWFDEFINITION", "ENDBLK",
+    "FIELDLIST", "GEODATA", "GROUP", "IDBUFFER", "IMAGEDEF", "IMAGEDEF_REACTOR", "LAYER",
+    "LAYER_FILTER", "LAYOUT", "LTYPE", "MATERIAL", "MLEADERSTYLE", "MLINESTYLE", "PDFDEFINITION",
+    "PLOTSETTINGS", "RASTERVARIABLES", "SORTENTSTABLE", "SPATIAL_FILTER", "STYLE", "SUN", "TABLE",
+    "UCS", "VBA_PROJECT", "VIEW", "VISUALSTYLE", "VPORT", "WIPEOUTVARIABLES", "XRECORD",
+}  # fmt: skip
 _VERSIONS: Final = (
     *("", "AC1002", "AC1003", "AC1004", "AC1006", "AC1009", "AC1012", "AC1014"),
     *("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"),
@@ -100,9 +105,7 @@ class Tables:
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
         }
         for word in words.values():
-            # ezdxf refuses a file with records that are no entities in these places.
-            cls = ENTITY_CLASSES.get(word, DXFTagStorage)
-            if word != word.upper() or not word.isascii() or not issubclass(cls, _GRAPHIC):
+            if word != word.upper() or not word.isascii() or word in NO_ENTITIES:
                 raise Unsupported
         return words
 

@@ -1,0 +1,111 @@
+"""Loading of machine code from disk without what numba needs only to compile.
+
+numba prepares a whole compiler when it loads the first kernel: it imports its implementations of
+Python's and NumPy's functions, and parses the LLVM code of each kernel in case another kernel
+calls it.  A command that runs only compiled kernels needs neither.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import llvmlite.binding as llvm
+from numba.core.caching import CompileResultCacheImpl, FunctionCache
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompileResult
+from numba.core.runtime import rtsys
+
+
+class _LoadedLibrary(JITCodeLibrary):
+    """Machine code of one kernel, with its LLVM code for kernels that are compiled later."""
+
+    _bitcode: bytes | None = None
+    _parsed: Any = None
+
+    @property
+    def _shared_module(self) -> Any:
+        """The LLVM code, parsed when a kernel is compiled that calls this one."""
+        if self._parsed is None and self._bitcode is not None:
+            self._parsed = llvm.parse_bitcode(self._bitcode)
+        return self._parsed
+
+    @_shared_module.setter
+    def _shared_module(self, module: Any) -> None:
+        self._parsed = module
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """Return the address of a function of this library."""
+        return int(self._codegen._engine.get_function_address(name))
+
+    @classmethod
+    def load(cls, codegen: Any, stored: tuple[str, str, tuple[bytes, bytes]]) -> _LoadedLibrary:
+        """Return the library of a cache file, with its machine code ready to run.
+
+        Parameters
+        ----------
+        codegen
+            Code generator of the processor, which owns the memory of machine code.
+        stored
+            Name of the library, ``"object"``, and its machine code and LLVM code, as written by
+            numba's ``serialize_using_object_code``.
+        """
+        name, _kind, (machine_code, bitcode) = stored
+        library = cls(codegen, name)
+        library.enable_object_caching()
+        library._set_compiled_object(machine_code)
+        library._bitcode = bitcode
+        library._finalize_final_module()
+        return library
+
+
+class _StoredKernel(CompileResultCacheImpl):
+    """Conversion between a compiled kernel and the content of its cache file."""
+
+    def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:
+        """Return the compiled kernel in the content of a cache file.
+
+        ``payload`` is what numba's ``CompileResult._reduce`` returned when the file was written.
+        """
+        stored, descriptor, environment, signature, object_mode, lifted, annotation, *rest = payload
+        reload_init, referenced_environments = rest
+        for initialise in reload_init:
+            initialise()
+        library = _LoadedLibrary.load(target_context.codegen(), stored)
+        result = CompileResult(
+            target_context=target_context,
+            typing_context=target_context.typing_context,
+            library=library,
+            environment=environment,
+            entry_point=target_context.get_executable(library, descriptor, environment),
+            fndesc=descriptor,
+            type_annotation=annotation,
+            signature=signature,
+            objectmode=object_mode,
+            lifted=lifted,
+            typing_error=None,
+            call_helper=None,
+            metadata=None,
+            reload_init=reload_init,
+            referenced_envs=referenced_environments,
+        )
+        for each in referenced_environments:
+            library.codegen.set_env(each.env_name, each)
+        return result
+
+
+class KernelCache(FunctionCache):
+    """The cache files of one kernel, beside its source."""
+
+    _impl_class = _StoredKernel
+
+    def load_overload(self, sig: Any, target_context: Any) -> CompileResult | None:
+        """Return the compiled kernel for a signature, or None if it is not in the cache.
+
+        numba refreshes the target first, which takes 0.15 s.  Only a compilation needs that, and
+        refreshes the target itself.  Machine code needs the functions that allocate memory.
+        """
+        rtsys.initialize(target_context)
+        with self._guard_against_spurious_io_errors():
+            loaded: CompileResult | None = self._load_overload(sig, target_context)
+            return loaded
+        return None
