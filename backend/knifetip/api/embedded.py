@@ -236,6 +236,8 @@ class _Server(uvicorn.Server):
         self.samples = samples
         self.table: _SimulatedMachine | None = None
         self._leaving = False
+        self._exit = asyncio.Event()
+        self._loop: asyncio.AbstractEventLoop | None = None
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         """Start the server, announce its URL, and add the samples in the background."""
@@ -253,6 +255,13 @@ class _Server(uvicorn.Server):
         for line in self.lines:
             self.announce(line)
 
+    async def main_loop(self) -> None:
+        """Update the Date header once a second until the server must exit (uvicorn: ten times)."""
+        self._loop = asyncio.get_running_loop()
+        while not await self.on_tick(0):
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._exit.wait(), 1.0)
+
     @property
     def _service(self) -> Service:
         service: Service = self.app.state.service
@@ -262,6 +271,7 @@ class _Server(uvicorn.Server):
         """Shut down in order at the first signal, immediately at the second."""
         if self._leaving or not self.started:
             super().handle_exit(sig, frame)
+            self._end_main_loop()
             return
         self._leaving = True
         threading.Thread(target=self._leave, daemon=True).start()
@@ -273,6 +283,13 @@ class _Server(uvicorn.Server):
         self._service.stop()
         time.sleep(0.25)
         self.should_exit = True
+        self._end_main_loop()
+
+    def _end_main_loop(self) -> None:
+        """Let the main loop see at once that the server must exit; called from any thread."""
+        if self._loop is not None:
+            with contextlib.suppress(RuntimeError):  # the loop is closed
+                self._loop.call_soon_threadsafe(self._exit.set)
 
 
 def _add_samples(service: Service) -> None:

@@ -24,7 +24,7 @@ from knifetip.messages.codes import STORED
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
-_LOOK = 1.0  # seconds between two queries of the queue for changes by other servers
+_LOOK = 2.0  # seconds between two queries of the queue for changes by other servers
 _SEEN = 2.0  # seconds between two records of a gateway's contact
 
 

@@ -84,7 +84,8 @@ class Grbl:
         Seconds without any answer, or with an answer due and nothing moving, after which the
         controller counts as silent.
     poll
-        Longest time between two ``?`` (s).
+        Longest time between two ``?`` while the machine works (s); at rest, with no line to
+        answer, it is a fifth of ``silence``.
     """
 
     def __init__(
@@ -450,6 +451,7 @@ class Grbl:
             await self._until(lambda: self._fits(sent))
             if not self._flight:
                 self._moved = self._now()
+                self._wake.set()
             self._flight.append(sent)
             self._used += sent.size
             if sent.number and not self._checking:
@@ -490,13 +492,13 @@ class Grbl:
         """Request reports regularly, and detect silence and lost answers."""
         with suppress(ControllerError):
             while True:
-                before = self._now()
+                before, interval = self._now(), self._interval()
                 await self._pause()
                 await self._transport.write(b"?")
                 if self.fault is not None or self._status is None or self._recovering:
                     continue
                 now = self._now()
-                if now - before > self._poll + self._silence / 2.0:
+                if now - before > interval + self._silence / 2.0:
                     # This process was busy and did not listen: no silence can be concluded.
                     self._heard = self._moved = now
                 if now - self._heard > self._silence:
@@ -516,11 +518,18 @@ class Grbl:
                         )
                     )
 
+    def _interval(self) -> float:
+        """Return the longest time between two ``?`` in the present state (s)."""
+        at_rest = self._status is not None and self._status.state is State.IDLE
+        if at_rest and not self._flight and not self._recovering:
+            return max(self._poll, self._silence / 5.0)
+        return self._poll
+
     async def _pause(self) -> None:
         """Wait until the next ``?``: shorter after an answer, or after a doubtful report."""
         start = self._now()
         while not self._doubt:
-            due = start + (min(GLANCE, self._poll) if self._glance else self._poll)
+            due = start + (min(GLANCE, self._poll) if self._glance else self._interval())
             if (left := due - self._now()) <= 0.0:
                 break
             self._wake.clear()

@@ -24,7 +24,6 @@ Compile: TypeAlias = Callable[[Job], None]
 #: Returns whether the kernels that a compile for a machine needs are compiled.
 IsReady: TypeAlias = Callable[[str], bool]
 
-_POLL = 0.5  # seconds between two looks for jobs that another process received
 _LOOK = 0.1  # seconds between two looks for kernels that jobs wait for
 _PATIENCE = 2.0  # seconds before a job states that it waits: at a start nothing is known yet
 _PAUSE = 1.0  # seconds before the next attempt after the database could not be used
@@ -51,17 +50,25 @@ class TableQueue:
         Name under which jobs are taken.
     at_once
         Number of jobs that are compiled at the same time.
+    poll
+        Time between two looks for jobs that another process received (s).
     is_ready
         Returns whether the kernels that a compile for a machine needs are compiled.  Jobs for
         other machines stay ``received``, so that they do not keep ready jobs waiting.
     """
 
     def __init__(
-        self, store: Store, worker: str, at_once: int, is_ready: IsReady = lambda _machine: True
+        self,
+        store: Store,
+        worker: str,
+        at_once: int,
+        poll: float,
+        is_ready: IsReady = lambda _machine: True,
     ) -> None:
         self._store = store
         self._worker = worker
         self._at_once = at_once
+        self._poll = poll
         self._is_ready = is_ready
         #: when each machine was first found without its kernels (s, monotonic clock)
         self._unready: dict[str, float] = {}
@@ -93,7 +100,7 @@ class TableQueue:
                     if not self._stopping.is_set():
                         _log.exception("a compile failed")
                     self._stopping.wait(_PAUSE)
-                self._received.wait(_LOOK if self._unready else _POLL)
+                self._received.wait(_LOOK if self._unready else self._poll)
 
     def _next_job(self) -> Job | None:
         """Take the oldest job whose kernels are compiled; None if there is none."""
@@ -118,6 +125,7 @@ def queue_of(
     store: Store,
     worker: str,
     at_once: int,
+    poll: float = 1.0,
     *,
     compiles: bool,
     is_ready: IsReady = lambda _machine: True,
@@ -126,6 +134,8 @@ def queue_of(
 
     Parameters
     ----------
+    poll
+        Time between two looks of a ``TableQueue`` for jobs of other processes (s).
     compiles
         False in a process that only receives jobs.
     is_ready
@@ -136,4 +146,4 @@ def queue_of(
         from knifetip.jobs.durable_queue import DurableQueue
 
         return DurableQueue(store, worker, at_once if compiles else 0)
-    return TableQueue(store, worker, at_once, is_ready) if compiles else None
+    return TableQueue(store, worker, at_once, poll, is_ready) if compiles else None

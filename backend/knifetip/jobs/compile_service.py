@@ -35,7 +35,10 @@ from knifetip.model.tool import Engine, kind_of
 
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
-_SWEEP = 1.0  # seconds between two sweeps
+_SWEEP = 1.0  # seconds between two sweeps while a job has a lease
+_REST = 3.0  # seconds between two sweeps otherwise: several in the duration of a lease
+_SERVER_POLL = 3.0  # seconds between two looks of a server for jobs that another process received
+_WORKER_POLL = 0.5  # the same of a worker, all of whose jobs are received by another process
 
 _log = logging.getLogger("knifetip.jobs")
 
@@ -70,8 +73,15 @@ class CompileService:
             self.store.compiles.recover(self.name)
         self._start_thread(self._sweep, "sweep")
         self.warm_up.start(self.pool)
+        # Jobs that this process receives notify the queue; a server has no others on SQLite.
+        poll = _SERVER_POLL if self.gateways else _WORKER_POLL
         self._queue = queue_of(
-            self.store, self.name, self.at_once, compiles=self.compiles, is_ready=self.is_ready
+            self.store,
+            self.name,
+            self.at_once,
+            poll,
+            compiles=self.compiles,
+            is_ready=self.is_ready,
         )
         if self._queue is not None:
             self._queue.start(self.compile)
@@ -102,13 +112,14 @@ class CompileService:
         grace = Grace()
         while not self._stopping.is_set():
             listened = grace.over(self.store.database.clock())
+            leased = True
             try:
-                self.store.leases.run(gateways=self.gateways and listened)
+                leased = self.store.leases.run(gateways=self.gateways and listened)
                 self.pool.trim()
             except Exception:
                 if not self._stopping.is_set():
                     _log.exception("the sweep failed")
-            self._stopping.wait(_SWEEP)
+            self._stopping.wait(_SWEEP if leased else _REST)
 
     def compile(self, job: Job) -> None:
         """Compile a job that ``begin_compile`` returned."""

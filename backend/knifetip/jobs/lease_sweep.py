@@ -29,7 +29,7 @@ class LeaseSweep:
         self._compiles = compiles
         self._gateways = gateways
 
-    def run(self, *, gateways: bool = True) -> None:
+    def run(self, *, gateways: bool = True) -> bool:
         """Take jobs back from owners whose lease has expired.
 
         A job on a table becomes ``interrupted``, never ``queued``; an unconfirmed claim is
@@ -39,15 +39,22 @@ class LeaseSweep:
         ----------
         gateways
             Whether leases of gateways expire; False while gateways could not reach this service.
+
+        Returns
+        -------
+        bool
+            Whether any job had a lease, expired or not.
         """
         now = self._db.clock()
         leased = Job.state == State.COMPILING
         if gateways:
             leased = sa.or_(leased, Job.state.in_(LEASED), CLAIMED)
         with self._db.reading() as session:
-            ids = list(session.scalars(sa.select(Job.id).where(leased, Job.lease < now)))
-        for id in ids:
-            self._take_back(id, now)
+            leases = session.execute(sa.select(Job.id, Job.lease).where(leased)).all()
+        for id, lease in leases:
+            if lease < now:
+                self._take_back(id, now)
+        return bool(leases)
 
     def _take_back(self, id: str, now: float) -> None:
         with self._db.writing() as session:

@@ -10,6 +10,7 @@ from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing, LocationBoxes
 
 reading = import_module("knifetip.dxf.read")
+ezdxf_reader = import_module("knifetip.dxf.ezdxf_reader.reader")
 
 _COLUMNS = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
 _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
@@ -17,7 +18,7 @@ _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 
 def ours(data: bytes) -> bool:
     """Whether our own reader accepts a file."""
-    wrapped = patch.object(reading, "read_with_ezdxf", wraps=reading.read_with_ezdxf)
+    wrapped = patch.object(ezdxf_reader, "read_with_ezdxf", wraps=ezdxf_reader.read_with_ezdxf)
     with wrapped as reference_reader, suppress(KnifetipError):
         reading.read(data)
     return not reference_reader.called

@@ -47,6 +47,7 @@ class Wire:
         self.mute = False
         self.lines: list[str] = []
         self.realtime = b""
+        self.asked = 0
         self.most = 0
         self._due = 0
         self._out: asyncio.Queue[bytes] = asyncio.Queue()
@@ -62,6 +63,7 @@ class Wire:
             self.realtime += data
             self.say(f"\n{BANNER}")
         elif data == b"?":
+            self.asked += 1
             if not self.mute:
                 self.say(f"<{self.state}|MPos:{self.position}|Bf:15,128>")
         elif data in (b"!", b"~"):
@@ -113,6 +115,19 @@ async def test_opening_resets_a_controller_at_rest_and_asks_for_its_buffers() ->
         assert wire.lines == ["$I"]
         assert controller.capacity == 35
         assert (await controller.status()).state is State.IDLE
+
+
+async def test_a_machine_at_rest_is_asked_rarely_until_a_line_is_sent() -> None:
+    wire = Wire()
+    async with opened(wire, silence=5.0) as controller:
+        await asyncio.sleep(0.1)
+        asked = wire.asked
+        await asyncio.sleep(0.3)
+        assert wire.asked - asked <= 1
+        wire.obliging = False
+        await controller.send(b"G1 X1", 1)
+        await asyncio.sleep(0.3)
+        assert wire.asked - asked >= 6
 
 
 @pytest.mark.parametrize("state", ["Run", "Hold:0", "Jog", "Home", "Door:1"])

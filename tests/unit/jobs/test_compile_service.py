@@ -211,7 +211,7 @@ def test_received_jobs_are_compiled_without_waiting_for_the_next_poll(
     compiles_by: Callable[[object], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("knifetip.jobs.compile_queue._POLL", 60.0)
+    monkeypatch.setattr("knifetip.jobs.compile_service._SERVER_POLL", 60.0)
     compiles_by(crew_tasks.refuse)
     service.start()
     ended(store, job.id, "refused")
@@ -239,10 +239,11 @@ def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
         "knifetip.jobs.compile_service.Grace.over", lambda _grace, _now: len(asked) >= 1
     )
 
-    def sweep(*, gateways: bool) -> None:
+    def sweep(*, gateways: bool) -> bool:
         asked.append(gateways)
         if len(asked) == 2:
             service._stopping.set()
+        return True
 
     monkeypatch.setattr(store.leases, "run", sweep)
     service.gateways = gateways

@@ -344,12 +344,13 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     job = running(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=199))
     clock.now += LEASE - 0.1
-    store.leases.run()
+    assert store.leases.run()
     assert store.jobs.get(job.id).state == "running"
     clock.now += 0.2
-    store.leases.run()
+    assert store.leases.run()
     job = store.jobs.get(job.id)
     assert job.state == "interrupted"
+    assert not store.leases.run()
     assert str(job.message) == (
         "Interrupted at line 199 of 231. The gateway gateway fell silent. The machine may have "
         "executed more lines than it reported."
