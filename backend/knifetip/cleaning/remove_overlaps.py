@@ -23,7 +23,16 @@ from knifetip.geometry.capacity import reserve_f64_2, reserve_i64_2
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE, POINT, SAME
 from knifetip.geometry.unique_rows import unique_rows
-from knifetip.kernels import F64_2, I64_1, Bool_2, kernel
+from knifetip.kernels import (
+    F64_2,
+    I64_1,
+    Bool_2,
+    OutF64_1,
+    OutF64_2,
+    OutI64_2,
+    inline_kernel,
+    kernel,
+)
 
 #: Limits of stretches, in total and per edge: if each edge overlaps hundreds of others, their
 #: number grows with the square of that of edges.
@@ -144,6 +153,52 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
     return twin
 
 
+@inline_kernel
+def _covered(
+    rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
+) -> int:
+    """Return 1 if piece p covers a stretch of edge e, else 0.
+
+    Writes into ``out`` the start and end of the stretch (0 … 1 of the edge), p, and the column of
+    the piece's end point that the edge meets first: 0 or 2.
+    """
+    low, high = range_of(rows, e, piece[p])
+    # Ends within the tolerance are equal.
+    if low * length < same:
+        low = 0.0
+    if (1.0 - high) * length < same:
+        high = 1.0
+    if (high - low) * length <= same:
+        return 0
+    reversed_ = place_of(rows, e, piece[p, 0], piece[p, 1]) > place_of(
+        rows, e, piece[p, 2], piece[p, 3]
+    )
+    if abs(rows[e, 4]) >= BULGE:
+        reversed_ = (piece[p, 4] < 0.0) != (rows[e, 4] < 0.0)
+    out[0], out[1], out[2], out[3] = low, high, p, 2 if reversed_ else 0
+    return 1
+
+
+@inline_kernel
+def _add_stretch(
+    cover: OutF64_2,
+    source: OutI64_2,
+    count: int,
+    begin: float,
+    end: float,
+    edge: int,
+    piece: int,
+    given: bool,
+) -> int:
+    """Append a stretch of an edge and the piece that covers it; return the number of stretches.
+
+    ``given`` is True if the piece belongs to another edge.
+    """
+    cover[count, 0], cover[count, 1] = begin, end
+    source[count, 0], source[count, 1], source[count, 2] = edge, piece, given
+    return count + 1
+
+
 @kernel
 def _remove(
     rows: F64_2,
@@ -160,7 +215,7 @@ def _remove(
     piece = np.empty((count + 64, 5))
     owner = np.empty((count + 64, 1), np.int64)
     cover = np.empty((2 * count + 64, 2))
-    told = np.empty((2 * count + 64, 3), np.int64)  # edge, piece, given up
+    source = np.empty((2 * count + 64, 3), np.int64)
     claim = np.empty((64, 6))
     first = np.zeros(count, np.int64)
     last = np.zeros(count, np.int64)
@@ -177,38 +232,16 @@ def _remove(
             if not hides[kind[f], kind[e]]:
                 continue
             for p in range(first[f], last[f]):
-                low, high = range_of(rows, e, piece[p])
-                # Ends within the tolerance are equal.
-                if low * length < same:
-                    low = 0.0
-                if (1.0 - high) * length < same:
-                    high = 1.0
-                if (high - low) * length <= same:
-                    continue
                 claim = reserve_f64_2(claim, claims + 1)
-                turned = place_of(rows, e, piece[p, 0], piece[p, 1]) > place_of(
-                    rows, e, piece[p, 2], piece[p, 3]
-                )
-                if abs(rows[e, 4]) >= BULGE:
-                    turned = (piece[p, 4] < 0.0) != (rows[e, 4] < 0.0)
-                claim[claims, 0] = low
-                claim[claims, 1] = high
-                claim[claims, 2] = p
-                claim[claims, 3] = 2 if turned else 0
-                claims += 1
+                claims += _covered(rows, e, piece, p, length, same, claim[claims])
         piece = reserve_f64_2(piece, pieces + claims + 1)
         owner = reserve_i64_2(owner, pieces + claims + 1)
         cover = reserve_f64_2(cover, stretches + 2 * claims + 1)
-        told = reserve_i64_2(told, stretches + 2 * claims + 1)
+        source = reserve_i64_2(source, stretches + 2 * claims + 1)
         if claims == 0:
             piece[pieces] = rows[e]
             owner[pieces, 0] = e
-            cover[stretches, 0] = 0.0
-            cover[stretches, 1] = 1.0
-            told[stretches, 0] = e
-            told[stretches, 1] = pieces
-            told[stretches, 2] = 0
-            stretches += 1
+            stretches = _add_stretch(cover, source, stretches, 0.0, 1.0, e, pieces, False)
             pieces += 1
             last[e] = pieces
             continue
@@ -235,34 +268,25 @@ def _remove(
                 piece[pieces, 3] = ey
                 piece[pieces, 4] = math.tan(math.atan(rows[e, 4]) * (low - here))
                 owner[pieces, 0] = e
-                cover[stretches, 0] = here
-                cover[stretches, 1] = low
-                told[stretches, 0] = e
-                told[stretches, 1] = pieces
-                told[stretches, 2] = 0
-                stretches += 1
+                stretches = _add_stretch(cover, source, stretches, here, low, e, pieces, False)
                 pieces += 1
                 here = low
             elif step == claims and here < 1.0 and stretches > 0:
                 # A rest below the tolerance is added to the previous stretch.
                 cover[stretches - 1, 1] = 1.0
             if step < claims and high > here:
-                cover[stretches, 0] = here
-                cover[stretches, 1] = min(high, 1.0)
-                told[stretches, 0] = e
-                told[stretches, 1] = p
-                told[stretches, 2] = 1
-                stretches += 1
-                here = min(high, 1.0)
+                high = min(high, 1.0)
+                stretches = _add_stretch(cover, source, stretches, here, high, e, p, True)
+                here = high
                 far_end = 2 - int(claim[sorted_[step], 3])
                 x, y = piece[p, far_end], piece[p, far_end + 1]
         last[e] = pieces
     return (
         piece[:pieces].copy(),
         owner[:pieces, 0].copy(),
-        told[:stretches, 0].copy(),
+        source[:stretches, 0].copy(),
         cover[:stretches, 0].copy(),
         cover[:stretches, 1].copy(),
-        told[:stretches, 1].copy(),
-        told[:stretches, 2].copy() == 1,
+        source[:stretches, 1].copy(),
+        source[:stretches, 2].copy() == 1,
     )

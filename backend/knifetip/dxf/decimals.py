@@ -130,6 +130,25 @@ def _eight(data: U8_1, at: U64) -> Any:
     return ((low + high) >> np.uint64(32)) & np.uint64(0xFFFFFFFF)
 
 
+@inline_kernel
+def _exponent(data: U8_1, at: U64, end: U64) -> Any:
+    """Return the exponent behind the letter E, its end, and whether it has a digit.
+
+    Exponents beyond ±100,000 are returned as ±100,000.
+    """
+    negative = False
+    if at < end and (data[at] == 45 or data[at] == 43):
+        negative = data[at] == 45
+        at += ONE
+    power = 0
+    some = False
+    while at < end and 48 <= data[at] <= 57:
+        some = True
+        power = min(power * 10 + int(data[at] - 48), 100_000)
+        at += ONE
+    return -power if negative else power, at, some
+
+
 @kernel(allocates=False)
 def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     """Return the decimal number on a line.
@@ -197,20 +216,10 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
     if not any_:
         return 0.0, at, WRONG
     if at < end and (data[at] == 69 or data[at] == 101):
-        at += ONE
-        less = False
-        if at < end and (data[at] == 45 or data[at] == 43):
-            less = data[at] == 45
-            at += ONE
-        power = 0
-        some = False
-        while at < end and 48 <= data[at] <= 57:
-            some = True
-            power = min(power * 10 + int(data[at] - 48), 100_000)
-            at += ONE
+        power, at, some = _exponent(data, at + ONE, end)
         if not some:
             return 0.0, at, WRONG
-        q += -power if less else power
+        q += power
     while at < end and (data[at] == 32 or data[at] == 9):
         at += ONE
     if at < end and data[at] != 10 and data[at] != 13:

@@ -105,7 +105,5 @@ class KernelCache(FunctionCache):
         refreshes the target itself.  Machine code needs the functions that allocate memory.
         """
         rtsys.initialize(target_context)
-        with self._guard_against_spurious_io_errors():
-            loaded: CompileResult | None = self._load_overload(sig, target_context)
-            return loaded
-        return None
+        loaded: CompileResult | None = self._load_overload(sig, target_context)
+        return loaded

@@ -19,7 +19,7 @@ import numpy as np
 
 from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
-from knifetip.kernels import U8_1, OutI64_1, kernel
+from knifetip.kernels import F64_1, U8_1, OutF64_1, OutI64_1, inline_kernel, kernel
 
 #: Count that ``_scan`` returns if there are too many segments.
 _TOO_MANY: Final = -1
@@ -138,6 +138,58 @@ def _argument_count(command: int) -> int:
     return -1
 
 
+@inline_kernel
+def _place_cubic(
+    row: OutF64_1,
+    command: int,
+    before: int,
+    given: F64_1,
+    base_x: float,
+    base_y: float,
+    handle_x: float,
+    handle_y: float,
+) -> tuple[float, float, float, float]:
+    """Write the handles of a curve that command C, S, Q or T draws; return its end and last handle.
+
+    Parameters
+    ----------
+    row
+        Row of ``numbers``; the start of the curve is in columns 0 and 1.
+    before
+        The preceding command.
+    base_x, base_y
+        Added to the arguments in ``given``.
+    handle_x, handle_y
+        Last handle of the preceding curve, which S and T mirror.
+    """
+    x, y = row[0], row[1]
+    if command == 99 or command == 115:
+        if command == 99:
+            row[4], row[5] = base_x + given[0], base_y + given[1]
+        elif before == 99 or before == 115:
+            row[4], row[5] = 2.0 * x - handle_x, 2.0 * y - handle_y
+        else:
+            row[4], row[5] = x, y
+        rest = 2 if command == 99 else 0
+        row[6], row[7] = base_x + given[rest], base_y + given[rest + 1]
+        to_x, to_y = base_x + given[rest + 2], base_y + given[rest + 3]
+        handle_x, handle_y = row[6], row[7]
+    else:
+        if command == 113:
+            handle_x, handle_y = base_x + given[0], base_y + given[1]
+            to_x, to_y = base_x + given[2], base_y + given[3]
+        else:
+            if before == 113 or before == 116:
+                handle_x, handle_y = 2.0 * x - handle_x, 2.0 * y - handle_y
+            else:
+                handle_x, handle_y = x, y
+            to_x, to_y = base_x + given[0], base_y + given[1]
+        row[4], row[5] = x + (handle_x - x) * 2.0 / 3.0, y + (handle_y - y) * 2.0 / 3.0
+        row[6] = to_x + (handle_x - to_x) * 2.0 / 3.0
+        row[7] = to_y + (handle_y - to_y) * 2.0 / 3.0
+    return to_x, to_y, handle_x, handle_y
+
+
 @kernel
 def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
     paths = len(bounds) - 1
@@ -224,30 +276,9 @@ def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
                     row[7] = given[3] + 2.0 * given[4]
             else:
                 kind[count] = CUBIC
-                if command == 99 or command == 115:
-                    if command == 99:
-                        row[4], row[5] = base_x + given[0], base_y + given[1]
-                    elif before == 99 or before == 115:
-                        row[4], row[5] = 2.0 * x - handle_x, 2.0 * y - handle_y
-                    else:
-                        row[4], row[5] = x, y
-                    rest = 2 if command == 99 else 0
-                    row[6], row[7] = base_x + given[rest], base_y + given[rest + 1]
-                    to_x, to_y = base_x + given[rest + 2], base_y + given[rest + 3]
-                    handle_x, handle_y = row[6], row[7]
-                else:
-                    if command == 113:
-                        handle_x, handle_y = base_x + given[0], base_y + given[1]
-                        to_x, to_y = base_x + given[2], base_y + given[3]
-                    else:
-                        if before == 113 or before == 116:
-                            handle_x, handle_y = 2.0 * x - handle_x, 2.0 * y - handle_y
-                        else:
-                            handle_x, handle_y = x, y
-                        to_x, to_y = base_x + given[0], base_y + given[1]
-                    row[4], row[5] = x + (handle_x - x) * 2.0 / 3.0, y + (handle_y - y) * 2.0 / 3.0
-                    row[6] = to_x + (handle_x - to_x) * 2.0 / 3.0
-                    row[7] = to_y + (handle_y - to_y) * 2.0 / 3.0
+                to_x, to_y, handle_x, handle_y = _place_cubic(
+                    row, command, before, given, base_x, base_y, handle_x, handle_y
+                )
             row[2], row[3] = to_x, to_y
             before = command
             x, y = to_x, to_y

@@ -157,6 +157,47 @@ def _is_handle(code: int, state: I64_1) -> bool:
     return bool(w.TABLES <= state[s.SECTION] <= w.OBJECTS)
 
 
+@inline_kernel
+def _of_structure(
+    code: int, data: U8_1, low: int, high: int, after: int, tables: ScanTables, state: OutI64_1
+) -> int:
+    """Store a tag by the part of the file that contains it: a section, table, block or entity.
+
+    ``after`` is the position of the next tag.
+    """
+    spans, slots = tables.spans, tables.slots
+    mode = state[s.MODE]
+    if mode >= s.IN_ENTITY:
+        return take_tag(code, data, low, high, tables.entity, spans, slots, state)
+    if mode == s.IN_SECTION:
+        if code != 2:
+            return s.REFUSED
+        section = word_at(data, low, high, w.HEADER, w.ACDSDATA)
+        # ezdxf reads the last of two sections with one name, and no unknown ones.
+        if section < 0 or state[s.SECTIONS] & (1 << section):
+            return s.REFUSED
+        state[s.SECTIONS] |= 1 << section
+        state[s.SECTION] = section
+        state[s.MODE] = s.IN_OBJECTS if section == w.OBJECTS else s.NOTHING
+        if section == w.HEADER:
+            state[s.HEADER_FIRST] = after
+    elif mode == s.IN_TABLE:
+        if code == 100 and state[s.TABLE] == 0:
+            return s.REFUSED
+        if code == 2 and state[s.TABLE] == 0:
+            state[s.NAMED] = 1
+            state[s.TABLE] = word_at(data, low, high, w.VPORT, w.BLOCK_RECORD)
+            # A record that ezdxf does not accept.
+            return s.ON if state[s.TABLE] > 0 else s.REFUSED
+    elif mode == s.IN_ROW or mode == s.IN_STYLE:
+        state[s.NAMED] |= code == 2
+    elif mode == s.IN_LAYER:
+        return _of_layer(code, data, low, high, tables.layer, spans, slots, state)
+    elif mode == s.IN_BLOCK:
+        return _of_block(code, data, low, high, tables.block, spans, slots, state)
+    return s.ON
+
+
 @kernel(allocates=False)
 def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: OutI64_1) -> bool:
     """Fill the tables; return whether the file is supported up to EOF or the end of the run.
@@ -169,7 +210,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
     state : (``STATES``,) int64
         Initial state; on return, the counts from ``ENTITIES`` on.
     """
-    entity, block, layer = tables.entity, tables.block, tables.layer
+    entity, block = tables.entity, tables.block
     spans, slots, others = tables.spans, tables.slots, tables.others
     size: Any = np.uint64(len(data))
     stop: Any = np.uint64(ends)
@@ -242,35 +283,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
             verdict = _group(code, data, low, high, entity, state)
             state[s.CONTEXT] = context(state)
         else:
-            mode = state[s.MODE]
-            if mode >= s.IN_ENTITY:
-                verdict = take_tag(code, data, low, high, entity, spans, slots, state)
-            elif mode == s.IN_SECTION:
-                if code != 2:
-                    return False
-                section = word_at(data, low, high, w.HEADER, w.ACDSDATA)
-                # ezdxf reads the last of two sections with one name, and no unknown ones.
-                if section < 0 or state[s.SECTIONS] & (1 << section):
-                    return False
-                state[s.SECTIONS] |= 1 << section
-                state[s.SECTION] = section
-                state[s.MODE] = s.IN_OBJECTS if section == w.OBJECTS else s.NOTHING
-                if section == w.HEADER:
-                    state[s.HEADER_FIRST] = np.int64(at)
-            elif mode == s.IN_TABLE:
-                if code == 100 and state[s.TABLE] == 0:
-                    return False
-                if code == 2 and state[s.TABLE] == 0:
-                    state[s.NAMED] = 1
-                    state[s.TABLE] = word_at(data, low, high, w.VPORT, w.BLOCK_RECORD)
-                    # A record that ezdxf does not accept.
-                    verdict = s.ON if state[s.TABLE] > 0 else s.REFUSED
-            elif mode == s.IN_ROW or mode == s.IN_STYLE:
-                state[s.NAMED] |= code == 2
-            elif mode == s.IN_LAYER:
-                verdict = _of_layer(code, data, low, high, layer, spans, slots, state)
-            elif mode == s.IN_BLOCK:
-                verdict = _of_block(code, data, low, high, block, spans, slots, state)
+            verdict = _of_structure(code, data, low, high, np.int64(at), tables, state)
         if verdict != s.ON:
             return False
     return False
