@@ -18,6 +18,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 
@@ -46,18 +47,35 @@ def _print_line(line: str) -> None:
     print(line, flush=True)
 
 
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """The parts of the service that run in the process of the server."""
+
+    samples: bool = True  #: add the sample drawings to a new database
+    simulator: bool = True  #: run a simulated machine with its gateway
+    speed: float = 1.0  #: seconds of machine time per second of real time
+    compiles: bool = True  #: False if compile workers run in other processes
+
+
+@dataclass(frozen=True, slots=True)
+class Access:
+    """What requests from other computers must contain."""
+
+    key: str = ""  #: without a key only this computer is served
+    key_file: Path | None = None  #: created with a random key if it does not exist
+    hosts: tuple[str, ...] = ()  #: NAME or NAME:PORT accepted in the Host header
+
+
+_ALL_PARTS = Parts()
+_THIS_COMPUTER = Access()
+
+
 def serve(
     host: str = "127.0.0.1",
     port: int = 8080,
     database: str = "sqlite:///knifetip.sqlite",
-    *,
-    samples: bool = True,
-    simulator: bool = True,
-    speed: float = 1.0,
-    compiles: bool = True,
-    key: str = "",
-    key_file: Path | None = None,
-    hosts: tuple[str, ...] = (),
+    parts: Parts = _ALL_PARTS,
+    access: Access = _THIS_COMPUTER,
     announce: Callable[[str], None] = _print_line,
 ) -> None:
     """Run the service until SIGINT or SIGTERM.
@@ -66,20 +84,6 @@ def serve(
     ----------
     port
         0 for a free port.
-    samples
-        Add the sample drawings to a new database.
-    simulator
-        Also run a simulated machine with its gateway.
-    speed
-        Seconds of machine time per second of real time.
-    compiles
-        False if compile workers run in other processes.
-    key
-        Required from other computers; without a key only this computer is served.
-    key_file
-        File with the key; created with a random key if it does not exist.
-    hosts
-        NAME or NAME:PORT accepted in the Host header besides the server's addresses.
     announce
         Called with the server's URL when it is ready.
 
@@ -90,22 +94,26 @@ def serve(
     SettingsError
         The key or a host is malformed, or the key file cannot be used.
     """
-    key = keys.load_key(key, key_file)
+    key = keys.load_key(access.key, access.key_file)
     with ExitStack() as open_sockets:
         sockets = _listen(host, port)
         for one in sockets:
             open_sockets.enter_context(one)
         addresses = [one.getsockname()[0] for one in sockets]
-        rules = AccessRules(key, keys.check_hosts(hosts), all(map(is_loopback, addresses)))
-        settings = Settings(database=database, compiles=compiles, name="embedded", access=rules)
+        rules = AccessRules(key, keys.check_hosts(access.hosts), all(map(is_loopback, addresses)))
+        settings = Settings(
+            database=database, compiles=parts.compiles, name="embedded", access=rules
+        )
         taken = sockets[0].getsockname()[1]
         shown = f"[{host}]" if ":" in host else host
         lines = [f"knifetip is at http://{shown}:{taken}"]
         if not rules.loopback_only:
-            lines.append(_how_to_open(taken, key, key_file))
-        server = _Server(create_app(settings), lines, announce, samples)
-        if simulator:
-            server.table = _SimulatedMachine(_local(host), taken, speed, _journal_path(database))
+            lines.append(_how_to_open(taken, key, access.key_file))
+        server = _Server(create_app(settings), lines, announce, parts.samples)
+        if parts.simulator:
+            server.table = _SimulatedMachine(
+                _local(host), taken, parts.speed, _journal_path(database)
+            )
         server.run(sockets=sockets)
     if not server.started:
         raise StoreError("server.not-started", database=database)

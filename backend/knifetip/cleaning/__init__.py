@@ -1,1 +1,1 @@
-"""Cleaning: what is drawn twice, broken up, left open or lost, put in order; and a report of it."""
+"""Cleaning of classified edges: remove overlaps and debris, close gaps, merge collinear edges."""

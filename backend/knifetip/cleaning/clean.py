@@ -1,12 +1,13 @@
 """clean: remove duplicates, overlaps, debris and gaps, and merge edges that continue each other.
 
-    Dieline -> Cleaned: the dieline to plan, and what became of every drawn edge
+``clean`` converts a Dieline to a ``Cleaned``: the dieline to plan, and the outcome of every drawn
+edge.
 
 Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
 merge edges that continue each other.  The steps are repeated while they make edges overlap; an end
 that was moved once is not moved again.
 
-Each step only records which edge every part of a drawn edge now belongs to, so the report cannot
+Each step records only to which edge every part of a drawn edge now belongs, so the report cannot
 disagree with the geometry.
 """
 
@@ -39,18 +40,18 @@ _FAR: Final = 1e9
 
 
 class _Placed(NamedTuple):
-    """The q stretches in the order of the drawing, and the rows that the k edges take."""
+    """Rows of the k present edges in the cleaned dieline, and q stretches of the n drawn edges."""
 
     row: I64  #: (q,) drawn edge
     edge: I64  #: (q,) present edge, -1 for debris
-    given: Bool  #: (q,) whether it lies on another edge
+    given: Bool  #: (q,) whether the stretch overlaps another edge
     slot: I64  #: (k,) row in the cleaned dieline
     source: I64  #: (k,) drawn row that the edge comes from
     of: I32  #: (n,) cleaned row that covers most of each drawn edge, -1 for none
 
 
 class _Lengths(NamedTuple):
-    """Of each drawn edge, (n,) mm."""
+    """Lengths of the drawn edges that were kept, merged, dropped …, each (n,) mm."""
 
     kept: F64
     merged: F64
@@ -59,7 +60,7 @@ class _Lengths(NamedTuple):
 
 @dataclass(slots=True)
 class _Work:
-    """k edges in their present state, and the q stretches of drawn edges that they consist of."""
+    """State of cleaning: k present edges, and the q stretches of drawn edges in them."""
 
     ends: F64  #: (k, 2, 2) mm
     bulge: F64  #: (k,)
@@ -67,20 +68,20 @@ class _Work:
     moved: F64  #: (k,) mm
     fitted: Bool  #: (k,)
     row: I64  #: (q,) drawn edge of each stretch
-    begin: F64  #: (q,)
-    end: F64  #: (q,)
+    begin: F64  #: (q,) start of each stretch, 0 … 1 of the drawn edge
+    end: F64  #: (q,) end of each stretch
     edge: I64  #: (q,) present edge, -1 for debris
     given: Bool  #: (q,)
-    met: EndPoints | None = None  #: of the present ends, computed on demand
+    met: EndPoints | None = None  #: points of the present ends, computed on demand
 
     def meet(self) -> EndPoints:
-        """Return the end points of the present edges."""
+        """Return the points at which the ends of the present edges lie."""
         if self.met is None or self.met.of is not self.ends:
             self.met = find_end_points(self.ends, GAP)
         return self.met
 
     def part(self, drawn: Dieline) -> bool:
-        """Remove what lies on other edges; return whether edges were split for it."""
+        """Remove stretches that overlap other edges; return whether an edge was split."""
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.given.any():
             return False
@@ -124,7 +125,10 @@ class _Work:
         return split
 
     def own(self) -> None:
-        """Ensure every edge has a source edge; if only overlapped sources are left, promote one."""
+        """Ensure that every edge has at least one stretch that overlaps no other edge.
+
+        If all stretches of an edge overlap, one of them is declared not to overlap.
+        """
         live = self.edge >= 0
         count = len(self.bulge)
         owned = np.bincount(self.edge[live & ~self.given], minlength=count) > 0
@@ -138,7 +142,7 @@ class _Work:
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
     def join(self, *, curves_only: bool = False) -> None:
-        """Merge edges that continue each other."""
+        """Merge edges that continue each other; with ``curves_only``, only flattened curves."""
         made = merge_collinear(
             self.ends, self.bulge, self.kind, self.meet(), curves_only=curves_only
         )
@@ -167,7 +171,7 @@ class _Work:
 
 
 def clean(dieline: Dieline) -> Cleaned:
-    """Return the cleaned dieline.
+    """Return the cleaned dieline, with the outcome of every drawn edge.
 
     Parameters
     ----------
@@ -182,7 +186,7 @@ def clean(dieline: Dieline) -> Cleaned:
     Raises
     ------
     GeometryError
-        An edge has a coordinate that is not finite, or lies too far from the origin.
+        A coordinate is not finite or is too far from the origin.
     DrawingTooLarge
         Too many edges overlap.
     """
@@ -222,10 +226,10 @@ def clean(dieline: Dieline) -> Cleaned:
 
 
 def _slots(work: _Work, count: int) -> tuple[I64, I64]:
-    """Return the row of each of the k edges in the cleaned dieline, and the drawn row it is from.
+    """Return the row of each of the k edges in the cleaned dieline and its source row, both (k,).
 
-    An edge takes the row of the first drawn edge that it contains a part of, or of the next one if
-    that row is taken; edges that find no row are appended.
+    An edge takes the row of the first drawn edge that it contains a part of, or the next free row
+    of such an edge; edges that find no row are appended.
     """
     own = np.flatnonzero((work.edge >= 0) & ~work.given)
     order = own[np.lexsort((work.begin[own], work.row[own], work.edge[own]))]
@@ -331,7 +335,10 @@ def _faces_of(dieline: Dieline, shown: I64, ends: F64, changed: I64) -> I32:
 
 
 def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
-    """Return the cleaned row that covers most of each drawn edge, (n,); own pieces come first."""
+    """Return for each drawn edge the cleaned row that covers most of it, (n,), -1 for none.
+
+    Stretches that do not overlap another edge take precedence.
+    """
     of = np.full(count, -1, np.int32)
     live = np.flatnonzero(target >= 0)
     order = live[np.lexsort((size[live], ~given[live], row[live]))]

@@ -1,15 +1,13 @@
-"""close_gaps: remove debris, and bring together ends that were meant to meet.
+"""close_gaps: remove debris, and join ends of edges that should meet but leave a small gap.
 
-    edges with line types -> which are debris; new ends, and how far each has moved
+Debris is an edge shorter than ``GAP`` that connects nothing: it is isolated, is attached at one
+end only, or is shorter than ``SAME`` and connects two edges that meet without it.
 
-Debris is an edge shorter than ``GAP`` that connects nothing: it lies alone, is attached at one end,
-or is shorter than ``SAME`` and connects two edges that meet without it.
-
-If an end meets no other end of its line type, and one lies within ``GAP``, the two are brought
-together: at the intersection of two lines if it is within ``GAP`` of both; else midway between two
-similar ends; a single end moves to a point where several ends meet.  T-junctions, where an end
-touches the inside of another edge, and edges that end side by side are not changed.  An arc keeps
-its bulge.  No end moves by more than ``GAP``.
+If an end meets no other end of its line type, and another end lies within ``GAP``, the two ends are
+moved to one point: to the intersection of two lines if it is within ``GAP`` of both ends, otherwise
+to the midpoint of two similar ends; a single end moves to a point where several ends meet.
+T-junctions, where an end touches the inside of another edge, and edges that end side by side are
+not changed.  An arc keeps its bulge.  No end moves by more than ``GAP``.
 """
 
 from __future__ import annotations
@@ -35,20 +33,20 @@ _SLANT: Final = 0.05
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Closed:
-    """k edges with closed gaps."""
+    """The k edges after closing of gaps."""
 
     ends: F64  #: (k, 2, 2) mm
     moved: F64  #: (k,) larger displacement of the two ends (mm)
 
 
 def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
-    """Return which edges, (k, 2, 2) mm and (k,) mm long, are debris."""
+    """Return the mask of the edges that are debris, (k,); lengths are in mm."""
     found: Bool = _find_debris(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
     return found
 
 
 def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
-    """Return the edges with closed gaps; those that are ``settled``, (k,), are not moved."""
+    """Return the edges with closed gaps; edges marked in ``settled``, (k,), are not moved."""
     points, place, near = ends.reshape(-1, 2), met.place, met.near
     if len(near) == 0 or settled[near // 2].all():
         return Closed(ends, np.zeros(len(bulge)))
@@ -137,7 +135,7 @@ def _find_debris(
 
 @kernel
 def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
-    """Return which short edges connect two points farther apart than a gap, (k,)."""
+    """Return the mask of short edges that connect two points farther apart than ``gap``, (k,)."""
     count = len(length)
     linked = np.zeros(count, np.bool_)
     if len(near) == 0:
@@ -188,7 +186,7 @@ def _close(
     straight: float,
     slant: float,
 ) -> Any:
-    """Return the new ends.  Pairs of near ends are given nearest first."""
+    """Return the moved ends of the edges; ``near`` contains pairs of near ends, nearest first."""
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")
     first = np.searchsorted(place[by_place], np.arange(len(place) + 1))
@@ -257,7 +255,7 @@ def _close(
 
 @kernel
 def _connected(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
-    """Return whether an edge connects two points."""
+    """Return whether an edge connects the points ``a`` and ``b``."""
     found = False
     for p in range(first[a], first[a + 1]):
         found |= place[by_place[p] ^ 1] == b
@@ -277,9 +275,9 @@ def _may_move(
     gap: float,
     join: float,
 ) -> bool:
-    """Return whether all ends at a point may move to (x, y).
+    """Return whether all ends that lie at a point may move to (x, y).
 
-    It must be within the gap, and no edge may become shorter than ``join``.
+    No end may move by more than the gap, and no edge may become shorter than ``join``.
     """
     for p in range(first[at], first[at + 1]):
         i = by_place[p]
@@ -292,7 +290,7 @@ def _may_move(
 
 @kernel
 def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same: float) -> bool:
-    """Return whether an end touches the inside of another edge."""
+    """Return whether an end of one edge touches the inside of another edge."""
     x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
     x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
     x, y = points[end, 0], points[end, 1]
@@ -318,7 +316,7 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
 def _meeting_point(
     points: F64_2, bulge: F64_1, out: F64_2, one: int, other: int, gap: float, slant: float
 ) -> tuple[float, float]:
-    """Return the point at which two ends are brought together."""
+    """Return the point (x, y) to which two near ends are moved to close the gap between them."""
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]
     sine = out[one, 0] * out[other, 1] - out[one, 1] * out[other, 0]

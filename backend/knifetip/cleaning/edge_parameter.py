@@ -1,4 +1,8 @@
-"""edge_parameter: positions along an edge, for kernels; a row is x0, y0, x1, y1, bulge."""
+"""edge_parameter: inline kernels for positions along an edge.
+
+Each row of ``rows`` is one edge: x0, y0, x1, y1, bulge.  A parameter is the position along an edge
+as a fraction of its length, 0 at the start and 1 at the end.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,7 @@ from knifetip.kernels import F64_1, F64_2, kernel
 
 @kernel
 def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
-    """Return centre, radius and sweep of an arc."""
+    """Return centre x and y, radius and signed sweep (radians) of arc ``i``."""
     b = rows[i, 4]
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
@@ -25,7 +29,7 @@ def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
 
 @kernel
 def size_of(rows: F64_2, i: int) -> float:
-    """Return the length of a line or an arc."""
+    """Return the length of edge ``i``, a line or an arc."""
     chord = math.hypot(rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1])
     b = abs(rows[i, 4])
     if b < BULGE:
@@ -35,7 +39,7 @@ def size_of(rows: F64_2, i: int) -> float:
 
 @kernel
 def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
-    """Return the midpoint of a line or an arc."""
+    """Return the midpoint (x, y) of edge ``i``, a line or an arc."""
     b = rows[i, 4]
     return (
         0.5 * (rows[i, 0] + rows[i, 2]) + 0.5 * b * (rows[i, 3] - rows[i, 1]),
@@ -45,9 +49,9 @@ def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
 
 @kernel
 def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
-    """Return the parameter of the point of edge i nearest to (x, y), not limited to 0 … 1.
+    """Return the parameter of the point on edge ``i`` nearest to (x, y); it may lie beyond 0 … 1.
 
-    For an arc, within half the circle of its midpoint.
+    The parameter on an arc is at most half a circle away from the midpoint of the arc.
     """
     if abs(rows[i, 4]) < BULGE:
         dx = rows[i, 2] - rows[i, 0]
@@ -64,7 +68,10 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 
 @kernel
 def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
-    """Return the range of parameters of edge i that a piece covers, not limited to 0 … 1."""
+    """Return the lowest and highest parameter of edge ``i`` at which a piece covers it.
+
+    ``piece`` is one edge, (5,), that lies on edge ``i``.  The parameters may lie beyond 0 … 1.
+    """
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])
         b = place_of(rows, i, piece[2], piece[3])

@@ -1,9 +1,7 @@
-"""end_points: which ends of edges are at the same point, and which are near another one.
+"""end_points: find ends of edges that share a point, and pairs of ends that are near each other.
 
-    ends -> point of each end, and pairs of ends that are near but at different points
-
-Ends are hashed into cells as wide as the search distance.  Equal ends, which most are, are compared
-once.
+Ends are hashed into square cells as wide as the search distance.  Most ends share their point with
+other ends; each such point is compared only once.
 """
 
 from __future__ import annotations
@@ -25,7 +23,7 @@ CROWD: Final = 64
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EndPoints:
-    """Points of the 2k ends of k edges; edge i starts at end 2i and stops at end 2i + 1."""
+    """The points at which the 2k ends of k edges lie; edge i has the ends 2i (start) and 2i + 1."""
 
     of: F64  #: (k, 2, 2) ends of the edges (mm)
     place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one
@@ -33,7 +31,10 @@ class EndPoints:
 
 
 def find_end_points(ends: F64, near: float) -> EndPoints:
-    """Return the points of the ends of k edges, (k, 2, 2) mm, and pairs within ``near`` mm."""
+    """Return the points of the ends of k edges, and pairs of ends less than ``near`` mm apart.
+
+    ``ends`` has the shape (k, 2, 2), in mm.
+    """
     points = ends.reshape(-1, 2)
     if len(points) == 0:
         return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))

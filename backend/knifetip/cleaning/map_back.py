@@ -1,10 +1,8 @@
-"""map_back: convert a verdict on cleaned edges into one on the drawn edges.
+"""map_back: convert a verdict on the cleaned edges to a verdict on the drawn edges.
 
-    Verdict on m cleaned edges, Cleaned -> Verdict on the n edges of the drawing
-
-A worst value along an edge applies to every drawn edge that it covers.  A length is divided among
-the drawn edges that are worked there, so that sums are kept: an edge that lies on another one gets
-none.
+A maximum along a cleaned edge, such as its deviation, applies to every drawn edge that it covers.
+A length is divided among the drawn edges that are cut there, so sums are preserved: an edge that
+overlaps another edge gets length 0.
 """
 
 from __future__ import annotations
@@ -25,7 +23,7 @@ _LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
 
 
 def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
-    """Return the verdict on the drawn edges for a verdict on the cleaned ones."""
+    """Return the verdict on the drawn edges, converted from a verdict on the cleaned edges."""
     count = len(drawn)
     parts = cleaned.stretches
     live = parts.cleaned >= 0
@@ -57,7 +55,7 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
 
 
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
-    """Return the samples with each row assigned to the drawn edge at that place."""
+    """Return the samples, with the drawn edge instead of the cleaned edge at each position."""
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():
         return samples

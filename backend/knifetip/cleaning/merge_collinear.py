@@ -1,11 +1,10 @@
-"""merge_collinear: merge edges that continue each other: collinear lines, concentric arcs, curves.
+"""merge_collinear: merge collinear lines, concentric arcs and segments of flattened curves.
 
-    edges with line types -> fewer edges, and which of them each has become a part of
-
-Two edges are merged only where exactly these two meet and have the same line type; a point with a
-third end on it, or within ``GAP`` of it, stays a vertex.  Lines become one line if every joint is
-within ``JOIN`` of it; arcs with the same direction of turn become one arc.  Segments shorter than
-``FINE`` are a flattened curve, which becomes a line or an arc again within ``FITTED``.
+Two edges are merged only if exactly these two meet at a point and have the same line type; a point
+where a third edge ends, also within ``GAP`` of it, remains a vertex.  Lines become one line if
+every joint is within ``JOIN`` of it; arcs with the same direction of turn become one arc.  Segments
+shorter than ``FINE`` are treated as a flattened curve and are replaced by a line or an arc within
+``FITTED``.
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ _FEW: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Merged:
-    """m merged edges."""
+    """The m edges after merging, and which of the k edges each of them contains."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
@@ -58,9 +57,9 @@ class Merged:
 def merge_collinear(
     ends: F64, bulge: F64, kind: U8, met: EndPoints, *, curves_only: bool = False
 ) -> Merged:
-    """Return the edges with those that continue each other merged.
+    """Return the edges after merging those that continue each other.
 
-    A merged edge runs in the direction of its first part.  Other edges are unchanged, bit for bit.
+    A merged edge has the direction of its first part.  Other edges are unchanged, bit for bit.
 
     Parameters
     ----------
@@ -108,7 +107,10 @@ def merge_collinear(
 
 @kernel
 def _continuations(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
-    """Return the end that continues each end, (2k,), -1 where not exactly two of a type meet."""
+    """Return for each end the end of another edge that continues its edge, (2k,).
+
+    -1 unless exactly two edges of one line type meet at the end.
+    """
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
@@ -159,9 +161,10 @@ def _split_runs(
     fitted: float,
     fine: float,
 ) -> Any:
-    """Split runs into groups that fit one line or arc: return their starts, bulges and deviations.
+    """Split runs of connected edges into groups that fit one line or one arc.
 
-    ``order`` and ``flipped`` are rotated in place so that closed runs start at a corner.
+    Returns the first edge, the bulge and the deviation of each group.  ``order`` and ``flipped``
+    are rotated in place so that closed runs start at a corner.
     """
     count = len(order)
     begin = np.empty(count, np.int64)
@@ -211,7 +214,7 @@ def _split_runs(
 
 @kernel
 def _sharpest(run: F64_2, many: int) -> int:
-    """Return the first segment of a closed run that starts at its sharpest corner."""
+    """Return the segment of a closed run that starts at the sharpest corner of the run."""
     best = 0
     least = 2.0
     for i in range(many):
@@ -240,7 +243,7 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 def _longest_fit(
     run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
-    """Return the end of the longest line or arc from segment i, its bulge and its deviation."""
+    """Return the end of the longest line or arc from segment i, its bulge and deviation."""
     best = i + 1
     bulge = run[i, 4]
     far = 0.0
@@ -280,7 +283,7 @@ def _longest_fit(
 
 @kernel
 def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
-    """Return the end of the longest line from segment i that passes all joints within tolerance."""
+    """Return the end of the longest line from segment i within ``within`` of all joints."""
     x, y = run[i, 0], run[i, 1]
     low, high = -math.inf, math.inf
     base = math.atan2(run[i, 3] - y, run[i, 2] - x)
@@ -312,7 +315,10 @@ def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
 def _longest_arc(
     run: F64_2, size: F64_1, i: int, limit: int, within: float
 ) -> tuple[int, float, float]:
-    """Return the end of the longest arc from segment i, found by doubling and bisection."""
+    """Return the end of the longest arc from segment i within tolerance, its bulge and deviation.
+
+    The end is found by doubling and bisection.
+    """
     good, code, off = i, 0.0, 0.0
     step = 4
     bad = limit + 1
@@ -342,7 +348,7 @@ def _longest_arc(
 
 @kernel
 def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
-    """Return the bulge of the arc through the ends of a run and the joint nearest its middle."""
+    """Return the bulge of the arc through the ends of segments i … end and a joint between."""
     total = 0.0
     for k in range(i, end):
         total += size[k]
@@ -363,9 +369,9 @@ def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
 
 @kernel
 def _deviation(run: F64_2, i: int, end: int, bulge: float) -> float:
-    """Return the greatest distance of joints and midpoints from a line or arc.
+    """Return the greatest distance of the joints and midpoints of segments from a line or an arc.
 
-    Infinite if they do not follow it in order.
+    Infinite if the joints are not in order along the line or arc.
     """
     x0, y0, x1, y1 = run[i, 0], run[i, 1], run[end - 1, 2], run[end - 1, 3]
     dx, dy = x1 - x0, y1 - y0

@@ -1,12 +1,10 @@
-"""overlapping: pairs of edges that lie on each other over some length.
-
-    ends, bulge -> pairs of edges
+"""overlapping: find pairs of edges that overlap along some length.
 
 Two lines overlap if both ends of the shorter one are within ``SAME`` of the longer one; two arcs
 if ends and midpoint of the shorter one are within ``SAME`` of the longer one's circle.
 
-Candidates come from a packed tree of boxes.  Lines of nearly the same direction are stored in a
-frame rotated to that direction, so that their boxes are thin.
+Candidates come from a packed tree of bounding boxes.  Lines of similar direction are stored in a
+frame that is rotated to their direction, so that their bounding boxes are thin.
 """
 
 from __future__ import annotations
@@ -38,7 +36,7 @@ _LOOKS: Final = 2048
 
 
 def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
-    """Return the pairs of edges that overlap, each once."""
+    """Return the pairs of edges that overlap: first edges (p,) and second edges (p,)."""
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
         return none, none
@@ -68,7 +66,10 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 @kernel
 def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
-    """Return the box of each edge in its frame, the frame, the angle, and the angular tolerance."""
+    """Return for each edge its bounding box in a rotated frame, the frame, and two angles.
+
+    The angles are the direction of the edge and the tolerance of this direction.
+    """
     count = len(rows)
     boxes = np.empty((count, 4))
     bucket = np.empty(count, np.int64)
@@ -99,7 +100,7 @@ def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
 
 @kernel
 def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int) -> None:
-    """Compute the box of a line in a rotated frame."""
+    """Write the bounding box of line ``i``, in a frame rotated by ``turn``, into ``boxes[at]``."""
     c, s = math.cos(turn), math.sin(turn)
     u0 = c * rows[i, 0] + s * rows[i, 1]
     u1 = c * rows[i, 2] + s * rows[i, 3]
@@ -168,7 +169,7 @@ def _overlapping(
 
 @kernel
 def _share(rows: F64_2, i: int, j: int, same: float) -> bool:
-    """Whether two edges lie on each other along more than ``same``."""
+    """Return whether edges ``i`` and ``j`` overlap along more than ``same``."""
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
     if size_of(rows, i) < size_of(rows, j):

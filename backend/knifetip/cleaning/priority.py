@@ -1,16 +1,16 @@
-"""priority: which of two coincident edges is kept.
+"""priority: rules that decide which of two coincident edges is kept.
 
-The edge that removes or separates more board is kept, because it includes the other's work or
-leaves nothing of it:
+The edge that removes or separates more board is kept, because its operation includes that of the
+other edge or makes it ineffective:
 
-* a cut goes through: a crease or half-cut under it has no effect;
+* a cut goes through the board: a crease or half-cut at the same position has no effect;
 * a V-groove removes the board that a crease would press and a half-cut would slit;
 * a combi line is creased and perforated, so it includes both;
-* a perforation goes through where a half-cut slits;
-* a half-cut opens the face that a crease would press.
+* a perforation goes through the board where a half-cut slits it;
+* a half-cut opens the surface that a crease would press.
 
-A crease and a perforation do not cover each other: both are worked, and together they are a combi
-line.  Ignored and unclassified edges are not worked: they cover nothing, and nothing covers them.
+A crease and a perforation do not cover each other: both are made, and together they are a combi
+line.  Ignored and unclassified edges are not made: they cover nothing, and nothing covers them.
 """
 
 from __future__ import annotations

@@ -1,9 +1,7 @@
-"""remove_overlaps: each stretch of board is worked by one edge; others are reduced to what is left.
+"""remove_overlaps: keep one edge where several edges overlap, and shorten the others.
 
-    edges with line types -> pieces that overlap nothing, and the piece that covers each stretch
-
-Edges are processed by priority, then longest first.  Each loses the stretches that lie on pieces
-processed before, so nothing is removed unless something remains there.
+Edges are processed by priority, then longest first.  Each edge loses the stretches that overlap
+pieces of earlier edges, so a stretch is removed only where another edge remains.
 """
 
 from __future__ import annotations
@@ -42,20 +40,23 @@ _TO_AN_EDGE: Final = 16
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Pieces:
-    """m pieces that overlap nothing, and q stretches that together are the k edges."""
+    """The m pieces without overlaps that remain of k edges.
+
+    Each edge is divided into stretches, q in total; each stretch is covered by one piece.
+    """
 
     ends: F64  #: (m, 2, 2) mm
-    bulge: F64  #: (m,)
-    owner: I32  #: (m,) edge that each is a part of
+    bulge: F64  #: (m,) one per piece
+    owner: I32  #: (m,) edge of which each piece is a part
     edge: I32  #: (q,) edge of each stretch
-    begin: F64  #: (q,) start, 0 … 1 of the edge's length
-    end: F64  #: (q,) end
-    piece: I32  #: (q,) piece that covers it
+    begin: F64  #: (q,) start of each stretch, 0 … 1 of the length of its edge
+    end: F64  #: (q,) end of each stretch, 0 … 1
+    piece: I32  #: (q,) piece that covers each stretch
     given: Bool  #: (q,) whether that piece belongs to another edge
 
 
 def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
-    """Return the pieces of k edges that remain without overlaps.
+    """Return the pieces of k edges that remain after overlaps are removed.
 
     Raises
     ------
@@ -124,13 +125,13 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
 
 
 def _are_reversed(ends: F64, others: F64) -> Bool:
-    """Return whether duplicates run in the opposite direction."""
+    """Return the mask of the edges whose direction is opposite to that of their duplicates."""
     along = ((ends[:, 1] - ends[:, 0]) * (others[:, 1] - others[:, 0])).sum(axis=1)
     return np.asarray(along < 0.0)
 
 
 def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
-    """Return for each edge the identical edge that covers it, or itself."""
+    """Return for each edge the identical edge that covers it, (k,); itself if there is none."""
     count = len(bulge)
     twin = np.arange(count)
     grid = np.round(ends.reshape(-1, 4) / POINT).astype(np.int64)
@@ -210,7 +211,11 @@ def _remove(
     same: float,
     most: int,
 ) -> Any:
-    """Process edges in order; each loses what lies on existing pieces.  Stops after ``most``."""
+    """Remove from each edge, in the given order, the stretches that earlier pieces cover.
+
+    Stops when there are more than ``most`` stretches.  Returns the pieces (x0, y0, x1, y1, bulge)
+    and the edge of each; then edge, start, end, covering piece and ``given`` of each stretch.
+    """
     count = len(rows)
     piece = np.empty((count + 64, 5))
     owner = np.empty((count + 64, 1), np.int64)
@@ -272,7 +277,7 @@ def _remove(
                 pieces += 1
                 here = low
             elif step == claims and here < 1.0 and stretches > 0:
-                # A rest below the tolerance is added to the previous stretch.
+                # A remainder below the tolerance is added to the previous stretch.
                 cover[stretches - 1, 1] = 1.0
             if step < claims and high > here:
                 high = min(high, 1.0)

@@ -12,7 +12,8 @@ from typing import Annotated
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.program import BoardName, MachineName
+from knifetip.cli.options import expand
+from knifetip.cli.program import TargetOptions
 from knifetip.cli.terminal import print_json, print_stderr, read_bytes, write_bytes
 from knifetip.compensation.calibration import calibrate as fit_deflection
 from knifetip.errors import LibraryError
@@ -60,60 +61,56 @@ def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, 
     return azimuths, offsets
 
 
-def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+def calibrate(
+    file: Annotated[
+        Path, typer.Argument(metavar="POINTS", help="CSV: azimuth,dx,dy in degrees and mm.")
+    ],
+    target: TargetOptions,
+    tool: Annotated[
+        str | None, typer.Option(help="Name of the cutter's station. Default: the only one.")
+    ] = None,
+    side: Annotated[
+        Side,
+        typer.Option(help="Side on which the cutter ran, in travel direction (knifetip: left)."),
+    ] = Side.LEFT,
+    store: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Write the board's TOML with the result to FILE, for --board."
+        ),
+    ] = None,
+    json: Json = False,
+) -> None:
+    """Compute the deflection of a cutter from a test contour cut without compensating it.
 
-    @app.command()
-    def calibrate(
-        file: Annotated[
-            Path, typer.Argument(metavar="POINTS", help="CSV: azimuth,dx,dy in degrees and mm.")
-        ],
-        machine: MachineName,
-        board: BoardName,
-        tool: Annotated[
-            str | None, typer.Option(help="Name of the cutter's station. Default: the only one.")
-        ] = None,
-        side: Annotated[
-            Side,
-            typer.Option(
-                help="Side on which the cutter ran, in travel direction (knifetip: left)."
-            ),
-        ] = Side.LEFT,
-        store: Annotated[
-            Path | None,
-            typer.Option(
-                metavar="FILE", help="Write the board's TOML with the result to FILE, for --board."
-            ),
-        ] = None,
-        json: Json = False,
-    ) -> None:
-        """Compute the deflection of a cutter from a test contour cut without compensating it.
-
-        Each point has the direction of travel AZIMUTH and the measured offset DX, DY of the cut
-        contour from the drawn one.  Measure points on edges along X, along Y, and at 45°.
-        """
-        table = load.machine(machine)
-        text = load.board_toml(board)
-        cutters = [station.name for station in table.stations if station.tool.yields]
-        if tool is None and len(cutters) > 1:
-            raise LibraryError(
-                "calibration.choose-cutter",
-                machine=table.title,
-                count=len(cutters),
-                cutters=cutters,
-            )
-        station = load.find_cutter(table, tool or next(iter(cutters), ""))
-        azimuths, offsets = read_points(file.name, read_bytes(file))
-        fitted = fit_deflection(azimuths, offsets, 1 if side is Side.LEFT else -1)
-        result = Deflection(station.name, fitted.x, fitted.y)
-        lines = deflection.deflection_toml(result)
-        if store is not None:
-            write_bytes(store, deflection.replace_deflection(text, result).encode())
-        if json:
-            print_json({"tool": station.name, **asdict(fitted), "toml": lines})
-            return
-        typer.echo(lines, nl=False)
-        where = (
-            f"written to {store}" if store is not None else "add these lines to the board's file"
+    Each point has the direction of travel AZIMUTH and the measured offset DX, DY of the cut
+    contour from the drawn one.  Measure points on edges along X, along Y, and at 45°.
+    """
+    machine = load.machine(target.machine)
+    text = load.board_toml(target.board)
+    cutters = [station.name for station in machine.stations if station.tool.yields]
+    if tool is None and len(cutters) > 1:
+        raise LibraryError(
+            "calibration.choose-cutter",
+            machine=machine.title,
+            count=len(cutters),
+            cutters=cutters,
         )
-        print_stderr(f"{len(azimuths)} points, largest residual {fitted.residual:.4f} mm; {where}.")
+    station = load.find_cutter(machine, tool or next(iter(cutters), ""))
+    azimuths, offsets = read_points(file.name, read_bytes(file))
+    fitted = fit_deflection(azimuths, offsets, 1 if side is Side.LEFT else -1)
+    result = Deflection(station.name, fitted.x, fitted.y)
+    lines = deflection.deflection_toml(result)
+    if store is not None:
+        write_bytes(store, deflection.replace_deflection(text, result).encode())
+    if json:
+        print_json({"tool": station.name, **asdict(fitted), "toml": lines})
+        return
+    typer.echo(lines, nl=False)
+    where = f"written to {store}" if store is not None else "add these lines to the board's file"
+    print_stderr(f"{len(azimuths)} points, largest residual {fitted.residual:.4f} mm; {where}.")
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command of this module to an application."""
+    app.command()(expand(calibrate))

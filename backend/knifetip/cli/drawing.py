@@ -42,6 +42,19 @@ Layers = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
+@dataclass(frozen=True, slots=True)
+class ReadingOptions:
+    """Options of the command line for the unit and the line types of a drawing."""
+
+    profile: Profile = "default"
+    layer: Layers = None
+    unit: Unit = None
+
+    def load(self, file: Path) -> LoadedDrawing:
+        """Read and classify the drawing in a file."""
+        return load_drawing(file, self.unit, self.profile, self.layer)
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class LoadedDrawing:
     """The drawing of a file, classified with the options of the command line."""

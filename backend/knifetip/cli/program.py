@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
@@ -15,13 +16,12 @@ from knifetip import pipeline
 from knifetip.cli.drawing import (
     DrawingFile,
     Json,
-    Layers,
-    Profile,
-    Unit,
+    LoadedDrawing,
+    ReadingOptions,
     drawing_json,
-    load_drawing,
     report_rows,
 )
+from knifetip.cli.options import expand
 from knifetip.cli.terminal import (
     QUESTIONS,
     REFUSED,
@@ -36,8 +36,10 @@ from knifetip.cli.terminal import (
 from knifetip.errors import PlanError, ProgramUnreadable
 from knifetip.library import load
 from knifetip.messages import with_text
+from knifetip.model.board import Board
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
+from knifetip.model.machine import Machine
 from knifetip.model.verdict import Unreached, Verdict
 from knifetip.planning.plan import check_corners
 from knifetip.presentation.verdict import EDGE_COLUMNS, findings_of, finite_column, verdict_summary
@@ -81,10 +83,64 @@ def parse_corner(text: str) -> CornerAt:
     return CornerAt(float(match["x"]), float(match["y"]), match["type"], k)
 
 
-MachineName = Annotated[
-    str, typer.Option(help="Name of a machine of the library, or its TOML file.")
-]
-BoardName = Annotated[str, typer.Option(help="Name of a board of the library, or its TOML file.")]
+@dataclass(frozen=True, slots=True)
+class TargetOptions:
+    """Options of the command line for the machine and the board."""
+
+    machine: Annotated[
+        str, typer.Option(help="Name of a machine of the library, or its TOML file.")
+    ]
+    board: Annotated[str, typer.Option(help="Name of a board of the library, or its TOML file.")]
+
+    def load(self) -> tuple[Machine, Board]:
+        """Return the machine and the board."""
+        return load.machine(self.machine), load.board(self.board)
+
+
+@dataclass(frozen=True, slots=True)
+class CornerOptions:
+    """Options of the command line for the path of a cutter round outer corners."""
+
+    corner: Annotated[
+        CornerType | None,
+        typer.Option(help="Path of a cutter round outer corners; auto takes the fastest."),
+    ] = None
+    k: Annotated[
+        float | None, typer.Option(help="Parameter of type D corners: 0 is like B, 1 like C.")
+    ] = None
+    interference: Annotated[
+        Interference | None,
+        typer.Option(
+            help="Places that a cutter cannot reach: leave them uncut (trim), or write no program."
+        ),
+    ] = None
+    corner_at: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="X,Y=TYPE[:K]",
+            help="Type of the corner at X,Y (mm in the drawing); may be repeated.",
+        ),
+    ] = None
+
+    def corners(self, machine: Machine) -> Corners | None:
+        """Return the corners that the options describe; None if none of them is given.
+
+        Raises
+        ------
+        PlanError
+            An option has an invalid value, or the machine has no cutter.
+        """
+        given = (self.corner, self.k, self.interference, self.corner_at or None)
+        if all(each is None for each in given):
+            return None
+        corners = Corners(
+            type=(self.corner or CornerType.AUTO).value,
+            k=0.5 if self.k is None else self.k,
+            interference=(self.interference or Interference.TRIM).value,
+            at=tuple(parse_corner(text) for text in self.corner_at or []),
+        )
+        check_corners(corners, machine)
+        return corners
 
 
 def verdict_json(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
@@ -147,140 +203,118 @@ def _parse_placement(text: str) -> tuple[float, float]:
     return float(match[1]), float(match[2])
 
 
+def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
+    """Print the open questions about a drawing and exit, if there are any."""
+    open_questions = loaded.questions(machine)
+    if open_questions:
+        report_questions(open_questions)
+        raise typer.Exit(QUESTIONS)
+
+
+def program(
+    file: DrawingFile,
+    target: TargetOptions,
+    output: Annotated[Path, typer.Option("-o", "--output", help="File to write the program to.")],
+    reading: ReadingOptions,
+    corner_options: CornerOptions,
+    dialect: Annotated[
+        str, typer.Option(help="Controller language. Default: that of the machine.")
+    ] = "",
+    report: Annotated[Path | None, typer.Option(help="File to write a JSON report to.")] = None,
+) -> None:
+    """Compile a drawing to a program, and write it if the verifier accepts it."""
+    machine, board = target.load()
+    corners = corner_options.corners(machine)
+    with progress(file.name) as report_progress:
+        loaded = reading.load(file)
+        _refuse_questions(loaded, machine)
+        result = pipeline.compile(
+            loaded.drawing,
+            loaded.dieline,
+            machine,
+            board,
+            corners=corners,
+            dialect=dialect,
+            progress=report_progress,
+        )
+    if report is not None:
+        data = {
+            "drawing": drawing_json(file.name, loaded.drawing),
+            "machine": machine.name,
+            "board": board.name,
+            "profile": reading.profile,
+            "corners": None if corners is None else corners.as_json(),
+            **_compiled_json(result, loaded.drawing),
+        }
+        write_bytes(report, json_bytes(data))
+    print_verdict(result.verdict)
+    retracted = result.seconds_retracted
+    if retracted > result.seconds:
+        print_stderr(
+            f"  {result.seconds:.1f} s on the machine, "
+            f"{1.0 - result.seconds / retracted:.0%} less "
+            f"than the {retracted:.1f} s with full retracts"
+        )
+    if not result.verdict.accepted:
+        raise typer.Exit(REFUSED)
+    write_bytes(output, result.program.text)
+
+
+def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any]:
+    """Return a program's figures, its verdict and the import report of its drawing as JSON data."""
+    return {
+        "placement": list(result.placement),
+        "seconds": result.seconds,
+        "seconds_retracted": result.seconds_retracted,
+        "program": {
+            "dialect": result.program.dialect,
+            "lines": len(result.program),
+            "sha256": hashlib.sha256(result.program.text).hexdigest(),
+        },
+        "verdict": verdict_json(result.verdict, drawing),
+        "samples": {
+            name: np.round(getattr(result.verdict.samples, name), 6).tolist()
+            for name in ("edge", "place", "deviation")
+        },
+        "import_report": report_rows(drawing),
+    }
+
+
+def verify(
+    program: Annotated[Path, typer.Argument(metavar="PROGRAM", help="Program to verify.")],
+    drawing: Annotated[Path, typer.Option(help="Drawing that the program should make.")],
+    target: TargetOptions,
+    reading: ReadingOptions,
+    placement_option: Annotated[
+        str,
+        typer.Option(
+            "--placement",
+            metavar="X,Y",
+            help="Position of the drawing on the sheet (mm), if not in the program.",
+        ),
+    ] = "",
+    json: Json = False,
+) -> None:
+    """Verify that a program makes a drawing."""
+    machine, board = target.load()
+    loaded = reading.load(drawing)
+    _refuse_questions(loaded, machine)
+    text = read_bytes(program)
+    placement = (
+        _parse_placement(placement_option) if placement_option else read_placement(text, machine)
+    )
+    if placement is None:
+        raise ProgramUnreadable("program.no-placement", program=program.name)
+    verdict = pipeline.verify(text, loaded.dieline, placement, machine, board)
+    if json:
+        print_json(verdict_json(verdict, loaded.drawing))
+    else:
+        print_verdict(verdict)
+    if not verdict.accepted:
+        raise typer.Exit(REFUSED)
+
+
 def register(app: typer.Typer) -> None:
     """Add the commands of this module to an application."""
-
-    @app.command()
-    def program(
-        file: DrawingFile,
-        machine: MachineName,
-        board: BoardName,
-        output: Annotated[
-            Path, typer.Option("-o", "--output", help="File to write the program to.")
-        ],
-        profile: Profile = "default",
-        layer: Layers = None,
-        unit: Unit = None,
-        dialect: Annotated[
-            str, typer.Option(help="Controller language. Default: that of the machine.")
-        ] = "",
-        corner: Annotated[
-            CornerType | None, typer.Option(help="Path of a cutter round outer corners.")
-        ] = None,
-        k: Annotated[
-            float | None, typer.Option(help="Parameter of type D corners: 0 is like B, 1 like C.")
-        ] = None,
-        interference: Annotated[
-            Interference | None,
-            typer.Option(help="Where a cutter does not fit: leave uncut or refuse."),
-        ] = None,
-        corner_at: Annotated[
-            list[str] | None,
-            typer.Option(
-                metavar="X,Y=TYPE[:K]",
-                help="Type of one corner (mm in the drawing); may be repeated.",
-            ),
-        ] = None,
-        report: Annotated[Path | None, typer.Option(help="File to write a JSON report to.")] = None,
-    ) -> None:
-        """Compile a drawing to a program, and write it if the verifier accepts it."""
-        table, sheet = load.machine(machine), load.board(board)
-        choices = None
-        if not (corner is None and k is None and interference is None and not corner_at):
-            choices = Corners(
-                type=(corner or CornerType.AUTO).value,
-                k=0.5 if k is None else k,
-                interference=(interference or Interference.TRIM).value,
-                at=tuple(parse_corner(text) for text in corner_at or []),
-            )
-            check_corners(choices, table)
-        with progress(file.name) as report_progress:
-            loaded = load_drawing(file, unit, profile, layer)
-            open_questions = loaded.questions(table)
-            if open_questions:
-                report_questions(open_questions)
-                raise typer.Exit(QUESTIONS)
-            result = pipeline.compile(
-                loaded.drawing,
-                loaded.dieline,
-                table,
-                sheet,
-                corners=choices,
-                dialect=dialect,
-                progress=report_progress,
-            )
-        text = result.program.text
-        if report is not None:
-            data = {
-                "drawing": drawing_json(file.name, loaded.drawing),
-                "machine": table.name,
-                "board": sheet.name,
-                "profile": profile,
-                "placement": list(result.placement),
-                "corners": None if choices is None else choices.as_json(),
-                "seconds": result.seconds,
-                "seconds_retracted": result.seconds_retracted,
-                "program": {
-                    "dialect": result.program.dialect,
-                    "lines": len(result.program),
-                    "sha256": hashlib.sha256(text).hexdigest(),
-                },
-                "verdict": verdict_json(result.verdict, loaded.drawing),
-                "samples": {
-                    name: np.round(getattr(result.verdict.samples, name), 6).tolist()
-                    for name in ("edge", "place", "deviation")
-                },
-                "import_report": report_rows(loaded.drawing),
-            }
-            write_bytes(report, json_bytes(data))
-        print_verdict(result.verdict)
-        retracted = result.seconds_retracted
-        if retracted > result.seconds:
-            print_stderr(
-                f"  {result.seconds:.1f} s on the machine, "
-                f"{1.0 - result.seconds / retracted:.0%} less "
-                f"than the {retracted:.1f} s with full retracts"
-            )
-        if not result.verdict.accepted:
-            raise typer.Exit(REFUSED)
-        write_bytes(output, text)
-
-    @app.command()
-    def verify(
-        program: Annotated[Path, typer.Argument(metavar="PROGRAM", help="Program to verify.")],
-        drawing: Annotated[Path, typer.Option(help="Drawing that the program should make.")],
-        machine: MachineName,
-        board: BoardName,
-        profile: Profile = "default",
-        layer: Layers = None,
-        unit: Unit = None,
-        placement_option: Annotated[
-            str,
-            typer.Option(
-                "--placement",
-                metavar="X,Y",
-                help="Position of the drawing on the sheet (mm), if not in the program.",
-            ),
-        ] = "",
-        json: Json = False,
-    ) -> None:
-        """Verify that a program makes a drawing."""
-        table, sheet = load.machine(machine), load.board(board)
-        loaded = load_drawing(drawing, unit, profile, layer)
-        open_questions = loaded.questions(table)
-        if open_questions:
-            report_questions(open_questions)
-            raise typer.Exit(QUESTIONS)
-        text = read_bytes(program)
-        placement = (
-            _parse_placement(placement_option) if placement_option else read_placement(text, table)
-        )
-        if placement is None:
-            raise ProgramUnreadable("program.no-placement", program=program.name)
-        verdict = pipeline.verify(text, loaded.dieline, placement, table, sheet)
-        if json:
-            print_json(verdict_json(verdict, loaded.drawing))
-        else:
-            print_verdict(verdict)
-        if not verdict.accepted:
-            raise typer.Exit(REFUSED)
+    for command in (program, verify):
+        app.command()(expand(command))

@@ -5,11 +5,13 @@ from __future__ import annotations
 import asyncio
 import signal
 import threading
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_stderr
 from knifetip.errors import StoreError
 from knifetip.library import load
@@ -25,144 +27,158 @@ Speed = Annotated[
 DATABASE = "sqlite:///knifetip.sqlite"
 
 
-def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+@dataclass(frozen=True, slots=True)
+class PartOptions:
+    """Options of the command line for the parts of the service that run in the process."""
 
-    @app.command()
-    def serve(
-        host: Host = "127.0.0.1",
-        port: Annotated[int, typer.Option(min=0, max=65535)] = 8080,
-        database: Database = DATABASE,
-        speed: Speed = 1.0,
-        samples: Annotated[
-            bool, typer.Option(help="Add the sample drawings to a new database.")
-        ] = True,
-        simulator: Annotated[
-            bool, typer.Option(help="Also run a simulated machine with its gateway.")
-        ] = True,
-        compiles: Annotated[
-            bool, typer.Option(help="Compile jobs here; otherwise run `knifetip worker`.")
-        ] = True,
-        key: Annotated[
-            str,
-            typer.Option(
-                envvar="KNIFETIP_KEY", help="Key that requests from other computers must send."
-            ),
-        ] = "",
-        key_file: Annotated[
-            Path | None,
-            typer.Option(
-                envvar="KNIFETIP_KEY_FILE",
-                help="File with the key; created with a random key if it does not exist.",
-            ),
-        ] = None,
-        allow_host: Annotated[
-            list[str] | None,
-            typer.Option(
-                envvar="KNIFETIP_ALLOW_HOST",
-                help="NAME or NAME:PORT that the Host header may contain besides the server's "
-                "addresses; may be repeated.",
-            ),
-        ] = None,
-    ) -> None:
-        """Run the page, the API and all parts of the service in one process until Ctrl-C."""
-        from knifetip.api import embedded  # imported here: takes a second
+    speed: Speed = 1.0
+    samples: Annotated[bool, typer.Option(help="Add the sample drawings to a new database.")] = True
+    simulator: Annotated[
+        bool, typer.Option(help="Also run a simulated machine with its gateway.")
+    ] = True
+    compiles: Annotated[
+        bool, typer.Option(help="Compile jobs here; otherwise run `knifetip worker`.")
+    ] = True
 
-        embedded.serve(
+
+@dataclass(frozen=True, slots=True)
+class AccessOptions:
+    """Options of the command line for requests from other computers."""
+
+    key: Annotated[
+        str,
+        typer.Option(
+            envvar="KNIFETIP_KEY", help="Key that requests from other computers must send."
+        ),
+    ] = ""
+    key_file: Annotated[
+        Path | None,
+        typer.Option(
+            envvar="KNIFETIP_KEY_FILE",
+            help="File with the key; created with a random key if it does not exist.",
+        ),
+    ] = None
+    allow_host: Annotated[
+        list[str] | None,
+        typer.Option(
+            envvar="KNIFETIP_ALLOW_HOST",
+            help="NAME or NAME:PORT that the Host header may contain besides the server's "
+            "addresses; may be repeated.",
+        ),
+    ] = None
+
+
+def serve(
+    host: Host = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Port to listen on; 0 for a free port.")
+    ] = 8080,
+    database: Database = DATABASE,
+    *,
+    parts: PartOptions,
+    access: AccessOptions,
+) -> None:
+    """Run the page, the API and all parts of the service in one process until Ctrl-C."""
+    from knifetip.api import embedded  # imported here: takes a second
+
+    embedded.serve(
+        host,
+        port,
+        database,
+        embedded.Parts(parts.samples, parts.simulator, parts.speed, parts.compiles),
+        embedded.Access(access.key, access.key_file, tuple(access.allow_host or ())),
+        print_stderr,
+    )
+
+
+def worker(
+    database: Database = DATABASE,
+    name: Annotated[
+        str,
+        typer.Option(help="Name that stays the same over restarts. Default: the host name."),
+    ] = "",
+    processes: Annotated[
+        int, typer.Option(min=1, max=64, help="Number of jobs to compile at the same time.")
+    ] = 1,
+) -> None:
+    """Run a compile worker for a database until Ctrl-C."""
+    from knifetip.jobs.compile_service import CompileService
+    from knifetip.jobs.process_pool import ProcessPool
+    from knifetip.jobs.store import Store
+
+    store = Store(database)
+    store.migrate()
+    service = CompileService(store, ProcessPool(processes), name, True, processes, gateways=False)
+    stop_requested = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda _number, _frame: stop_requested.set())
+    service.start()
+    print_stderr(f"compile worker for {database}")
+    stop_requested.wait()
+    service.stop()
+    store.close()
+
+
+def gateway(
+    server: Annotated[str, typer.Option(help="URL of the server.")] = "http://127.0.0.1:8080",
+    machine: MachineName = "demo-table",
+    controller: Annotated[
+        str, typer.Option(help="HOST:PORT of the controller.")
+    ] = "127.0.0.1:2323",
+    name: Annotated[str, typer.Option(help="Name of this gateway.")] = "gateway",
+    journal: Annotated[
+        Path | None, typer.Option(help="File that records the lines sent and executed.")
+    ] = None,
+    key: Annotated[
+        str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
+    ] = "",
+) -> None:
+    """Claim the jobs of a machine and stream them to its controller."""
+    from knifetip.gateway import claim
+    from knifetip.languages.registry import find_language
+
+    table = load.machine(machine)
+    dial = find_language(table.dialect).load_driver()
+    print_stderr(f"{table.title}: controller {controller}, server {server}")
+    headers = {"Authorization": f"Bearer {key}"} if key else {}
+    asyncio.run(
+        claim.work(
+            server,
+            table,
+            name,
+            lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
+            headers=headers,
+            journal=journal,
+        )
+    )
+
+
+def simulator(
+    host: Host = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Port to listen on; 0 for a free port.")
+    ] = 2323,
+    machine: MachineName = "demo-table",
+    speed: Speed = 1.0,
+) -> None:
+    """Simulate a machine: listen like its controller and execute programs."""
+    from knifetip.gateway import simulator as table
+
+    try:
+        table.run(
+            load.machine(machine),
             host,
             port,
-            database,
-            samples=samples,
-            simulator=simulator,
             speed=speed,
-            compiles=compiles,
-            key=key,
-            key_file=key_file,
-            hosts=tuple(allow_host or ()),
-            announce=print_stderr,
+            ready=lambda server: print_stderr(f"listening on {server.address}"),
         )
+    except OSError as reason:
+        raise StoreError(
+            "server.address-in-use", host=host, port=port, reason=reason.strerror or reason
+        ) from reason
 
-    @app.command()
-    def worker(
-        database: Database = DATABASE,
-        name: Annotated[
-            str,
-            typer.Option(help="Name that stays the same over restarts. Default: the host name."),
-        ] = "",
-        processes: Annotated[int, typer.Option(min=1, max=64)] = 1,
-    ) -> None:
-        """Run a compile worker for a database until Ctrl-C."""
-        from knifetip.jobs.compile_service import CompileService
-        from knifetip.jobs.process_pool import ProcessPool
-        from knifetip.jobs.store import Store
 
-        store = Store(database)
-        store.migrate()
-        service = CompileService(
-            store, ProcessPool(processes), name, True, processes, gateways=False
-        )
-        stop_requested = threading.Event()
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, lambda _number, _frame: stop_requested.set())
-        service.start()
-        print_stderr(f"compile worker for {database}")
-        stop_requested.wait()
-        service.stop()
-        store.close()
-
-    @app.command()
-    def gateway(
-        server: Annotated[str, typer.Option(help="URL of the server.")] = "http://127.0.0.1:8080",
-        machine: MachineName = "demo-table",
-        controller: Annotated[
-            str, typer.Option(help="HOST:PORT of the controller.")
-        ] = "127.0.0.1:2323",
-        name: Annotated[str, typer.Option(help="Name of this gateway.")] = "gateway",
-        journal: Annotated[
-            Path | None, typer.Option(help="File that records the lines sent and executed.")
-        ] = None,
-        key: Annotated[
-            str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
-        ] = "",
-    ) -> None:
-        """Claim the jobs of a machine and stream them to its controller."""
-        from knifetip.gateway import claim
-        from knifetip.languages.registry import find_language
-
-        table = load.machine(machine)
-        dial = find_language(table.dialect).load_driver()
-        print_stderr(f"{table.title}: controller {controller}, server {server}")
-        headers = {"Authorization": f"Bearer {key}"} if key else {}
-        asyncio.run(
-            claim.work(
-                server,
-                table,
-                name,
-                lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
-                headers=headers,
-                journal=journal,
-            )
-        )
-
-    @app.command()
-    def simulator(
-        host: Host = "127.0.0.1",
-        port: Annotated[int, typer.Option(min=0, max=65535)] = 2323,
-        machine: MachineName = "demo-table",
-        speed: Speed = 1.0,
-    ) -> None:
-        """Simulate a machine: listen like its controller and execute programs."""
-        from knifetip.gateway import simulator as table
-
-        try:
-            table.run(
-                load.machine(machine),
-                host,
-                port,
-                speed=speed,
-                ready=lambda server: print_stderr(f"listening on {server.address}"),
-            )
-        except OSError as reason:
-            raise StoreError(
-                "server.address-in-use", host=host, port=port, reason=reason.strerror or reason
-            ) from reason
+def register(app: typer.Typer) -> None:
+    """Add the commands of this module to an application."""
+    for command in (serve, worker, gateway, simulator):
+        app.command()(expand(command))

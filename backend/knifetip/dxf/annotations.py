@@ -1,9 +1,8 @@
-"""annotations: the texts of a drawing, as the file has them.
+"""annotations: the texts and dimensions of a drawing, as written in the file.
 
-    group codes and values of a TEXT, MTEXT, ATTRIB or DIMENSION -> Annotation in file units
-
-Both readers take them from the bytes and not from ezdxf, because texts are evidence for the unit
-and must not be repaired.  Texts in blocks are left out, even if an INSERT places the block.
+The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  Both
+readers take texts from the bytes and not from ezdxf, because texts are evidence for the unit and
+must not be repaired.  Texts in blocks are left out, even if an INSERT places the block.
 """
 
 from __future__ import annotations
@@ -45,16 +44,16 @@ _CODE: Final = re.compile(
 def annotation(
     kind: str, layer: str, text: str, lengths: Iterable[float], type_: int
 ) -> Annotation:
-    """Return the text of an entity.
+    """Return the annotation for a text or dimension entity.
 
     Parameters
     ----------
     text
-        As written, with its codes.
+        As written, with formatting codes.
     lengths
-        Values of the group codes ``LENGTHS``, NaN where the file has none.
+        Values of the group codes ``LENGTHS``, NaN if not in the file.
     type_
-        Group 70.
+        Value of group code 70.
     """
     x, y, x_text, y_text, height, measure = lengths
     written = text[:_LONGEST]
@@ -93,12 +92,12 @@ def is_coded(kind: str, text: str) -> bool:
 def uncoded(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
 ) -> list[Annotation]:
-    """Return n texts without formatting codes, as ``annotation`` does for each.
+    """Return the annotations for n texts without formatting codes.
 
     Parameters
     ----------
     lengths : (n, 6)
-        Values of the group codes ``LENGTHS``, NaN where the file has none.
+        Values of the group codes ``LENGTHS`` for each text, NaN if not in the file.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
@@ -107,7 +106,7 @@ def uncoded(
 
 
 def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Annotation:
-    """Return the text of an entity from its group codes and values."""
+    """Return the annotation for an entity, given its tags (group code, value)."""
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
     type_ = 0
@@ -133,7 +132,7 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
 
 
 def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
-    """Return the text of an entity from its lines in the file."""
+    """Return the annotation for an entity, given its bytes in the file."""
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])
     return of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)

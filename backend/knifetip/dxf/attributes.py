@@ -1,8 +1,7 @@
-"""attributes: layer, colour and linetype of an entity, with inheritance resolved.
+"""attributes: layer, colour and linetype of entities, with BYLAYER and BYBLOCK resolved.
 
-    entity, style of the INSERT around it -> Style, with BYLAYER and BYBLOCK resolved
-
-A layer that the file uses but does not define is colour 7, Continuous, on and thawed.
+A layer that the file uses but does not define has colour 7 and linetype Continuous, and is on and
+thawed.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """Attributes that a layer passes on to BYLAYER entities, and notes for all its entities."""
+    """Attributes that a layer passes on to BYLAYER entities, and notes for its entities."""
 
     colour: int
     true_colour: int
@@ -39,7 +38,17 @@ _SHEET = Style("0", 7, -1, "Continuous")
 
 
 def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
-    """Return a layer from its row in the layer table; ``colour`` and ``flags`` as written."""
+    """Return the layer for a row of the layer table, given its values as written.
+
+    Parameters
+    ----------
+    colour
+        Colour index; negative if the layer is off.
+    flags
+        Value of group code 70; bit 1 is set if the layer is frozen.
+    plot
+        0 if the layer is not plotted.
+    """
     # A negative colour means that the layer is off; 0 has no meaning.
     notes = [
         text
@@ -54,7 +63,7 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
 
 
 def layers_of(document: Document) -> dict[str, Layer]:
-    """Return the layer table of a document, by names in lower case."""
+    """Return the layers of an ezdxf document by their names in lower case."""
     return {
         spelled(str(layer.dxf.get("name", ""))).lower(): layer_of(
             int(layer.dxf.get("color", 7)),
@@ -68,17 +77,17 @@ def layers_of(document: Document) -> dict[str, Layer]:
 
 
 class Styles:
-    """Styles of the entities of one file."""
+    """Resolves the styles (layer, colour, linetype) of the entities of one file."""
 
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
 
     def notes(self, layer: str) -> tuple[Message, ...]:
-        """Return the notes for all entities on a layer: that it is off, frozen …"""
+        """Return the notes for all entities on a layer, such as that the layer is off or frozen."""
         return self._layers.get(layer.lower(), _SILENT).notes
 
     def of(self, entity: DXFGraphic, around: Style | None = None) -> Style:
-        """Return the style of an entity that ezdxf read."""
+        """Return the style of an ezdxf entity; ``around`` is the style of its INSERT."""
         dxf = entity.dxf
         return self.style(
             spelled(str(dxf.get("layer", "0"))),
@@ -96,14 +105,20 @@ class Styles:
         linetype: str,
         around: Style | None = None,
     ) -> Style:
-        """Return the style of an entity from its own attributes.
+        """Return the style of an entity from its own attributes and those that it inherits.
 
         Parameters
         ----------
-        name, written, true, linetype
-            Layer, colour index, true colour and linetype; 256, None and BYLAYER where not given.
+        name
+            Name of the layer.
+        written
+            Colour index as written; 256 (BYLAYER) if not given.
+        true
+            True colour 0xRRGGBB; None if not given.
+        linetype
+            Name of the linetype; "BYLAYER" if not given.
         around
-            Style of the INSERT that places the entity: used for BYBLOCK, and as the layer of
+            Style of the INSERT that places the entity, used for BYBLOCK, and as the layer of
             entities on layer 0.
         """
         block = around or _SHEET

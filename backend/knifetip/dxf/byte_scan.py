@@ -1,6 +1,6 @@
-"""byte_scan: scanning of the lines of a tag, eight bytes at a time.
+"""byte_scan: kernels that scan the lines of a DXF file, eight bytes at a time.
 
-bytes, position -> group code, position of the value; end of a line; equality of texts
+They parse group codes, find the end of a line, and compare and hash texts.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ _FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64
 
 @inline_kernel
 def code_at(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the group code on a line, and the position of the next line."""
+    """Return the group code on the line at ``at``, and the position of the next line.
+
+    The code is negative if the line is not a group code.
+    """
     if at + _THREE < size and data[at + _THREE] == 10:
         first, second, third = data[at], data[at + ONE], data[at + ONE + ONE]
         code = _DIGIT[first] * 100 + _DIGIT[second] * 10 + _DIGIT[third]
@@ -54,7 +57,7 @@ def code_at(data: U8_1, at: U64, size: U64) -> Any:
 
 @inline_kernel
 def eight_at(data: U8_1, at: U64) -> Any:
-    """Return eight bytes as one little-endian word."""
+    """Return the eight bytes at position ``at`` as a little-endian integer."""
     word = np.uint64(0)
     for place in range(8):
         word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
@@ -63,7 +66,7 @@ def eight_at(data: U8_1, at: U64) -> Any:
 
 @inline_kernel
 def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the position of the next CR or LF, ``size`` if there is none."""
+    """Return the position of the next CR or LF from ``at`` on, ``size`` if there is none."""
     while at + _EIGHT <= size:
         word = eight_at(data, at)
         # The lowest byte that is not 0 marks the first character below 16.
@@ -83,7 +86,7 @@ def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
 
 @inline_kernel
 def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
-    """Return whether ``count`` bytes from ``low`` equal those of another text from ``first``."""
+    """Return whether ``count`` bytes from ``data[low]`` and from ``other[first]`` are equal."""
     here, there = np.uint64(low), np.uint64(first)
     left = np.uint64(count)
     if here + left + _EIGHT <= np.uint64(len(data)) and there + left + _EIGHT <= np.uint64(
@@ -105,7 +108,7 @@ def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
 
 @inline_kernel
 def hashed(data: U8_1, low: int, high: int) -> Any:
-    """Return the hash of a text."""
+    """Return a hash of the bytes from ``low`` to ``high``."""
     at, end = np.uint64(low), np.uint64(high)
     key = end - at
     while at < end:

@@ -1,16 +1,15 @@
-"""decimals: decimal numbers from bytes, correctly rounded as by ``float``.
+"""decimals: parse decimal numbers in bytes, rounded correctly like Python's ``float``.
 
-    bytes, position -> value, position after it, certainty
+A decimal of up to 19 digits is w · 10^q with an integer w < 2^64.  If w < 2^53 and |q| ≤ 22, both
+factors are exact, and one multiplication or division rounds once.  Otherwise w is multiplied by a
+128-bit approximation of 10^q, which decides the rounding unless the product is too near the middle
+of two doubles.  Such numbers are left to ``float``, like longer numbers whose first 19 digits do
+not decide the rounding.
 
-A decimal of up to 19 digits is w · 10^q with w < 2^64.  Where w < 2^53 and |q| ≤ 22 both factors
-are exact, and one multiplication or division rounds once.  Otherwise w is multiplied by a 128-bit
-approximation of 10^q, which decides the rounding unless the product is too near the middle of two
-doubles.  Those are left to ``float``, as are longer numbers whose first 19 digits do not decide.
-
-Eight digits of a fraction are read at once, as one word of 64 bits.
+Eight digits of a fraction are parsed at once, as one integer of 64 bits.
 
 Source: Clinger, "How to read floating point numbers accurately" (1990), for the exact case;
-Lemire, "Number parsing at a gigabyte per second" (2021), for the other.
+Lemire, "Number parsing at a gigabyte per second" (2021), for the approximation.
 """
 
 from __future__ import annotations
@@ -62,7 +61,7 @@ _TWOS: Final[F64] = np.ldexp(1.0, np.arange(-1022, 1024))
 
 @inline_kernel
 def _product(a: U64, b: U64) -> Any:
-    """Return the upper and the lower half of the 128 bits of a · b."""
+    """Return the upper and the lower 64 bits of the 128-bit product a · b."""
     half = np.uint64(0xFFFFFFFF)
     shift = np.uint64(32)
     a_low, a_high = a & half, a >> shift
@@ -77,7 +76,7 @@ def _product(a: U64, b: U64) -> Any:
 
 @kernel
 def _rounded(w: U64, q: int) -> tuple[float, int]:
-    """Return w · 10^q, w > 0, rounded once, or ``UNSURE``."""
+    """Return w · 10^q for w > 0, rounded to a double, and ``EXACT`` or ``UNSURE``."""
     if q < _LEAST or q > _MOST:
         return 0.0, UNSURE
     one = np.uint64(1)
@@ -115,7 +114,7 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
 
 @inline_kernel
 def _eight(data: U8_1, at: U64) -> Any:
-    """Return the number that eight digits form, ``_NOT`` if they are not all digits."""
+    """Return the value of the eight digits at ``at``, ``_NOT`` if they are not all digits."""
     word = eight_at(data, at)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
     # A digit is 3 in its upper half, also when 6 is added.
@@ -132,9 +131,9 @@ def _eight(data: U8_1, at: U64) -> Any:
 
 @inline_kernel
 def _exponent(data: U8_1, at: U64, end: U64) -> Any:
-    """Return the exponent behind the letter E, its end, and whether it has a digit.
+    """Parse the exponent of a number after the letter E.
 
-    Exponents beyond ±100,000 are returned as ±100,000.
+    Returns the exponent, limited to ±100,000, the position after it, and whether it has a digit.
     """
     negative = False
     if at < end and (data[at] == 45 or data[at] == 43):
@@ -151,25 +150,26 @@ def _exponent(data: U8_1, at: U64, end: U64) -> Any:
 
 @kernel(allocates=False)
 def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
-    """Return the decimal number on a line.
+    """Parse the decimal number on a line.
 
     Parameters
     ----------
     data : (m,) uint8
+        Bytes of the file.
     first
         Position of the line, which may begin and end with blanks.
     last
-        Nothing is read from here on.
+        Position at which parsing stops.
 
     Returns
     -------
     value
-        0 unless it is ``EXACT``.
+        The number if it is ``EXACT``, otherwise undefined.
     after
         Position of the line's end, LF or CR; undefined for ``WRONG``.
     sure
-        ``EXACT``; ``UNSURE`` for a number that ``float`` must read; ``WRONG`` for all other
-        lines, and for infinite numbers.
+        ``EXACT``; ``UNSURE`` if the caller must parse the number with ``float``; ``WRONG`` if the
+        line is not a finite number.
     """
     at, end = first, last
     while at < end and (data[at] == 32 or data[at] == 9):

@@ -1,7 +1,4 @@
-"""encoding: the character encoding of a DXF.
-
-bytes, header variables -> name of an encoding          text with escapes -> text
-"""
+"""encoding: the character encoding of a DXF file, and characters that are escaped in its texts."""
 
 from __future__ import annotations
 
@@ -18,17 +15,18 @@ CODE_PAGES: Final = {
 
 
 def spelled(name: str) -> str:
-    """Return a name with the format's own way to write foreign letters, ``\\U+5200``, undone."""
+    r"""Return a name with escaped characters, such as ``\U+5200``, replaced by the characters."""
     if "\\U+" not in name:
         return name
     return _ESCAPE.sub(lambda escape: chr(int(escape[1], 16)), name)
 
 
 def encoding_of(data: bytes, variables: dict[str, str]) -> str:
-    """Return the encoding of the file's texts.
+    """Return Python's name of the encoding of the texts in a file.
 
-    From R2007 on it is UTF-8.  Before, the header names a code page, but many programs write
-    UTF-8 under a header that says ANSI_1252, or says nothing: what is valid UTF-8 is taken as such.
+    ``variables`` are the header variables.  From R2007 on the encoding is UTF-8.  In older files
+    the header names a code page, but many programs write UTF-8 with code page ANSI_1252 or without
+    one: bytes that are valid UTF-8 are decoded as UTF-8 in these files.
     """
     if variables.get("$ACADVER", "") >= "AC1021" or data.isascii():
         return "utf-8"

@@ -1,9 +1,8 @@
-"""location_boxes: bounding boxes of entities that produce no geometry.
+"""location_boxes: bounding boxes of entities that produce no geometry, to show where they are.
 
-    group codes and numbers of an entity -> box around its points, in its own coordinates
-
-The boxes contain the points at which an entity is located: the vertices of a hatch or a solid, the
-corner of an image.  Directions, scales and seed points do not count, though DXF writes them alike.
+A box contains the points at which the entity is located, in its own coordinates: the vertices of a
+hatch or a solid, the corner of an image.  Directions, scales and seed points are not included,
+although DXF writes them with the same group codes.
 """
 
 from __future__ import annotations
@@ -58,14 +57,16 @@ _EXTRUSION_Z: Final = 230
 
 
 def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
-    """Return the boxes around entities, (k, 4), NaN for those without a point.
+    """Return the bounding boxes of k entities, (k, 4), NaN for entities without a point.
 
     Parameters
     ----------
+    kinds
+        Names of kinds of entities.
     kind : (k,)
-        Indices into ``kinds``.
+        Index into ``kinds`` for each entity.
     spans : (k, 2)
-        Span of bytes of each entity, with the vertices that follow it.
+        First and last position of the bytes of each entity, including its vertices.
     """
     rules = np.array([_RULES.get(one, _OTHERS) for one in kinds], np.int64).reshape(-1, 4)
     box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules[kind])
@@ -77,7 +78,7 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
 
 
 def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
-    """Return the box around an entity, (4,), from its tags; NaN where it has no point."""
+    """Return the bounding box of an entity, (4,), given its tags; NaN if it has no point."""
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
     rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
     _around(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
@@ -86,9 +87,10 @@ def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
 
 
 def through(box: F64, linear: F64, shift: F64) -> F64:
-    """Return the box, (4,), around a box that linear maps (k, 2, 2) and shifts (k, 2) place.
+    """Return the bounding box, (4,), of k transformed copies of a box.
 
-    For k boxes, (k, 4), each is placed by its own map, and the result is (k, 4).
+    ``linear`` (k, 2, 2) and ``shift`` (k, 2) transform the copies.  If ``box`` has the shape (k,
+    4), each box is transformed once, and the result has the shape (k, 4).
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
     at, reach = moved(linear, shift, middle), moved(np.abs(linear), np.zeros(2), half)
@@ -111,7 +113,7 @@ def _number(code: int, value: Any) -> float:
 def _around(
     codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
 ) -> None:
-    """Write the box around the points of one entity, if there are any."""
+    """Write the bounding box of the points of one entity into ``box``, if the entity has any."""
     bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
@@ -145,7 +147,7 @@ def _around(
 
 @kernel
 def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
-    """Return the boxes (k, 4), and whether all numbers of each could be read, (k,)."""
+    """Return the boxes of k entities, (k, 4), and the mask of entities with valid numbers."""
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0
     for row in range(len(spans)):
@@ -160,7 +162,7 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
 
 @kernel(allocates=False)
 def _tags(data: U8_1, low: int, high: int, codes: OutI64_1, numbers: OutF64_1) -> tuple[int, bool]:
-    """Write the tags of an entity; return their number, and whether all numbers could be read."""
+    """Write group codes and numbers of an entity; return their count, and whether all are valid."""
     at: Any = np.uint64(low)
     size: Any = np.uint64(high)
     sure = True

@@ -1,6 +1,4 @@
-"""read: a DXF, ASCII or binary, of any version, as a Drawing.
-
-    bytes -> Drawing: segments in mm, and a report row for every entity of the file
+"""read: read a DXF file, ASCII or binary, of any version, as a Drawing.
 
 The fast reader is tried first; a file that it does not support is read with ezdxf.
 """
@@ -25,12 +23,12 @@ _CODE: Final = re.compile(rb" *\d")
 
 
 def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> Drawing:
-    """Return the drawing that a DXF holds.
+    """Return the drawing in a DXF file.
 
     Parameters
     ----------
     data
-        The file, ASCII or binary.
+        Content of the file, ASCII or binary.
     unit
         "mm", "cm", "m", "in" or "ft": overrides the unit of the file.
 
@@ -42,11 +40,11 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     Raises
     ------
     NotADrawing
-        Empty, not a DXF, cut short, or damaged past repair.
+        The file is empty, is not a DXF file, or is damaged.
     DrawingTooLarge
         A limit is exceeded.
     NoSuchUnit
-        ``unit`` is no unit.
+        ``unit`` is unknown.
     """
     if unit:
         factor(unit)  # refuses an unknown one
@@ -72,7 +70,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
 
 
 def _stripped(data: bytes) -> bytes:
-    """Return the bytes without byte order mark and leading blank lines; UTF-16 as UTF-8."""
+    """Return the content without byte order mark and leading blank lines; UTF-16 becomes UTF-8."""
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         data = data.decode("utf-16", "replace").encode("utf-8")
     # Most files begin with a group code, and need not be copied.

@@ -1,4 +1,4 @@
-"""scan_tables: the arrays that the pass over a plain DXF fills."""
+"""scan_tables: the arrays that the fast reader's scan of a DXF file fills."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from knifetip.kernels import (
 
 
 class ScanTables(NamedTuple):
-    """Tables of one pass; ``state`` has the number of rows in use of each."""
+    """Arrays filled by a scan; the number of used rows of each array is in ``state``."""
 
     entity: OutI32_2F  #: (e, ``fields.WIDTH``) what is written of each entity
     value: OutF64_2F  #: (e, ``fields.VALUES``) its decimals

@@ -1,10 +1,8 @@
-"""shapes: lines and arcs from the numbers of an entity, one at a time or all of a file at once.
+"""shapes: compute lines and arcs from the numbers of DXF entities, for one entity or for many.
 
-    centre, radius, angles -> one or two rows      vertices, bulges -> the rows between them
-    block coordinates      -> the sheet's, through an INSERT
-
-Both readers use these kernels, so that their results are equal bit by bit.  NumPy may round a
-column otherwise than a single number, so that it cannot be used here.
+Each line or arc is a row: its ends (2, 2) and its bulge.  Both readers use these kernels, so that
+their results are equal bit by bit.  NumPy may round an operation on an array differently from the
+same operation on a single number, so it is not used here.
 """
 
 from __future__ import annotations
@@ -23,14 +21,17 @@ _DEGREE: Final = math.pi / 180.0
 
 @kernel
 def swept(first: float, last: float) -> float:
-    """Return the sweep of an arc (degrees), 0 … 360: 360 for ends a whole turn apart."""
+    """Return the sweep of an arc between two angles (degrees), in (0, 360].
+
+    The sweep is 360 if the angles differ by a multiple of 360.
+    """
     sweep = (last - first) % 360.0
     return 360.0 if sweep == 0.0 and last != first else sweep
 
 
 @kernel
 def round_count(sweep: float) -> int:
-    """Return the number of rows of an arc: each row turns by at most half a turn."""
+    """Return the number of rows for an arc: each row turns by at most 180 degrees."""
     return 1 if sweep <= 180.0 + 1e-9 else 2
 
 
@@ -45,7 +46,10 @@ def round_rows(
     bulge: OutF64_1,
     at: int,
 ) -> int:
-    """Write the rows of an arc from row ``at`` on, angles in degrees; return the row after."""
+    """Write the rows of an arc from row ``at`` on; return the index of the row after them.
+
+    ``first`` and ``sweep`` are in degrees.
+    """
     rows = round_count(sweep)
     turn = min(math.tan(sweep * _DEGREE / rows / 4.0), 1.0)
     angle = first * _DEGREE
@@ -66,7 +70,10 @@ def round_rows(
 
 @kernel
 def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
-    """Return the number of rows of a polyline: an arc of more than half a turn has two."""
+    """Return the number of rows for a polyline; an arc of more than 180 degrees has two rows.
+
+    The vertices of the polyline are the rows ``low`` to ``high`` of ``vertex``.
+    """
     rows = 0
     for i in range(low, high if closed else high - 1):
         rows += 2 if abs(vertex[i, 2]) > 1.0 else 1
@@ -77,7 +84,10 @@ def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
 def chain_rows(
     vertex: F64_2, low: int, high: int, closed: bool, ends: OutF64_3, bulge: OutF64_1, at: int
 ) -> int:
-    """Write the rows between vertices (x, y, bulge) from row ``at`` on; return the row after."""
+    """Write the rows of a polyline from row ``at`` on; return the index of the row after them.
+
+    The vertices (x, y, bulge) are the rows ``low`` to ``high`` of ``vertex``.
+    """
     for i in range(low, high if closed else high - 1):
         j = i + 1 if i + 1 < high else low
         x, y, turn = vertex[i, 0], vertex[i, 1], vertex[i, 2]
@@ -101,7 +111,7 @@ def chain_rows(
 
 @kernel
 def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
-    """Mirror rows in x, as an extrusion of -Z does."""
+    """Negate x in the rows ``low`` to ``high``, as an extrusion of −Z does."""
     for i in range(low, high):
         ends[i, 0, 0] = -ends[i, 0, 0]
         ends[i, 1, 0] = -ends[i, 1, 0]

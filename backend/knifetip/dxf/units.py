@@ -1,8 +1,6 @@
-"""units: the unit in the header of a DXF.
+"""units: the length unit in the header of a DXF file.
 
-    header variables -> the unit that is stated, and hints of the others
-
-The room ``units`` decides whether it is plausible.
+The package ``knifetip.units`` decides whether this unit is plausible.
 """
 
 from __future__ import annotations
@@ -49,7 +47,7 @@ _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0,
 
 
 def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
-    """Return the unit that the header states, "" if none, and the evidence."""
+    """Return the unit in $INSUNITS, "" if there is none, and the message that explains it."""
     written = variables.get("$INSUNITS")
     if written is None:
         return "", Message("unit.header-missing")
@@ -67,7 +65,7 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
 
 
 def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
-    """Return the hints of other header variables at the unit."""
+    """Return the hints at the unit that header variables other than $INSUNITS give."""
     found = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
@@ -89,7 +87,7 @@ def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
 
 
 def known_unit(unit: str, variables: Mapping[str, str]) -> KnownUnit:
-    """Return the unit that the caller gives, else that of the file."""
+    """Return the unit that the caller gives, or the unit of the file if ``unit`` is empty."""
     written, evidence = stated(variables)
     if unit:
         return KnownUnit(factor(unit), unit, Message("unit.given"), written, hints(variables))

@@ -1,38 +1,36 @@
-"""Compiled functions: one decorator, one declared signature for each.  Nothing else uses numba.
+"""Decorators and annotations for functions that numba compiles; no other package imports numba.
 
 A *kernel* is a function that numba compiles to machine code.  Its annotations declare the types
-of its arguments, from this vocabulary:
+of its arguments, with this vocabulary:
 
 ========================  ==========================================================================
 annotation                argument
 ========================  ==========================================================================
 ``float, int, bool``      float64, int64, boolean; ``I32``, ``U8``, ``U64`` for other widths
-``F64_2``                 C-contiguous array of that type and number of dimensions, read-only: the
-                          kernel cannot write to it; callers may pass writable arrays too
-``OutF64_2``              such an array that the kernel writes to
-``F64_2A``, ``F64_2F``    an array with any strides; with columns contiguous (Fortran order)
+``F64_2``                 read-only C-contiguous array of float64 with 2 dimensions; callers may
+                          pass writable arrays too
+``OutF64_2``              writable array of the same type
+``F64_2A``, ``F64_2F``    array with any strides; array with contiguous columns (Fortran order)
 ``tuple[F64_1, int]``     a tuple
-a ``NamedTuple`` class    a group of tables, or scratch arrays: its fields are annotated like
-                          arguments.  A field that is never written to is declared read-only
+a ``NamedTuple`` class    several arrays and numbers, such as scratch arrays.  The fields are
+                          annotated like arguments; fields that are never written to are read-only
 ========================  ==========================================================================
 
-How to convert a function::
+How to write a kernel::
 
-    @njit(cache=True, error_model="numpy")              @kernel
-    def scale(point: Any, by: Any, out: Any) -> int:    def scale(point: F64_2, by: float,
-                                                                  out: OutF64_2) -> int:
+    @kernel
+    def scale(point: F64_2, factor: float, out: OutF64_2) -> int:
 
-1. Replace the decorator: ``@kernel``; ``@kernel(allocates=False)`` for what was ``whole`` (it makes
-   no array and keeps none); ``@inline_kernel`` for what was ``part``; ``checks_division=True``
-   where it was compiled without ``error_model="numpy"`` and divides.
-2. Give each argument exactly one type.  Where callers passed several (int32 and int64 rows), choose
-   one, and convert in the others.  An integer literal may be passed for ``int`` and ``float``.
-   A float is never cast to ``int``, nor an ``int`` to ``I32``: both raise an error that names the
-   argument.
-3. Put arrays that belong together in a ``NamedTuple`` at the top of the module.
-4. No default values: callers pass every argument.
+1. Choose the decorator: ``@kernel``; ``@kernel(allocates=False)`` for a function that creates and
+   returns no array, which makes its call faster; ``@inline_kernel`` for a short function that is
+   compiled into each kernel that calls it; ``checks_division=True`` to raise at divisions by zero.
+2. Give each argument exactly one type, and convert other types in the callers.  An integer literal
+   may be passed for ``int`` and ``float``.  A float is never cast to ``int``, nor an ``int`` to
+   ``I32``: both raise an error that names the argument.
+3. Combine arrays that belong together in a ``NamedTuple`` at the top of the module.
+4. Use no default values: callers pass every argument.
 
-The annotation of the result is for readers and mypy; numba infers it.
+The annotation of the return value is for readers and mypy; numba infers the type.
 """
 
 from knifetip.kernels.dispatch import Kernel, inline_kernel, kernel

@@ -1,4 +1,4 @@
-"""From the annotations of a function to the numba types of its arguments."""
+"""declare: convert the annotations of a function to the numba types of its arguments."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ _PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
 
 
 class Group(types.NamedTuple):
-    """A declared named tuple: takes values of its class whose fields convert to those declared.
+    """Numba type of a declared named tuple; accepts tuples whose fields convert to its fields.
 
-    numba itself converts no named tuple, so that a writable array in one would not do for a
-    read-only one.
+    numba converts no named tuples by itself, so that a named tuple with a writable array would be
+    refused where a read-only array is declared.
     """
 
     def can_convert_from(self, typingctx: Any, other: Any) -> Any:
-        """Return how a named tuple converts to this, or None where it does not."""
+        """Return how a named tuple converts to this type, None if it does not (for numba)."""
         if getattr(other, "instance_class", None) is not self.instance_class:
             return None
         kinds = [typingctx.can_convert(a, b) for a, b in zip(other, self, strict=True)]

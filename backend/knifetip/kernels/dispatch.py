@@ -1,10 +1,10 @@
-"""The decorators, and the dispatcher that compiles a kernel for its declared signature only.
+"""dispatch: the decorators of kernels, and a dispatcher that compiles only the declared signature.
 
-numba's own dispatcher compiles anew for each combination of argument types that it meets: for
-read-only and writable arrays, and inside other kernels for every constant that is passed.  With
-signatures given beforehand it compiles when the module is imported, and casts floats to integers.
-This one compiles at the first call, or loads what is kept beside the source, and converts only
-where no digit can be lost.
+numba's own dispatcher compiles a function again for each combination of argument types in its
+calls: for read-only and writable arrays, and for every constant that another kernel passes.  With
+explicit signatures it compiles when the module is imported, and casts floats to integers.
+``Kernel`` compiles at the first call, or loads the machine code from the cache file, and converts
+arguments only if no digit can be lost.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 class Kernel(CPUDispatcher):
-    """A function that is compiled for the signature that its annotations declare."""
+    """A function that numba compiles for the signature that its annotations declare."""
 
     def enable_caching(self) -> None:
         """Keep the machine code beside the source."""
@@ -48,9 +48,9 @@ class Kernel(CPUDispatcher):
 
     @cached_property
     def _accepted(self) -> set[tuple[Any, ...]]:
-        """The combinations of types that the machine code has been registered for.
+        """Return the combinations of argument types for which the machine code has been registered.
 
-        Kept so that numba gives the codes of these types to no others.
+        They are kept so that numba assigns the type codes to no other types.
         """
         return {tuple(self.declared.values())}
 
@@ -92,9 +92,8 @@ class Kernel(CPUDispatcher):
         return template, pysig, args, {}
 
     def _compile_for_args(self, *args: Any, **_kws: Any) -> Any:
-        # Called where no compiled signature fits the arguments as they are: at the first call, and
-        # Called by numba's C code for types of arguments that it has not yet met; it calls what is
-        # returned, which converts as it takes the arguments out of their Python objects.
+        # numba's C code calls this for types of arguments that it has not met before, and then
+        # calls the returned function, which converts the arguments.
         entry_point = self.compile()
         given = tuple(typeof(value) for value in args)
         if wrong := self._mismatch(given):
@@ -105,7 +104,7 @@ class Kernel(CPUDispatcher):
         return entry_point
 
     def _mismatch(self, given: Sequence[Any]) -> str:
-        """Return which argument does not have its declared type, or ""."""
+        """Return an error message if an argument does not have its declared type, else ""."""
         for (name, declared), each in zip(self.declared.items(), given, strict=True):
             kind = self.typingctx.can_convert(each, declared)
             if kind is None or kind > Conversion.safe:
@@ -139,22 +138,22 @@ def kernel(
     allocates: bool = True,
     checks_division: bool = False,
 ) -> _Function | Callable[[_Function], _Function]:
-    """Compile a function that other threads may run beside.
+    """Compile a function to machine code that runs without Python's global interpreter lock.
 
     Parameters
     ----------
     allocates
-        False for a function that makes no array and keeps none; what it calls may.  It is compiled
-        without counting of references, which takes longer than what such a kernel does, and by
-        instructions that wait for the other cores: most of all where groups are passed.
+        False for a function that creates no array and stores no reference to one; functions that
+        it calls may.  It is compiled without reference counting, which can take longer than the
+        function itself because it synchronises the cores, most of all if named tuples are passed.
     checks_division
-        Raise ``ZeroDivisionError`` where Python does; otherwise division by 0 gives inf, nan or 0.
+        Raise ``ZeroDivisionError`` like Python; otherwise division by 0 returns inf, nan or 0.
     """
     options: dict[str, Any] = {
         "nogil": True,
         "error_model": "python" if checks_division else "numpy",
-        # Said in either case: numba lets a kernel inherit what it does not say from the kernel
-        # whose compilation it is a part of.
+        # Always given: a kernel inherits missing options from the kernel whose compilation
+        # compiles it.
         "_nrt": allocates,
         "forceinline": False,
     }
@@ -164,8 +163,8 @@ def kernel(
 
 
 def inline_kernel(function: _Function) -> _Function:
-    """Compile a function into each kernel that calls it: calls with a dozen arrays take time.
+    """Compile a function into each kernel that calls it, because calls with many arrays are slow.
 
-    It makes no array and keeps none (``allocates=False``).
+    The function must not create an array or store a reference to one (``allocates=False``).
     """
     return _compiled(function, nogil=True, error_model="numpy", forceinline=True, _nrt=False)

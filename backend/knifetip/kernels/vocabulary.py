@@ -1,6 +1,6 @@
-"""Annotations that declare the argument types of kernels.
+"""vocabulary: annotations that declare the argument types of kernels.
 
-For mypy each is the NumPy type that callers pass; ``declare`` reads the numba type from it.
+mypy sees the NumPy type that callers pass; ``declare`` reads the numba type from the annotation.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """A number of one width, by its NumPy name."""
+    """A number of one type, given by the name of its NumPy dtype."""
 
     dtype: str
 
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """An array of one type, number of dimensions and memory order.
+    """An array of one dtype, number of dimensions and memory order.
 
     Parameters
     ----------
     order
-        "C" with rows contiguous, "F" with columns contiguous, "A" with any strides.
+        "C" for contiguous rows, "F" for contiguous columns, "A" for any strides.
     """
 
     dtype: str

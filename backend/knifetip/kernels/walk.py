@@ -1,4 +1,4 @@
-"""The kernels of a package, for who compiles or counts them."""
+"""walk: list the kernels in packages, to compile or to count them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from knifetip.kernels.dispatch import Kernel
 
 
 def kernels_of(*packages: str) -> Iterator[Kernel]:
-    """Yield each kernel of some packages and their modules once, in the order of their names.
+    """Yield each kernel that is defined in some packages, ordered by module.
 
     Parameters
     ----------
     packages
-        Full names, such as ``"knifetip.geometry"``, of packages or modules; they are imported.
+        Full names of packages or modules, such as ``"knifetip.geometry"``; they are imported.
     """
     for package in packages:
         imported = importlib.import_module(package)

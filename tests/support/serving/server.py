@@ -114,10 +114,10 @@ class Running:
     """``serve`` in a process of its own, which can be killed."""
 
     def __init__(self, database: Path, **more: object) -> None:
-        said = {"samples": False, **more}
+        parts = {"samples": False, **more}
         code = (
-            "from knifetip.api.embedded import serve\n"
-            f"serve('127.0.0.1', 0, 'sqlite:///{database}', **{said!r})"
+            "from knifetip.api.embedded import Parts, serve\n"
+            f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{parts!r}))"
         )
         # Compiled once for all servers of all tests, whatever the environment says of bytecode.
         environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}

@@ -1,4 +1,5 @@
-"""Reads any DXF with ezdxf, which repairs much of what is damaged.
+"""Reads any DXF file with ezdxf, which repairs many damaged files.
 
-bytes -> prescan -> ezdxf document -> expand (INSERTs) -> place (columns) -> Drawing
+The entities are counted in the bytes first (``prescan``); then ezdxf loads the file (``document``),
+blocks are expanded (``expand``), and shapes become lines and arcs (``place``).
 """

@@ -1,11 +1,10 @@
-"""block_expansion: the entities of the drawing, with blocks expanded where INSERTs place them.
+"""block_expansion: expand the blocks of a drawing at the INSERTs that place them.
 
-    blocks, entities of model space -> report rows in file order, shapes with their placements
-
-Both readers expand blocks here; each gives its entities as ``Found``.  The size is counted before
-anything is expanded, because a few nested arrays can produce an astronomical number of lines.  An
-entity that an INSERT repeats in rows and columns has one report row and one placement per
-repetition.
+The result is the rows of the import report in file order, and the shapes with their placements.
+Both readers expand blocks here; each provides its entities as ``Found``.  The entities are counted
+before anything is expanded, because a few nested arrays can produce an astronomical number of
+lines. An entity that an INSERT repeats in rows and columns has one row in the report and one
+placement per repetition.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ IN_PAPER_SPACE: Final = Message("import.paper-space")
 
 
 class Placed(NamedTuple):
-    """A shape, drawn k times: each point p at ``linear @ p + shift``."""
+    """A shape with k placements; placement i moves each point p to ``linear[i] @ p + shift[i]``."""
 
     row: int  #: of the import report
     shape: Shape
@@ -48,7 +47,7 @@ class Placed(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """Placement of a block by an INSERT."""
+    """Placement of a block by an INSERT entity."""
 
     block: str
     mirror: bool
@@ -61,32 +60,44 @@ class Reference(NamedTuple):
 
 
 class Found(Protocol):
-    """An entity as one of the readers provides it."""
+    """An entity, as the fast reader or the ezdxf reader provides it."""
 
     @property
     def hidden(self) -> bool:
-        """Whether it is marked as invisible."""
+        """Whether the entity is marked as invisible."""
         ...
 
     def style(self, styles: Styles, around: Style | None) -> Style:
-        """Return its style."""
+        """Return the style of the entity; ``around`` is the style of the INSERT that places it."""
         ...
 
     def drawn(self) -> Drawn:
-        """Return its shape; raises Undrawable, or any exception where it is damaged."""
+        """Return the shape of the entity.
+
+        Raises
+        ------
+        Undrawable
+            The entity has no geometry; a damaged entity may raise any exception.
+        """
         ...
 
     def reference(self) -> Reference:
-        """Return its placement of a block, if it is an INSERT; raises Undrawable."""
+        """Return the block placement of an INSERT entity.
+
+        Raises
+        ------
+        Undrawable
+            The INSERT cannot be placed.
+        """
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the block that it places, in lower case, and how often."""
+        """Return the name in lower case of the block that an INSERT places, and the repetitions."""
         ...
 
 
 class Entry(NamedTuple):
-    """An entity as prescanned, and as read, if it was."""
+    """An entity of the prescan, and the same entity as a reader provides it, if read."""
 
     counted: PrescannedEntity
     handle: str
@@ -95,7 +106,7 @@ class Entry(NamedTuple):
 
 @dataclass(eq=False)
 class Block:
-    """A block, whose entities are created when an INSERT first places it."""
+    """A block definition; its entities are created when an INSERT places the block first."""
 
     name: str
     base: F64  #: (2,)
@@ -110,17 +121,17 @@ class Block:
 
 
 def not_read(kind: str) -> Message:
-    """Return the reason for leaving out entities of a kind that has no geometry to cut."""
+    """Return the reason for dropping entities of a kind that has no geometry to cut."""
     return REASONS.get(kind) or Message("import.not-a-line", kind=kind)
 
 
 def places(name: str) -> Message:
-    """Return the note for an INSERT."""
+    """Return the note in the import report for an INSERT that places a block."""
     return Message("import.places-block", block=name)
 
 
 def idle(name: str, number: int) -> Message:
-    """Return the reason for leaving out a block that no INSERT places."""
+    """Return the reason for dropping a block of ``number`` entities that no INSERT places."""
     code = "import.picture-block" if name.startswith("*") else "import.unused-block"
     return Message(code, block=name, entities=number)
 
@@ -131,9 +142,9 @@ class BlockExpansion:
     Parameters
     ----------
     blocks
-        By name in lower case.
+        Block definitions by their names in lower case.
     on_sheet
-        Blocks (in lower case) that INSERTs in model space place, and how often.
+        Name in lower case of the block that each INSERT in model space places, and its repetitions.
 
     Raises
     ------
@@ -158,7 +169,7 @@ class BlockExpansion:
         self._endless = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Count the expanded entities; return the blocks that contain themselves."""
+        """Count the entities after expansion; return the blocks that contain themselves."""
         inside = {name: block.inside for name, block in self._blocks.items()}
         children = {
             name: {child for child, _ in found if child in inside} for name, found in inside.items()
@@ -203,7 +214,7 @@ class BlockExpansion:
         return endless
 
     def sheet_entity(self, entry: Entry) -> None:
-        """Expand an entity of model space."""
+        """Add an entity of model space, with its blocks expanded if it is an INSERT."""
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 
     def _entry(self, entry: Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
@@ -247,7 +258,7 @@ class BlockExpansion:
     def _left(
         self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: Message
     ) -> None:
-        """Add a report row for an entity without geometry, with its location box."""
+        """Add a row to the import report for an entity without geometry, with its location box."""
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
         if counted.box is not None:
             box = counted.box
@@ -305,13 +316,21 @@ class BlockExpansion:
 
 
 def _product(outer: F64, inner: F64) -> F64:
-    """Return the products (k, 2, 2) of outer and inner linear maps."""
+    """Return the products, (k, 2, 2), of each outer and each inner linear map."""
     columns = moved(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
 
 def _plucked(below: dict[str, set[str]], above: dict[str, set[str]]) -> tuple[list[str], set[str]]:
-    """Return the block names in topological order, and the names in cycles."""
+    """Return the names of blocks in topological order, and the names of blocks in cycles.
+
+    Parameters
+    ----------
+    below
+        Names of the blocks that each block places.
+    above
+        Names of the blocks that place each block.
+    """
     waiting = {name: len(found) for name, found in below.items()}
     ready = [name for name, number in waiting.items() if number == 0]
     for name in ready:

@@ -1,9 +1,7 @@
-"""document: an ezdxf document of the bytes of a DXF, repaired where that is necessary.
+"""document: load the bytes of a DXF file as an ezdxf document, repaired if necessary.
 
-    bytes, Prescan -> ezdxf document
-
-Several ways of reading are tried: as the file is, recovered by ezdxf, with subclass markers added,
-and at last with nothing but its complete tags.
+Several attempts are made: the file unchanged, recovered by ezdxf, with subclass markers added, and
+at last only the complete tags of entities with geometry.
 """
 
 from __future__ import annotations
@@ -29,7 +27,15 @@ logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 
 
 def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
-    """Return the ezdxf document of a DXF: as it is, else repaired, else only lines and arcs."""
+    """Return the ezdxf document of a DXF file, from the first attempt that succeeds.
+
+    Raises
+    ------
+    NotADrawing
+        All attempts fail.
+    DrawingTooLarge
+        The attempts take longer than the limits allow.
+    """
     reasons: list[str] = []
     until = time.monotonic() + limits.seconds
     for attempt in _attempts(data, counted):
@@ -42,7 +48,7 @@ def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
 
 
 def _attempts(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
-    """Yield functions that read the bytes, those that change least first."""
+    """Yield functions that load the document, ordered by how much they change the file."""
     if data.startswith(BINARY):
         yield lambda: Document.load(binary_tags_loader(data, errors="replace"))
         with suppress(Exception):
@@ -84,6 +90,6 @@ def _recovered(data: bytes) -> Document:
 
 
 def describe_error(error: Exception) -> str:
-    """Return the message of an exception of ezdxf in one line."""
+    """Return the message of an ezdxf exception in one line of at most 200 characters."""
     text = str(error).removeprefix("DXFStructureError: ").strip().rstrip(".")
     return (text or type(error).__name__)[:200]

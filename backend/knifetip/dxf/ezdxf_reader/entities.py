@@ -1,10 +1,10 @@
-"""entities: plane shapes of ezdxf entities, one function per kind of entity.
+"""entities: convert ezdxf entities to plane shapes, with one function per kind of entity.
 
-    LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE -> Lines     ELLIPSE -> Ellipse     SPLINE -> Spline
-
-Shapes are in the coordinates of model space, or of the block of the entity, in file units.
-An extrusion of −Z mirrors what is drawn in the entity's own plane (ARC, CIRCLE, polylines): its x
-counts to the left.  Shapes parallel to the XY plane are projected onto it, with a note.
+LINE, ARC, CIRCLE, LWPOLYLINE and POLYLINE become ``Lines``, ELLIPSE an ``Ellipse``, and SPLINE a
+``Spline``.  Shapes are in the coordinates of model space, or of the block that contains the entity,
+in file units.  An extrusion of −Z mirrors entities that are drawn in their own plane (ARC, CIRCLE,
+polylines): their x axis points to the left.  Shapes parallel to the XY plane are projected onto it,
+with a note.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Lines:
-    """Lines and arcs of at most half a turn."""
+    """Lines and arcs of at most 180 degrees each."""
 
     ends: F64  #: (n, 2, 2) file units
     bulge: F64  #: (n,)
@@ -47,14 +47,14 @@ Shape: TypeAlias = Lines | Ellipse | Spline
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawn:
-    """The shape of an entity, and notes on what was changed."""
+    """The shape of an entity, and notes on changes that were made to it."""
 
     shape: Shape
     notes: list[Message] = field(default_factory=list)
 
 
 class Undrawable(Exception):
-    """Raised for an entity without geometry."""
+    """Raised for an entity without geometry to cut, with the reason for the import report."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -123,18 +123,18 @@ REASONS: Final[dict[str, Message]] = {
 
 
 def drawn(entity: DXFGraphic) -> Drawn:
-    """Return the shape of one entity of a kind in ``READ``.
+    """Return the shape of an entity whose kind is in ``READ``.
 
     Raises
     ------
     Undrawable
-        It has no geometry to cut.
+        The entity has no geometry to cut.
     """
     return READ[entity.dxftype()](entity)
 
 
 def flat(heights: Iterable[float]) -> list[Message]:
-    """Return the notes for a shape at these heights: none where all are 0.
+    """Return the notes for a shape whose points have these heights; no notes if all are 0.
 
     Raises
     ------
@@ -155,7 +155,7 @@ def flat(heights: Iterable[float]) -> list[Message]:
 
 
 def mirrored(entity: DXFGraphic) -> bool:
-    """Return whether the extrusion of an entity is −Z, so that its x counts to the left.
+    """Return whether an entity is mirrored by an extrusion of −Z.
 
     Raises
     ------
@@ -188,7 +188,7 @@ def _line(entity: DXFGraphic) -> Drawn:
 
 
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
-    """Return an arc as segments of at most half a turn; angles in degrees."""
+    """Return an arc as segments of at most 180 degrees; ``first`` and ``sweep`` are in degrees."""
     if not radius > 0.0:
         raise Undrawable(Message("import.bad-radius", radius=radius))
     rows = round_count(sweep)
@@ -221,7 +221,7 @@ def _circle(entity: DXFGraphic) -> Drawn:
 
 
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
-    """Return the segments between vertices (n, 2); arcs of more than half a turn as two."""
+    """Return the segments of a polyline with n vertices; long arcs become two segments."""
     if len(xy) < 2:
         raise Undrawable(Message("import.few-vertices", vertices=len(xy)))
     vertex = np.column_stack([xy, bulge])

@@ -1,6 +1,6 @@
-"""expand: the entities of an ezdxf document, with blocks expanded.
+"""expand: expand the blocks of an ezdxf document.
 
-document, prescan -> ReportWriter with rows in file order, shapes with their placements
+The result is a ``ReportWriter`` with rows in file order, and the shapes with their placements.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def expand(
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return the blocks that INSERTs place, and how often each is repeated."""
+    """Return the block that each INSERT places, in lower case, and its repetitions."""
     return [
         EzdxfEntity(entity).repeats()
         for counted, _, entity in pairs
@@ -79,12 +79,12 @@ def _entries(pairs: Iterable[_Pair]) -> list[Entry]:
 def _matched(
     counted: list[PrescannedEntity], entities: list[DXFEntity], *, paper: bool
 ) -> list[_Pair]:
-    """Pair prescanned entities with those of ezdxf: by handle, else by order within a kind.
+    """Return pairs of prescanned and ezdxf entities, matched by handle or by order within a kind.
 
     Parameters
     ----------
     paper
-        Whether entities in paper space are among them.
+        Whether ``entities`` include entities in paper space.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:

@@ -1,8 +1,6 @@
-"""ezdxf_entity: one entity, read with ezdxf.
+"""ezdxf_entity: read single entities with ezdxf, and get their style, shape and placement.
 
-    DXFEntity -> style, shape and placement      bytes of an entity -> DXFEntity
-
-The ezdxf reader uses it for all entities, the fast reader for those that it does not support.
+The ezdxf reader uses this module for all entities, the fast reader for unsupported ones.
 """
 
 from __future__ import annotations
@@ -27,7 +25,7 @@ from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
 
 
 class EzdxfEntity:
-    """An ezdxf entity as ``block_expansion.Found``."""
+    """An ezdxf entity with the interface ``block_expansion.Found``."""
 
     def __init__(self, entity: Any) -> None:
         self._entity = entity
@@ -57,7 +55,7 @@ class EzdxfEntity:
         )
 
     def repeats(self) -> tuple[str, int]:
-        """Return the block that an INSERT places, in lower case, and how often."""
+        """Return the name in lower case of the block that an INSERT places, and the repetitions."""
         columns, rows = _cells(self._entity)
         return _block_name(self._entity).lower(), columns * rows
 
@@ -68,7 +66,7 @@ def _block_name(insert: Any) -> str:
 
 
 def _cells(insert: Any) -> tuple[int, int]:
-    """Return the columns and rows in which an INSERT repeats its block."""
+    """Return the numbers of columns and rows in which an INSERT repeats its block."""
     dxf = insert.dxf
     return max(int(dxf.get("column_count", 1)), 1), max(int(dxf.get("row_count", 1)), 1)
 
@@ -78,7 +76,7 @@ def _clipped(insert: Any) -> bool:
 
 
 class EntityReader:
-    """Reads single entities as if they were in a document of a given version."""
+    """Reads single entities from bytes, as if they were in a document of a given DXF version."""
 
     def __init__(self, version: str, encoding: str) -> None:
         self._document = Document()
@@ -88,13 +86,13 @@ class EntityReader:
         self._encoding = encoding
 
     def read(self, data: bytes) -> EzdxfEntity:
-        """Return the entity that begins the bytes, with the vertices that follow it.
+        """Return the entity at the start of the bytes; vertices of a polyline follow it.
 
         Raises
         ------
         Exception
-            Any exception of ezdxf for a damaged entity, and for one that ezdxf would only accept
-            when it recovers a whole file.
+            Any exception of ezdxf, if the entity is damaged or ezdxf can only read it by recovering
+            the whole file.
         """
         # ezdxf looks for a z behind each point, so that something must follow.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))

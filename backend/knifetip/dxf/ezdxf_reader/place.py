@@ -1,14 +1,12 @@
-"""place: placed shapes as columns of lines and arcs.
-
-    ReportWriter, scale -> Columns: ends, bulge and the attributes of each segment, in file order
+"""place: convert placed shapes to columns of lines and arcs in file order.
 
 A placement that rotates, mirrors or scales evenly keeps lines and arcs.  Uneven scaling makes an
 arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that differ
 only by a translation.
 
-The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is a share of the
-drawing's diagonal, that of its ends and curves: 1 / 250,000 of it, which is 0.01 mm or less in
-every unit in which the drawing is smaller than 2.5 m.
+The tolerance of the approximation is ``tolerance.CURVE`` mm.  While the unit is unknown it is
+1 / 250,000 of the diagonal of the drawing, which is at most 0.01 mm in every unit in which the
+drawing is smaller than 2.5 m.
 """
 
 from __future__ import annotations
@@ -44,24 +42,26 @@ def columns(
     limits: Limits,
     others: F64 | None = None,
 ) -> Columns:
-    """Return all placed shapes as segments; entities that cannot be placed get their reason.
+    """Return all placed shapes as segments; a shape that cannot be placed is marked as dropped.
 
     Parameters
     ----------
+    sheet
+        The import report, which gets the reasons of dropped shapes.
     scale
-        Millimetres to a file unit, 0 while it is unknown.
+        Millimetres per file unit, 0 while the unit is unknown.
     others : (m, 2, 2), optional
-        Ends of segments that are placed already (file units).
+        Ends of segments that are already placed (file units).
 
     Returns
     -------
     Columns
-        Its ``style`` is the index of the placed shape.
+        The column ``style`` contains indices into ``shapes``.
 
     Raises
     ------
     DrawingTooLarge
-        More segments, or more time, than the limits allow.
+        There are more segments, or the conversion takes longer, than the limits allow.
     """
     until = time.monotonic() + limits.seconds
     reach = REACH / (scale or 1.0)
@@ -117,20 +117,20 @@ def columns(
 
 
 def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
-    """Return columns with indices into the distinct styles, and these in order of first use."""
+    """Return the columns with indices into the distinct styles, and these styles by first use."""
     first, number = unique_rows(found.style)
     used = [styles[style] for style in found.style[first].tolist()]
     return replace(found, style=number.astype(np.int32)), used
 
 
 def refuse_after(until: float, limits: Limits) -> None:
-    """Raise DrawingTooLarge when the time is up."""
+    """Raise DrawingTooLarge if the monotonic clock is past ``until``."""
     if time.monotonic() > until:
         raise DrawingTooLarge("reading.too-slow", seconds=limits.seconds, format="drawing")
 
 
 def refuse_beyond(total: int, limits: Limits) -> None:
-    """Raise DrawingTooLarge for more segments than the limits allow."""
+    """Raise DrawingTooLarge if ``total`` segments are more than the limits allow."""
     if total > limits.segments:
         raise DrawingTooLarge("reading.too-many-segments", limit=limits.segments, format="drawing")
 
@@ -140,7 +140,7 @@ def _box(ends: F64) -> tuple[F64, F64]:
 
 
 def _relative(boxes: list[tuple[F64, F64]]) -> float:
-    """Return the tolerance while the unit is unknown."""
+    """Return the tolerance for a drawing of unknown unit with these bounding boxes."""
     if not boxes:
         return CURVE
     low = np.min([box[0] for box in boxes], axis=0)
@@ -150,7 +150,7 @@ def _relative(boxes: list[tuple[F64, F64]]) -> float:
 
 
 def _reach(placed: Placed) -> tuple[F64, F64]:
-    """Return the corners of a box that contains a placed shape."""
+    """Return the lower and upper corner of a box that contains all placements of a shape."""
     shape = placed.shape
     if isinstance(shape, Lines) and not shape.bulge.any():
         low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
@@ -171,7 +171,10 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
 
 
 def _moved(placed: Placed) -> tuple[F64, F64] | None:
-    """Return ends (n, 2, 2) and bulge (n,) of all placements; None if curves must be fitted."""
+    """Return ends (n, 2, 2) and bulges (n,) of all placements of a shape.
+
+    None if the shape must be approximated first.
+    """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
         return None
@@ -190,7 +193,7 @@ def _moved(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return ends (n, 2, 2) and bulge (n,) of all placements, with curves fitted."""
+    """Return ends (n, 2, 2) and bulges (n,) of all placements of an approximated shape."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []
     bulge_of: list[F64] = []
@@ -204,7 +207,7 @@ def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
 
 
 def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
-    """Return one shape, transformed by a linear map, as lines and arcs."""
+    """Return a shape, transformed by a linear map, as lines and arcs within the tolerance."""
     if isinstance(shape, Ellipse):
         return Ellipse(
             linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last

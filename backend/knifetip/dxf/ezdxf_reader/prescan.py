@@ -1,9 +1,8 @@
-"""prescan: the entities of a file, counted in its bytes before ezdxf reads it.
+"""prescan: count the entities in the bytes of a file before ezdxf reads it.
 
-    bytes -> Prescan: header variables, every entity of ENTITIES and of each block, in file order
-
-The import report is based on it.  ezdxf skips, repairs and adds entities, and adds header variables
-that the file does not have; a prescan contains what is in the file.
+The import report is based on the prescan, which contains what is in the file: header variables, and
+every entity of the section ENTITIES and of each block, in file order.  ezdxf skips, repairs and
+adds entities, and adds header variables that the file does not have.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ _PARTS: Final = frozenset({"VERTEX", "SEQEND"})
 
 @dataclass(frozen=True, slots=True)
 class PrescannedEntity:
-    """One entity as the file has it."""
+    """One entity as written in the file."""
 
     kind: str  #: LINE, ARC, INSERT …
     handle: str  #: empty where the file gives none
@@ -39,7 +38,7 @@ class PrescannedEntity:
 
 @dataclass(slots=True)
 class PrescannedBlock:
-    """A block definition and what is in it."""
+    """One block definition as written in the file, with its entities."""
 
     name: str
     handle: str
@@ -49,7 +48,7 @@ class PrescannedBlock:
 
 @dataclass(slots=True)
 class Prescan:
-    """Header variables, entities and blocks of a file."""
+    """Header variables, entities and blocks of a file, and what is unusual about the file."""
 
     sections: set[str] = field(default_factory=set)  #: names of the sections that it has
     variables: dict[str, str] = field(default_factory=dict)  #: $NAME -> its first value
@@ -64,17 +63,17 @@ class Prescan:
 
     @property
     def size(self) -> int:
-        """Number of entities, with those of blocks."""
+        """Number of entities in model space, paper space and blocks."""
         return len(self.entities) + sum(len(block.entities) for block in self.blocks.values())
 
     @property
     def annotations(self) -> tuple[Annotation, ...]:
-        """The texts in model space."""
+        """Texts and dimensions in model space."""
         return tuple(one.words for one in self.entities if one.words and not one.paper)
 
 
 def prescan(data: bytes) -> Prescan:
-    """Return the prescan of a DXF, ASCII or binary; never raises."""
+    """Return the prescan of a DXF file, ASCII or binary; damaged files raise no exception."""
     result = Prescan()
     codes, values = _binary_tags(data) if data.startswith(BINARY) else _ascii_tags(data, result)
     starts = [row for row, code in enumerate(codes) if code == 0]
@@ -142,7 +141,7 @@ def prescan(data: bytes) -> Prescan:
 
 
 def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return the index of the next entity after the vertices of a POLYLINE."""
+    """Return the index into ``starts`` of the entity after entity ``number`` and its vertices."""
     number += 1
     if kind == "POLYLINE":
         while number < len(starts) and _plain(values[starts[number]]) == "VERTEX":
@@ -151,7 +150,7 @@ def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) ->
 
 
 def _unpack_layouts(found: Prescan) -> None:
-    """Move entities in the blocks of layouts to those of model space."""
+    """Move the entities of layout blocks to the entities of the prescan."""
     for name in [
         name for name in found.blocks if name.startswith(("*model_space", "*paper_space"))
     ]:
@@ -195,7 +194,7 @@ def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
 
 
 def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], found: Prescan) -> None:
-    """Collect the header variables; the first value of a repeated variable counts."""
+    """Collect the header variables in ``found``; a repeated variable keeps its first value."""
     for number, row in enumerate(starts):
         after = starts[number + 1] if number + 1 < len(starts) else len(codes)
         if row + 1 >= after or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
@@ -208,7 +207,7 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
 
 
 def header_of(section: bytes) -> dict[str, str]:
-    """Return the variables in the text of section HEADER; the first value of each counts."""
+    """Return the header variables in section HEADER; the first value of each counts."""
     lines = section.split(b"\n")
     found: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):

@@ -1,9 +1,7 @@
-"""reader: any DXF, read with ezdxf.
+"""reader: read any DXF file with ezdxf.
 
-    bytes, unit -> Drawing
-
-Entities that ezdxf leaves out are in the import report all the same, since they are counted before
-ezdxf reads the file (``prescan``).
+Entities that ezdxf skips are in the import report all the same, because they are counted in the
+bytes before ezdxf reads the file (``prescan``).
 """
 
 from __future__ import annotations
@@ -21,11 +19,14 @@ from knifetip.model.drawing import Drawing
 
 
 def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
-    """Return the drawing in a DXF, read with ezdxf.
+    """Return the drawing in a DXF file, read with ezdxf; ``unit`` overrides the unit of the file.
 
     Raises
     ------
-    NotADrawing, DrawingTooLarge
+    NotADrawing
+        The file is not a DXF file, or is damaged.
+    DrawingTooLarge
+        A limit is exceeded.
     """
     if (kind := format_of(data)).name != "dxf":
         raise NotADrawing("dxf.other-kind", kind=kind.title)
@@ -43,7 +44,7 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
 
 
 def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
-    """Raise for a file that is no DXF, has too many entities, or is cut short."""
+    """Raise if a file is not a DXF file, has too many entities, or is incomplete."""
     if not counted.sections:
         if counted.broken:
             line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()

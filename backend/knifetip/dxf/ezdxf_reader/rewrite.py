@@ -1,13 +1,12 @@
-"""rewrite: a DXF rewritten so that ezdxf reads all of it.
+"""rewrite: change the lines of a DXF file so that ezdxf reads all of its geometry.
 
-    lines of a DXF -> the same lines, with subclass markers for LWPOLYLINE and SPLINE
-    lines of a DXF -> the same lines without entities that have no geometry to cut
-    tags of a binary DXF -> lines
+``with_markers`` adds subclass markers to LWPOLYLINE and SPLINE, ``lines_only`` removes entities
+that have no geometry to cut, and ``as_text`` converts the tags of a binary DXF file to lines.
 
-ezdxf looks for the geometry of LWPOLYLINE and SPLINE behind their subclass markers only, and in a
-file of R12, which knows neither of them, for everything else before the markers: layer, colour, and
-whether they are closed.  Programs write them into such files all the same, and leave the markers
-out.  And ezdxf refuses a whole file over one hatch or picture that it cannot make sense of.
+ezdxf expects the geometry of LWPOLYLINE and SPLINE after their subclass markers, and in R12 files,
+which do not define these entities, it expects layer, colour and the closed flag before the markers.
+Many programs write both entities without markers and into R12 files.  ezdxf also refuses a whole
+file because of one hatch or image that it cannot parse.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ _KEPT: Final = frozenset(
 
 
 class _Records(NamedTuple):
-    """The lines of a DXF, split at each group code 0."""
+    """The lines of a DXF file, split into records at each group code 0."""
 
     lines: list[bytes]
     codes: list[int]  #: group code of each tag (two lines)
@@ -53,18 +52,18 @@ class _Records(NamedTuple):
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
     def joined(self, made: list[bytes]) -> bytes:
-        """Return all lines, with the spans replaced by their new lines."""
+        """Return all lines, with the lines of each record replaced by the given new lines."""
         first = self.lines[: 2 * self.spans[0][0]]
         return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
-    """Return the lines with subclass markers; unchanged if none are missing or there are no tags.
+    """Return the lines with subclass markers added where they are missing.
 
     Parameters
     ----------
     every
-        Also for entities that have markers: repeat before them what follows them.
+        Also process entities that have markers: repeat the tags after the markers before them.
     """
     records = _records(data)
     if records is None:
@@ -113,7 +112,7 @@ def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
 
 
 def _records(data: bytes) -> _Records | None:
-    """Split the lines into records; None if they are not tags, or not in a record."""
+    """Return the lines split into records; None if they are not tags or do not start a record."""
     lines = data.split(b"\n")
     try:
         codes = list(map(int, lines[: len(lines) // 2 * 2 : 2]))
@@ -126,7 +125,7 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _parted(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
-    """Return the common tags of an entity, those of its kind, and extension data."""
+    """Return the common tags of an entity, the tags of its kind, and its extension data."""
     codes = records.codes
     end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)
     head = [n for n in range(tag, end) if codes[n] != 100]

@@ -1,6 +1,6 @@
-"""Reads the DXF files that CAD programs commonly write, in compiled kernels.
+"""Reads the DXF files that CAD programs commonly write, with compiled kernels.
 
-    bytes -> Scan -> Tables -> columns -> report rows, segments, annotations
-
-A file that it cannot read exactly as ezdxf would raises ``Unsupported``.
+``scan`` reads the bytes into arrays, ``tables`` the names, layers and blocks, and ``reader`` places
+the segments of all entities.  If a file cannot be read exactly as ezdxf would read it,
+``Unsupported`` is raised.
 """

@@ -1,8 +1,6 @@
-"""columns: segments of the entities of a Scan, and of blocks that INSERTs place.
+"""columns: kernels that compute the segments of entities, and of blocks that INSERTs place.
 
-    rows of a Scan -> segments of each entity -> segments in model space, in file order
-
-Compiled; the arithmetic is that of ``shapes`` and ``block_expansion``.
+The arithmetic equals that of ``shapes`` and ``block_expansion``.
 """
 
 from __future__ import annotations
@@ -41,7 +39,10 @@ from knifetip.kernels import (
 
 @kernel
 def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
-    """Return the number of segments of each entity, 0 without geometry; mark wrong ones as odd."""
+    """Return the number of segments of each entity, (e,), 0 for an entity without geometry.
+
+    Entities with invalid numbers are marked in the column ``ODD``.
+    """
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
         kind = entity[row, f.KIND]
@@ -69,7 +70,10 @@ def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
 def draw(
     entity: I32_2A, value: F64_2A, vertex: F64_2, first: OutI64_1, ends: OutF64_3, bulge: OutF64_1
 ) -> None:
-    """Write the segments of every entity, in its own coordinates."""
+    """Write the segments of every entity into ``ends`` and ``bulge``, in coordinates of the entity.
+
+    ``first`` is the first segment of each entity, (e + 1,).
+    """
     for row in range(len(entity)):
         at = first[row]
         if first[row + 1] == at:
@@ -97,7 +101,7 @@ def draw(
 
 @kernel
 def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
-    """Return which entities have an end with a coordinate beyond ``reach``, (e,)."""
+    """Return the mask of the entities with a coordinate beyond ``reach``, (e,)."""
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):
         for i in range(first[row], first[row + 1]):
@@ -109,7 +113,7 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return the entities that have segments, (d,), and a key for the style of each.
+    """Return the entities that have segments, (d,), and for each a key of its style, (d,).
 
     The key combines layer, linetype, colour and true colour: there are fewer than 2^15 names, and
     colours take 9 and 25 bits.
@@ -129,14 +133,14 @@ def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
 
 @kernel
 def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
-    """Write linear map and translation of INSERTs, (k, 2, 3).
+    """Write the linear map and the translation of k INSERTs into ``move``, (k, 2, 3).
 
     Parameters
     ----------
     given : (k, 5)
-        x, y, scale in x and in y, rotation in degrees.
+        x, y, scale in x and in y, rotation in degrees of each INSERT.
     base : (k, 2)
-        Base points of their blocks.
+        Base point of the block of each INSERT.
     """
     for k in range(len(given)):
         x, y = given[k, 0], given[k, 1]
@@ -149,7 +153,7 @@ def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
 
 
 class SheetRows(NamedTuple):
-    """The k entities of the sheet in file order."""
+    """The k entities of model space in file order."""
 
     entity: I64_1  #: (k,) row of each entity
     report_row: I64_1  #: (k,) row of each in the import report
@@ -158,7 +162,7 @@ class SheetRows(NamedTuple):
 
 
 class EntitySegments(NamedTuple):
-    """The segments of e entities in their own coordinates."""
+    """The segments of e entities, in coordinates of model space or of the entity's block."""
 
     ends: F64_3  #: (n, 2, 2)
     bulge: F64_1  #: (n,)
@@ -167,7 +171,7 @@ class EntitySegments(NamedTuple):
 
 
 class PlacedBlocks(NamedTuple):
-    """The j INSERTs whose blocks are drawn in columns."""
+    """The j INSERTs in model space whose blocks are processed in columns."""
 
     row: I64_1  #: (j,) place of each among the entities of the sheet
     source: I64_2  #: (j, 3) first entity of the block, its first segment, and its first style
@@ -177,7 +181,7 @@ class PlacedBlocks(NamedTuple):
 
 
 class SheetSegments(NamedTuple):
-    """Room for the m segments of the sheet."""
+    """Output arrays for the m segments of the drawing."""
 
     ends: OutF64_3  #: (m, 2, 2)
     bulge: OutF64_1  #: (m,)
@@ -189,7 +193,7 @@ class SheetSegments(NamedTuple):
 def place(
     sheet: SheetRows, drawn: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
 ) -> None:
-    """Write all segments of the sheet in file order, those of its INSERTs transformed."""
+    """Write all segments in file order into ``out``, with the segments of blocks transformed."""
     rows, report_row, first_out, shown = sheet
     ends, bulge, first, style_of = drawn
     spots, source, children, move, styles = inserts

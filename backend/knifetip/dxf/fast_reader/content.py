@@ -1,4 +1,4 @@
-"""content: storage of the tags of an entity, and detection of unsupported ones."""
+"""content: kernels that store the tags of an entity and detect unsupported tags."""
 
 from __future__ import annotations
 
@@ -32,7 +32,17 @@ def take_decimal(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Store a decimal, or mark its entity as odd."""
+    """Store a decimal number of an entity, or mark the entity as odd; return ON or REFUSED.
+
+    Parameters
+    ----------
+    before
+        Group code of the preceding tag.
+    read, sure
+        The number and its certainty, as returned by ``decimals.number``.
+    low, high
+        Span of bytes of the value.
+    """
     entity, value, vertex, left = tables.entity, tables.value, tables.vertex, tables.left
     mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
     table, line, column = 0, row, 0
@@ -116,7 +126,10 @@ def take_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of an entity that is no decimal."""
+    """Store a tag of an entity whose value is not a decimal number; return ON or REFUSED.
+
+    The value has the span ``low`` to ``high`` in ``data``.
+    """
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     plain = kind != f.OTHER and kind != g.OF_WORDS
     if code == 100:
@@ -162,7 +175,7 @@ def take_tag(
 
 @inline_kernel
 def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Store a subclass marker."""
+    """Store a subclass marker of the open entity, or mark the entity as odd."""
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
     marks = state[s.OPEN_MARKS]
@@ -185,7 +198,7 @@ def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI
 def _of_words(
     code: int, data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1
 ) -> None:
-    """Store a tag of a text or a dimension."""
+    """Store a tag of a text or dimension entity."""
     row, seen = state[s.ROW], state[s.SEEN]
     if code == 101:
         # From here on, text in columns repeats itself.
@@ -212,7 +225,7 @@ def _of_plain(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of a line, an INSERT …: attributes, flags and references."""
+    """Store a tag of a line, polyline or INSERT: an attribute, a flag or a reference."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     column, bit = -1, 0
     if code == 6 or (code == 2 and kind == f.INSERT):

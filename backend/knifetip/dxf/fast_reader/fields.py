@@ -1,7 +1,4 @@
-"""fields: the columns of a Scan, by name.
-
-Kinds of entities, and the columns of the rows of entities, blocks, layers and values.
-"""
+"""fields: columns of the arrays in a Scan, and numbers of the supported entity kinds."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""group_codes: the meaning of each group code, and the codes that each kind of entity needs.
-
-Tables by group code or kind, and bits for the codes that an entity has had.
-"""
+"""group_codes: value types and meanings of group codes, and the codes of each entity kind."""
 
 from __future__ import annotations
 

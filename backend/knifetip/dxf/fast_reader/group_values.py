@@ -1,7 +1,4 @@
-"""group_values: names and integers from bytes.
-
-bytes of a value -> index of a name, integer, or whether the value is valid
-"""
+"""group_values: kernels that parse names and integers, and check values that are not stored."""
 
 from __future__ import annotations
 
@@ -28,7 +25,10 @@ NONE: Final = -(1 << 62)
 def name_at(
     data: U8_1, low: int, high: int, spans: OutI64_2, slots: OutI32_1, state: OutI64_1
 ) -> Any:
-    """Return the index of a name, -1 if it is unsupported or there are too many names."""
+    """Return the index of the name between ``low`` and ``high``; a new name is added to the table.
+
+    -1 if the name is unsupported or there are too many names.
+    """
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
     slot = np.int64(hashed(data, low, high) & np.uint64(_SLOTS - 1))
@@ -51,7 +51,7 @@ def name_at(
 
 @inline_kernel
 def whole_at(data: U8_1, low: int, high: int) -> int:
-    """Return an integer of up to 18 digits, ``NONE`` if there is none."""
+    """Return the integer of up to 18 digits from ``low`` to ``high``, or ``NONE``."""
     while low < high and data[low] == 32:
         low += 1
     while low < high and data[high - 1] == 32:
@@ -71,7 +71,7 @@ def whole_at(data: U8_1, low: int, high: int) -> int:
 
 @inline_kernel
 def valid(data: U8_1, low: int, high: int, what: int) -> bool:
-    """Return whether a skipped value is valid."""
+    """Return whether a value that is not stored is valid for its type ``what``."""
     if what == g.DECIMAL:
         _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)

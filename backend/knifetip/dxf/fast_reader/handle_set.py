@@ -1,7 +1,7 @@
-"""handle_set: handles of entities, checked and formatted in columns.
+"""handle_set: check the handles of all entities, and write them as text.
 
-bytes of the file -> handles in upper case, ``#17`` for the 17th entity without one
-handles of INSERTs and of entities in their blocks -> ``INSERT/CHILD``
+An entity without a handle gets ``#17`` if it is the 17th entity; an entity that an INSERT places
+gets ``INSERT/CHILD``, from the handles of both.
 """
 
 from __future__ import annotations
@@ -25,14 +25,16 @@ _NUMBER: Final = 12
 
 
 def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | None:
-    """Return the handle of each entity; None if one is invalid or a duplicate.
+    """Return the handles of all entities in upper case; None if one is invalid or occurs twice.
 
     Parameters
     ----------
     entity
-        Rows of a Scan with that number of ``blocks``.
+        Rows of entities of a Scan.
+    blocks
+        Number of blocks of the Scan.
     others
-        Values of the handles of other objects.
+        Values of the handles of objects that are not entities.
     """
     start, size, block = entity[:, f.HANDLE], entity[:, f.HANDLE_SIZE], entity[:, f.BLOCK]
     text = np.empty(int(size.sum()) + _NUMBER * int((size == 0).sum()), np.uint8)
@@ -48,7 +50,7 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
 
 
 def _twice(number: I64) -> bool:
-    """Return whether positive numbers contain a duplicate."""
+    """Return whether any positive number occurs twice."""
     if number.max(initial=0) <= _DENSE * len(number):
         return bool(np.bincount(number).max(initial=0) > 1)
     number = np.sort(number)
@@ -56,18 +58,18 @@ def _twice(number: I64) -> bool:
 
 
 def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
-    """Return the handles of all report rows.
+    """Return the handles of all m rows of the import report.
 
     Parameters
     ----------
     handles
-        Of the entities.
+        Handles of the entities.
     placed
-        Of expanded entities, with the handles of their INSERTs.
+        Handles of entities that were expanded one by one, with the handles of their INSERTs.
     own : (m,)
         Entity of each row; from the number of entities on, an index into ``placed``.
     insert : (m,)
-        INSERT that places each row, -1 for model space and for ``placed``.
+        INSERT that places the entity of each row, -1 for model space and for ``placed``.
     """
     last = np.array([len(word.encode()) for word in placed], np.int64)
     text = np.frombuffer(handles.text + "".join(placed).encode(), np.uint8)
@@ -80,7 +82,7 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
 
 @inline_kernel
 def value_at(data: U8_1, low: int, high: int) -> Any:
-    """Return the value of a handle, 0 if ezdxf would not accept it."""
+    """Return the value of the hexadecimal handle from ``low`` to ``high``, 0 if invalid."""
     if high - low > _DIGITS:
         return 0
     value = 0
@@ -97,7 +99,7 @@ def value_at(data: U8_1, low: int, high: int) -> Any:
 
 @inline_kernel
 def take_handle(data: U8_1, low: int, high: int, others: OutI64_1, state: OutI64_1) -> int:
-    """Store the handle of an object that is no entity."""
+    """Store the handle of an object that is not an entity in ``others``; return ON or REFUSED."""
     value, row = value_at(data, low, high), state[s.OTHERS]
     if value == 0 or row == state[s.MOST_OTHERS]:
         return s.REFUSED
@@ -117,7 +119,7 @@ def _spell(
     end: OutI64_1,
     number: OutI64_1,
 ) -> bool:
-    """Write handles and their values; return whether all are valid."""
+    """Write the handles as text and as numbers; return whether all handles are valid."""
     at = 0
     for row in range(len(start)):
         count[block[row]] += 1
@@ -144,7 +146,7 @@ def _spell(
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Write the end position of each path; return the total size."""
+    """Write the end of each path of handles into ``out_end``; return the total number of bytes."""
     at = 0
     for row in range(len(own)):
         if insert[row] >= 0:

@@ -1,8 +1,4 @@
-"""import_report_writer: report rows and texts of a file that the fast reader reads, in columns.
-
-rows of a Scan, INSERTs, expanded entities -> ReportRows
-texts and dimensions -> annotations
-"""
+"""import_report_writer: import report and annotations of a file, computed in columns."""
 
 from __future__ import annotations
 
@@ -28,7 +24,7 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """A block with the outcomes and styles that it has under INSERTs of one style."""
+    """Outcomes and styles of the entities of a block that INSERTs of one style place."""
 
     layers: list[str]  #: of its entities
     outcomes: dict[
@@ -38,7 +34,7 @@ class Variant(NamedTuple):
 
 
 class Inserts(NamedTuple):
-    """k INSERTs in model space that are placed in columns."""
+    """The k INSERTs in model space whose blocks are processed in columns."""
 
     spot: I64  #: (k,) which of the entities of the sheet
     block: I64  #: (k,)
@@ -48,7 +44,7 @@ class Inserts(NamedTuple):
 
 
 class Order(NamedTuple):
-    """Report rows of n entities in model space, of m rows in all."""
+    """The n entities of model space, and their rows in the import report."""
 
     rows: I64  #: (n,) of the Scan
     report_row: I64  #: (n,)
@@ -57,7 +53,7 @@ class Order(NamedTuple):
 
 
 def left_out(tables: Tables, row: int) -> Message | None:
-    """Return the reason for leaving out an entity, None for one that is drawn."""
+    """Return the reason for dropping an entity, None if the entity has geometry."""
     line = tables.found.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
@@ -70,7 +66,10 @@ def left_out(tables: Tables, row: int) -> Message | None:
 
 
 def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
-    """Return the report rows of entities in model space, in blocks, and of expanded entities."""
+    """Return the rows of the import report for model space, blocks and expanded entities.
+
+    ``walk`` contains the rows of entities that were expanded one by one.
+    """
     entity, span = tables.found.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
     silent = numbers.setdefault("0", len(numbers))
@@ -138,7 +137,7 @@ def _of_sheet(
     Parameters
     ----------
     spots
-        Indices of entities that are left out.
+        Indices of the entities that are dropped.
     """
     entity, rows = tables.found.entity, order.rows
     paper, sort, word, count = (
@@ -165,7 +164,7 @@ def _of_sheet(
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Yield the outcomes of entities in blocks."""
+    """Yield the outcomes of entities in the blocks that INSERTs place."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.report_row[inserts.spot[same]] + 1
@@ -174,7 +173,7 @@ def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
-    """Return the location boxes of entities in their own coordinates, (n, 4)."""
+    """Return the location boxes of n entities in their own coordinates, (n, 4)."""
     entity = tables.found.entity
     words, kind = np.unique(entity[rows, f.WORD], return_inverse=True)
     kinds = [tables.words[word] for word in words.tolist()]
@@ -183,7 +182,7 @@ def boxes(tables: Tables, rows: I64) -> F64:
 
 
 def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxes]:
-    """Yield the location boxes of entities in model space that are left out."""
+    """Yield the location boxes of the dropped entities in model space."""
     spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
     if len(spots):
         yield LocationBoxes(
@@ -192,7 +191,7 @@ def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxe
 
 
 def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
-    """Yield the location boxes of entities in blocks that are left out."""
+    """Yield the location boxes of the dropped entities in blocks."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         numbers = np.array(
@@ -213,13 +212,13 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Locat
 
 
 def _grouped(kind: I64, kinds: int) -> list[I64]:
-    """Return the rows of each kind."""
+    """Return for each of ``kinds`` kinds the indices of the entities of that kind."""
     order = np.argsort(kind, kind="stable")
     return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
 
 
 def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
-    """Return the texts in model space, those of dimensions included."""
+    """Return the texts and dimensions in model space."""
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
     # By columns: building a list per row would take as long again.

@@ -1,4 +1,4 @@
-"""keywords: the keywords of DXF, numbered, and their lookup in bytes."""
+"""keywords: the keywords of DXF with their numbers, and kernels that look them up in bytes."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 
 @inline_kernel
 def is_word(data: U8_1, low: int, high: int, word: int) -> bool:
-    """Return whether a line consists of a keyword."""
+    """Return whether the bytes from ``low`` to ``high`` are the keyword number ``word``."""
     size = ENDS[word + 1] - ENDS[word]
     return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
 
 
 @inline_kernel
 def word_at(data: U8_1, low: int, high: int, first: int, last: int) -> Any:
-    """Return which of the keywords from ``first`` to ``last`` a line is, -1 for none."""
+    """Return the number, from ``first`` to ``last``, of the keyword in some bytes, -1 for none."""
     for word in range(first, last + 1):
         if is_word(data, low, high, word):
             return word

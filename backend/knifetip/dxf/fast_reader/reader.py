@@ -1,11 +1,10 @@
-"""reader: a DXF that uses only supported features, read in columns.
-
-    bytes -> Scan -> segments, INSERTs placed -> ReportRows, Columns, Styles and annotations
+"""reader: read a DXF file that uses only supported features.
 
 The result equals that of the ezdxf reader bit by bit, in about a hundredth of the time.  Entities
 in model space, and blocks that INSERTs move, rotate and scale evenly, are processed in columns.
-All others are expanded one by one: curves that must be fitted, blocks that are nested, repeated or
-unevenly scaled, and odd entities.  A file with unsupported features raises ``Unsupported``.
+All other entities are expanded one by one: curves that must be approximated, blocks that are
+nested, repeated or unevenly scaled, and odd entities, which the scan does not support and ezdxf
+reads.
 """
 
 from __future__ import annotations
@@ -67,7 +66,7 @@ _STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
 
 
 class FastReading(NamedTuple):
-    """Report rows, segments and texts of a DXF."""
+    """Rows of the import report, segments and annotations of a DXF file."""
 
     sheet: ReportRows
     columns: Columns  #: file units
@@ -76,7 +75,7 @@ class FastReading(NamedTuple):
 
 
 class _AsWritten:
-    """An entity of a Scan as ``block_expansion.Found``."""
+    """An entity of a Scan with the interface ``block_expansion.Found``."""
 
     hidden = False
 
@@ -103,7 +102,7 @@ class _AsWritten:
 
 
 def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
-    """Return number and first row of the segments of each entity, and their ends and bulges."""
+    """Return the number of segments of each entity, the first segment, all ends and all bulges."""
     count: I64 = counts(found.entity, found.value, found.vertex)
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
@@ -112,7 +111,7 @@ def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
 
 
 class FastReader:
-    """Reads one DXF.
+    """Reads one DXF file.
 
     Raises
     ------
@@ -148,7 +147,7 @@ class FastReader:
         self._variant_styles: list[I32] = []
 
     def _read_odd(self) -> dict[int, EzdxfEntity]:
-        """Return the odd entities, read with ezdxf, by their rows."""
+        """Return the entities that the scan does not support, read with ezdxf, by their rows."""
         is_odd = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
         if not is_odd.any():
             return {}
@@ -167,7 +166,7 @@ class FastReader:
         return odd
 
     def _simple_blocks(self) -> dict[int, bool]:
-        """Return for each block that can be placed in columns whether it has arcs."""
+        """Return the blocks that can be processed in columns, and whether each contains arcs."""
         entity = self.entity
         special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.ODD] != 0)
         special &= entity[:, f.PAPER] == 0
@@ -180,7 +179,7 @@ class FastReader:
         return simple
 
     def _all_blocks(self) -> dict[str, Block]:
-        """Return the blocks to expand."""
+        """Return all blocks by name in lower case, for expansion one by one."""
         blocks = {}
         inserts = np.flatnonzero(self.entity[:, f.KIND] == f.INSERT)
         for key, number in self.tables.blocks.items():
@@ -203,7 +202,7 @@ class FastReader:
         return list(map(self._entry, rows))
 
     def _entry(self, row: int) -> Entry:
-        """Return an entity to expand."""
+        """Return the entity of a row for expansion one by one."""
         line = self.entity[row]
         kind, handle = self.tables.words[int(line[f.WORD])], self.tables.handles[row]
         box = None if line[f.PAPER] else boxes(self.tables, np.array([row]))[0]
@@ -212,7 +211,7 @@ class FastReader:
         return Entry(counted, handle, self._found(row))
 
     def reference(self, row: int) -> Reference:
-        """Return the placement of a block by an INSERT."""
+        """Return the block placement of the INSERT entity in a row."""
         line, value = self.entity[row].tolist(), self.found.value[row].tolist()
 
         def given(column: int, silent: float) -> float:
@@ -231,12 +230,12 @@ class FastReader:
         )
 
     def read(self, scale: float) -> FastReading:
-        """Return report rows and columns, in file order.
+        """Return rows of the import report and segments, in file order.
 
         Parameters
         ----------
         scale
-            Millimetres to a file unit, 0 while it is unknown.
+            Millimetres per file unit, 0 while the unit is unknown.
 
         Raises
         ------
@@ -301,25 +300,25 @@ class FastReader:
         return FastReading(report_rows(self.tables, order, placed, walk.sheet), done, known, words)
 
     def _alone(self, rows: I64, reach: float) -> Bool:
-        """Return the entities in model space to expand: odd ones, and those out of range."""
+        """Return the mask of the entities to expand one by one: odd or beyond ``reach``."""
         alone: Bool = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
         alone &= self.entity[:, f.PAPER] == 0
         alone |= distant(self.ends, self.first, reach / 3.0)
         return alone[rows]
 
     def _inserts(self, rows: I64, alone: Bool) -> tuple[I64, I64, F64]:
-        """Return the INSERTs in model space that are placed in columns.
+        """Return the k INSERTs in model space whose blocks are processed in columns.
 
-        The others are added to ``alone``.
+        All other INSERTs are added to the mask ``alone``.
 
         Returns
         -------
         spot : (k,)
-            Indices into ``rows``.
+            Index of each INSERT into ``rows``.
         block : (k,)
-            Rows of their blocks.
+            Row of the block of each INSERT.
         given : (k, 5)
-            x, y, scale in x and in y, rotation in degrees.
+            x, y, scale in x and in y, rotation in degrees of each INSERT.
         """
         inserts = (self.entity[:, f.KIND] == f.INSERT) & (self.entity[:, f.PAPER] == 0)
         spot = np.flatnonzero(inserts[rows])
@@ -351,7 +350,7 @@ class FastReader:
         return spot[columnar], block[columnar], given[columnar]
 
     def _references(self, rows: I64, alone: Bool, block: I64) -> list[tuple[str, int]]:
-        """Return the blocks that INSERTs in model space place, and how often."""
+        """Return the block that each INSERT in model space places, and its repetitions."""
         numbers, times = np.unique(block, return_counts=True)
         found = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
         others = rows[alone]
@@ -364,11 +363,13 @@ class FastReader:
         Parameters
         ----------
         sheet
-            For each entity: row, report row, number of segments before it, and of its own.
+            The entities of model space.
         styles : (e,)
             Style index of each entity with segments in model space.
         total
-            Segments of the drawing.
+            Number of segments of the drawing.
+        placed
+            The INSERTs that are processed in columns.
         """
         done = Columns(
             np.empty((total, 2, 2)),
@@ -396,14 +397,14 @@ class FastReader:
     def _with_walked(
         self, done: Columns, walk: BlockExpansion, before: I64, begin: I64, there: I64, scale: float
     ) -> Columns:
-        """Return the columns with the segments of expanded entities, in file order.
+        """Return the columns with the segments of expanded entities inserted in file order.
 
         Parameters
         ----------
         before, begin
-            For each entity: number of segments before it, and its row among the expanded ones.
+            For each entity: number of segments before it, and its first row in ``there``.
         there
-            Report row of each of those rows.
+            Row in the import report of each expanded entity.
         """
         more = columns(walk.sheet, walk.placed, scale, self.limits, done.ends)
         where = before[np.searchsorted(begin, more.row, side="right") - 1]
@@ -431,7 +432,7 @@ class FastReader:
         return styles
 
     def _variants(self, rows: I64, block: I64) -> tuple[I64, list[Variant]]:
-        """Return the variant of its block for each INSERT."""
+        """Return for each INSERT the index of its variant, and the variants of the blocks."""
         first, kind = unique_rows(*(self.entity[rows, column] for column in _STYLE), block)
         return kind, [
             self._variant(int(block[one]), self.tables.style(int(rows[one]))) for one in first
@@ -460,7 +461,7 @@ class FastReader:
         return self.tables.block_name(block).lower()
 
     def _name_idle_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
-        """Add report rows for blocks that no INSERT places."""
+        """Add rows to the import report for blocks that no INSERT places."""
         for key, number in self.tables.blocks.items():
             if key in used or number not in self.tables.span:
                 continue
@@ -473,7 +474,10 @@ class FastReader:
 
 
 def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:
-    """Return the drawing in a DXF; None if the file uses unsupported features."""
+    """Return the drawing in a DXF file; None if the file uses unsupported features.
+
+    ``unit`` overrides the unit of the file if it is not empty.
+    """
     try:
         reader = FastReader(data, limits)
         known = known_unit(unit, reader.tables.variables)

@@ -1,11 +1,9 @@
-"""scan: columns of all entities of a DXF, in one compiled pass over its bytes.
-
-    bytes -> Scan: rows of entities, blocks and layers, vertices, and names by number
+"""scan: read all entities of a DXF file into arrays, in one compiled pass over its bytes.
 
 Supported are lines, arcs, circles, polylines and INSERTs in the XY plane, with each tag once and in
-its usual place; nothing is repaired or guessed.  For a file with an unsupported structure ``scan``
-returns None, and ``read`` uses the ezdxf reader.  Unsupported entities in a supported file are
-marked as odd and read with ezdxf one by one (``ezdxf_entity``).
+its usual position; nothing is repaired or guessed.  For a file with an unsupported structure
+``scan`` returns None, and ``dxf.read`` uses the ezdxf reader.  Unsupported entities in a supported
+file are marked in the column ``ODD`` and read with ezdxf one by one (``ezdxf_entity``).
 """
 
 from __future__ import annotations
@@ -44,7 +42,7 @@ _LAYER: Final = re.compile(rb"\n *8\r?\n")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Scan:
-    """The entities of a DXF, in file order."""
+    """The entities, blocks, layers and names of a DXF file, in file order."""
 
     data: bytes
     entity: I32  #: (e, 21) columns ``KIND`` … ``ODD``, each contiguous
@@ -60,14 +58,14 @@ class Scan:
 
 
 def scan(data: bytes) -> Scan | None:
-    """Return the entities of an ASCII DXF; None if the file is not supported.
+    """Return the entities of an ASCII DXF file; None if the file is not supported.
 
-    Large files are split into runs, one per core.
+    A large file is split into one part per core, and the parts are scanned in parallel.
 
     Parameters
     ----------
     data
-        The file without byte order mark and leading blank lines.
+        Content of the file without byte order mark and leading blank lines.
     """
     most = len(data) // _SHORTEST + 64
     expected = min(most, _expected(data))
@@ -83,14 +81,14 @@ def scan(data: bytes) -> Scan | None:
 
 
 def _expected(data: bytes) -> int:
-    """Return a likely upper bound of the number of entities, by a sample from the middle."""
+    """Return an estimated upper bound of the number of entities, from a sample of the file."""
     sample = data[len(data) // 2 :][:_SAMPLE]
     found = len(_LAYER.findall(sample)) + 8
     return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
 
 
 def _cuts(data: bytes) -> list[int]:
-    """Return the positions at which a large file is split, each before an entity."""
+    """Return the positions at which a large file is split, each at the start of an entity."""
     cores = min(core_count(), len(data) // _RUN)
     first = data.find(b"ENTITIES")
     if cores < 2 or first < 0:
@@ -102,7 +100,7 @@ def _cuts(data: bytes) -> list[int]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Passed:
-    """Results of k runs, in shared tables."""
+    """Results of scanning k parts of a file, in shared arrays."""
 
     plain: bool  #: all of them are
     state: I64  #: (k, STATES) at the end of each
@@ -119,7 +117,7 @@ class _Passed:
 
 
 def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
-    """Scan the runs between positions, for at most that many entities in all."""
+    """Scan the parts of a file between ``bounds``, for at most ``entities`` entities."""
     runs = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in runs]
     points = [(end - begin) // _SHORTEST + 64 for begin, end in runs]
@@ -175,7 +173,7 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
 
 
 def _whole(data: bytes, found: _Passed) -> Scan | None:
-    """Merge the results of runs; None if one of them is not supported."""
+    """Merge the results of all parts of a file; None if a part is not supported."""
     sections = found.state[:, s.SECTIONS].copy()
     sections[1:] &= ~(1 << w.ENTITIES)
     if not found.plain or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
@@ -217,7 +215,7 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Append the rows of a run to those before it, with names and vertices renumbered."""
+    """Move the rows of a part behind those of earlier parts, with names and vertices renumbered."""
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
         for i in range(count):
@@ -232,7 +230,7 @@ def _move_up(
 
 
 def _finish(data: bytes, tables: tuple[F64, F64, F64], left: I64) -> bool:
-    """Read the numbers that the scan left to ``float``; return whether all are finite."""
+    """Parse the numbers that the scan left to ``float``; return whether all are finite."""
     for which, row, column, start, end in left.tolist():
         read = float(data[start:end])
         if not np.isfinite(read):

@@ -1,6 +1,6 @@
-"""state: the state of the scan: open records, and counts of all rows.
+"""state: indices into the array of integers that holds the state of a scan.
 
-Indices into one array of integers, which all parts of the scan read and write.
+The state contains the open section, table, block and entity, and the numbers of rows.
 """
 
 from __future__ import annotations

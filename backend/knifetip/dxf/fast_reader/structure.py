@@ -1,4 +1,4 @@
-"""structure: handling of group code 0: sections, blocks, layers, entities, vertices."""
+"""structure: kernels for group code 0, which starts sections, blocks, layers and entities."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from knifetip.kernels import (
 
 @inline_kernel
 def context(state: I64_1) -> Any:
-    """Return the row of ``group_codes.ACTION`` for the current state."""
+    """Return the row of ``group_codes.ACTION`` that applies in the current state."""
     mode, kind = state[s.MODE], state[s.OPEN_KIND]
     if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
         return g.ELSEWHERE
@@ -36,7 +36,7 @@ def context(state: I64_1) -> Any:
 
 @inline_kernel
 def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
-    """Mark the open entity as unsupported."""
+    """Mark the open entity as unsupported, in the column ``ODD``."""
     entity[state[s.ROW], f.ODD] = 1
     state[s.OPEN_KIND] = f.OTHER
     state[s.CONTEXT] = context(state)
@@ -44,7 +44,7 @@ def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
 
 @inline_kernel
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Close the open entity; mark it as odd if it is incomplete."""
+    """Close the open entity, which ends before position ``start``; mark it as odd if incomplete."""
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     if row < 0:
         return
@@ -71,7 +71,17 @@ def begin(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Handle a tag of group 0: close the open entity, and open what begins here."""
+    """Handle a tag of group code 0: close the open entity and start the next record.
+
+    Returns ON, REFUSED, or DONE at the end of the file.
+
+    Parameters
+    ----------
+    start
+        Position of the group code.
+    low, high
+        Span of bytes of the value.
+    """
     if state[s.GROUP] == 1:
         return s.REFUSED
     _close(start, tables.entity, state)
@@ -128,7 +138,7 @@ def begin(
 
 @inline_kernel
 def _open_block(tables: ScanTables, state: OutI64_1) -> int:
-    """Open a block with an empty head."""
+    """Start a block with an empty header; return ON or REFUSED."""
     row = state[s.BLOCKS]
     if state[s.INSIDE] >= 0 or row == len(tables.block):
         return s.REFUSED
@@ -143,7 +153,7 @@ def _open_block(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
-    """Open a vertex of the open polyline."""
+    """Start a vertex of the open polyline; return ON or REFUSED."""
     chain, row = state[s.CHAIN], state[s.VERTICES]
     if chain < 0 or row == state[s.MOST_VERTICES]:
         return s.REFUSED
@@ -158,14 +168,16 @@ def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: OutI64_1) -> int:
-    """Open an entity with the attributes that it has where none are written.
+    """Start an entity with default attributes; return ON or REFUSED.
 
     Parameters
     ----------
     start
-        The byte where it begins.
-    word, name
-        Its kind as one of ``words``, -1 for others, and as a name of the file.
+        Position of the first group code of the entity.
+    word
+        Number of the entity's kind among ``keywords``, -1 for other kinds.
+    name
+        Index of the entity's kind among the names of the file.
     """
     entity, value, row = tables.entity, tables.value, state[s.ENTITIES]
     if row == state[s.MOST_ENTITIES] or name < 0:
@@ -199,12 +211,12 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 
 @inline_kernel
 def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
-    """End a run before an independent entity; return whether the run may end here.
+    """End a part of the file before position ``start``; return whether it may end there.
 
     Parameters
     ----------
     last
-        The group code before.
+        Group code of the preceding tag.
     """
     if state[s.GROUP] == 1 or state[s.SECTION] != w.ENTITIES or g.IS_POINT[last]:
         return False
@@ -214,7 +226,7 @@ def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
 
 @inline_kernel
 def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
-    """Open or close a table, or start a row of the open one."""
+    """Start or end a table, or start a row of the open table; return ON or REFUSED."""
     is_table = is_word(data, low, high, w.TABLE)
     if is_table == (state[s.TABLE] >= 0):
         return s.REFUSED
@@ -245,7 +257,7 @@ def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1
 
 @inline_kernel
 def _frame(low: int, word: int, state: OutI64_1) -> int:
-    """Open or close a section."""
+    """Start or end a section; return ON or REFUSED."""
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED
     if word == w.EOF:

@@ -1,8 +1,6 @@
 """tables: names, layers, handles and blocks of a Scan.
 
-    Scan -> Tables
-
-Text is processed here, once per name and not per entity.
+Text is decoded and checked here once per name instead of once per entity.
 """
 
 from __future__ import annotations
@@ -87,7 +85,7 @@ class Tables:
         return self.names[int(self.found.block[block, f.NAME])]
 
     def style(self, row: int, around: Style | None = None) -> Style:
-        """Return the style of an entity."""
+        """Return the style of an entity; ``around`` is the style of its INSERT."""
         line = self.found.entity[row].tolist()
         true, linetype = line[f.TRUE_COLOUR], line[f.LINETYPE]
         return self.styles.style(

@@ -1,10 +1,9 @@
-"""tagging: the compiled kernel of ``scan``, tag by tag from the first byte to EOF.
+"""tagging: the kernel that scans a DXF file tag by tag, from the first byte to EOF.
 
-    bytes -> tables of entities, values, vertices, blocks and layers, as rows of numbers
-
-A tag is a line with a group code and a line with its value.  ``state`` has the state of the scan;
-each kind of tag has a function of its own.  A file with an unsupported structure is refused.  A
-single unsupported entity is marked as ``ODD``, and the scan goes on.
+A tag is a line with a group code and a line with a value.  The tags fill arrays of entities,
+values, vertices, blocks and layers; ``state`` holds the state of the scan.  A file with an
+unsupported structure is refused.  An unsupported entity is marked in the column ``ODD``, and the
+scan continues.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ from knifetip.kernels import (
 
 @inline_kernel
 def _of_header(code: int, before: int, data: U8_1, low: int, high: int) -> bool:
-    """Return whether a tag of the header is valid: a name, then one value."""
+    """Return whether a tag of section HEADER is valid: a name is followed by one value."""
     if code == 9:
         return before != 9 and high > low and data[low] == 36
     return before == 9 or (code == 20 and before == 10) or (code == 30 and before == 20)
@@ -57,7 +56,7 @@ def _of_layer(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the layer table."""
+    """Store a tag of a row in the layer table; return ON or REFUSED."""
     row = state[s.LAYERS] - 1
     if code == 2 or code == 6:
         name = name_at(data, low, high, spans, slots, state)
@@ -99,7 +98,7 @@ def _of_block(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the header of a block."""
+    """Store a tag of the header of a block; return ON or REFUSED."""
     row = state[s.INSIDE]
     if code == 5:
         block[row, f.BLOCK_HANDLE], block[row, f.BLOCK_HANDLE_SIZE] = low, high - low
@@ -118,7 +117,7 @@ def _of_block(
 
 @inline_kernel
 def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1) -> int:
-    """Skip a tag of a group {…} or of extension data."""
+    """Check and skip a tag of a group {…} or of extension data; return ON or REFUSED."""
     if code == 102:
         opens = high > low and data[low] == 123
         if state[s.GROUP] == 2 or opens == (state[s.GROUP] == 1):
@@ -149,7 +148,7 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
 
 @inline_kernel
 def _is_handle(code: int, state: I64_1) -> bool:
-    """Return whether a tag is the handle of an object that is no entity."""
+    """Return whether a tag is the handle of an object that is not an entity."""
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
     # After a subclass marker the code has another meaning.
     if code != named or state[s.GROUP] != 0 or state[s.OPEN_MARKS] > 0:
@@ -161,7 +160,7 @@ def _is_handle(code: int, state: I64_1) -> bool:
 def _of_structure(
     code: int, data: U8_1, low: int, high: int, after: int, tables: ScanTables, state: OutI64_1
 ) -> int:
-    """Store a tag by the part of the file that contains it: a section, table, block or entity.
+    """Store a tag of the open section, table, block or entity; return ON or REFUSED.
 
     ``after`` is the position of the next tag.
     """
@@ -200,15 +199,16 @@ def _of_structure(
 
 @kernel(allocates=False)
 def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: OutI64_1) -> bool:
-    """Fill the tables; return whether the file is supported up to EOF or the end of the run.
+    """Fill the tables from a part of a file; return whether this part is supported.
 
     Parameters
     ----------
     data : (m,) uint8
+        Bytes of the file.
     begins, ends
-        Span of bytes to scan, from one group code to another or to the end.
+        Span of bytes to scan, from one group code to another or to the end of the file.
     state : (``STATES``,) int64
-        Initial state; on return, the counts from ``ENTITIES`` on.
+        Initial state; on return, the numbers of rows from ``ENTITIES`` on.
     """
     entity, block = tables.entity, tables.block
     spans, slots, others = tables.spans, tables.slots, tables.others
@@ -283,7 +283,8 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
             verdict = _group(code, data, low, high, entity, state)
             state[s.CONTEXT] = context(state)
         else:
-            verdict = _of_structure(code, data, low, high, np.int64(at), tables, state)
+            after: Any = np.int64(at)
+            verdict = _of_structure(code, data, low, high, after, tables, state)
         if verdict != s.ON:
             return False
     return False

@@ -1,0 +1,52 @@
+"""options: commands whose options are grouped in dataclasses.
+
+Typer reads one option from each parameter of a function.  ``expand`` converts a function that takes
+dataclasses to one with a parameter for each field.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import MISSING, Field, fields, is_dataclass
+from typing import Any, get_type_hints
+
+
+def expand(command: Callable[..., None]) -> Callable[..., None]:
+    """Return a command with one keyword parameter for each field of its dataclass parameters.
+
+    Parameters
+    ----------
+    command
+        Its annotations are plain types for Typer, or dataclasses whose fields are annotated like
+        parameters.  It is called with an instance of each dataclass.
+    """
+    hints = get_type_hints(command, include_extras=True)
+    records: dict[str, tuple[Callable[..., Any], list[str]]] = {}
+    parameters = []
+    for name, parameter in inspect.signature(command).parameters.items():
+        kind = hints[name]
+        if not (isinstance(kind, type) and is_dataclass(kind)):
+            parameters.append(parameter.replace(annotation=kind, kind=parameter.KEYWORD_ONLY))
+            continue
+        types = get_type_hints(kind, include_extras=True)
+        records[name] = (kind, [field.name for field in fields(kind)])
+        parameters += [_parameter(field, types[field.name]) for field in fields(kind)]
+
+    def call(**values: Any) -> None:
+        for name, (kind, names) in records.items():
+            values[name] = kind(**{each: values.pop(each) for each in names})
+        command(**values)
+
+    call.__name__, call.__doc__ = command.__name__, command.__doc__
+    call.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    call.__annotations__ = {each.name: each.annotation for each in parameters}
+    return call
+
+
+def _parameter(field: Field[Any], kind: Any) -> inspect.Parameter:
+    """Return the keyword parameter for a field of a dataclass."""
+    default = inspect.Parameter.empty if field.default is MISSING else field.default
+    return inspect.Parameter(
+        field.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=kind
+    )
