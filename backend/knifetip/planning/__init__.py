@@ -1,1 +1,1 @@
-"""Planning: chooses tool, depth and feed for every edge, and the order of machining."""
+"""Plan the operations that make a dieline on a machine: paths, depths and working order."""

@@ -4,8 +4,8 @@
 
 A chord of angle φ deviates from an arc of radius R at two points: in its middle by the sagitta
 R (1 - cos φ/2), and beyond its end, where a blade of width 2r continues straight, by
-√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` is the limit for both, and
-so for the deviation of either flank.
+√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` limits both deviations, and
+so the deviation of either flank.
 
 Source: our derivation.
 """
@@ -24,7 +24,7 @@ from knifetip.model.tool import VCutter
 def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
     """Return the widest angle of a chord that stays within ``error`` mm of its arc, (n,) radians.
 
-    Zero or negative if the blade is too wide for the radius, (n,) mm.
+    It is zero or negative if the blade is too wide for the arc's radius; ``radius`` is (n,) mm.
     """
     blade = 2.0 * cutter.half_width
     middle = 2.0 * np.arccos(np.clip(1.0 - error / radius, -1.0, 1.0))

@@ -1,6 +1,6 @@
 """blade_operations: the operations of a knife: cuts, half-cuts and perforations.
 
-Dieline, rows of edges, Setup -> Operation, or Operations layer by layer
+Dieline, rows of edges, Setup -> Operation, or one Operation for each layer of cuts
 """
 
 from __future__ import annotations
@@ -43,14 +43,16 @@ class _Cuts:
 
 
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
-    """Return the operations that cut some rows of a dieline, (m,), layer by layer.
+    """Return the operations that cut some edges of a dieline with a knife, layer by layer.
 
     In each layer the cuts that bound no part come first.
 
     Parameters
     ----------
     sides
-        What lies on the two sides of each of the rows.
+        Waste and faces beside each of the edges.
+    rows : (m,)
+        Rows of the edges in the dieline.
     """
     side = sides.waste
     layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
@@ -67,12 +69,14 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
 
 
 def _split_by_turn(operation: Operation, rows: I32, turn: I64) -> list[tuple[int, Operation]]:
-    """Split an operation by the turn of the edges of its paths; return turns and operations.
+    """Split an operation by the turn of its paths, and return the pairs (turn, operation).
+
+    A turn is the position of an edge in the working order; a path has the turn of its first edge.
 
     Parameters
     ----------
     rows, turn : (m,) and (m,)
-        Edges, and the turn in which each is worked.
+        Rows of edges in the dieline, and the turn of each.
     """
     turn_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
     turn_of_edge[rows] = turn
@@ -98,13 +102,13 @@ def _split_by_turn(operation: Operation, rows: I32, turn: I64) -> list[tuple[int
 
 
 def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that makes the half-cuts in some rows of a dieline, (m,)."""
+    """Return the operation that makes the half-cuts in these rows of a dieline, (m,)."""
     cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
     return _cut(dieline, cuts, setup)
 
 
 def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
-    """Return the operation that makes some cuts with a knife, with bridges where a part needs them.
+    """Return the operation that makes cuts with a knife, with bridges if the board requires them.
 
     A knife with a lead-in travels closed contours with the waste on its left.
     """
@@ -138,7 +142,19 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
 def _keep_waste_left(
     paths: Paths, source: I32, dieline: Dieline, rows: I32, waste: I8
 ) -> tuple[Paths, I32]:
-    """Reverse closed paths that have the waste on their right; return all paths and their edges."""
+    """Reverse the closed paths that have the waste on their right.
+
+    Parameters
+    ----------
+    source : (n,)
+        Row in the dieline of each segment of the paths.
+    rows, waste : (m,) and (m,)
+        Rows of cuts in the dieline, and the side of the waste: +1 left, -1 right, 0 none.
+
+    Returns
+    -------
+    All paths, and the row of each of their segments.
+    """
     side = np.zeros(len(dieline), np.int8)
     side[rows] = waste
     first = paths.first[:-1]
@@ -149,7 +165,10 @@ def _keep_waste_left(
 
 
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
-    """Return whether each end of the paths, (2p,), lies on another through cut."""
+    """Return the mask of the ends of the paths that lie on another through cut, (2p,).
+
+    ``source`` is the row in the dieline of each segment of the paths.
+    """
     points, segment = end_points(paths)
     cut = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cut], dieline.bulge[cut]
@@ -161,7 +180,7 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
 
 
 def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that perforates some rows of a dieline, (m,)."""
+    """Return the operation that perforates the edges in these rows of a dieline, (m,)."""
     paths, source = chain_edges(dieline, rows, ANGLE)
     dashes, segment = _split_into_dashes(paths, *setup.board.perforation)
     depth = np.full((len(segment), 1), setup.through)
@@ -170,9 +189,9 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
-    """Return the dashes of perforated paths as paths, and the old segment of each new one.
+    """Return the dashes of perforated paths as paths, and the old segment of each new segment.
 
-    Every path starts and ends with a dash, so that it tears from its ends; the gaps between
+    Every path starts and ends with a dash, so that the board tears from its ends; the gaps between
     dashes of ``cut`` mm are equal, and at most ``gap`` mm.
     """
     length = paths.lengths

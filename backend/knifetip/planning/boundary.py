@@ -36,7 +36,7 @@ _ALONG = sin(radians(5.0))
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BoardOutline:
-    """n cuts around parts, each directed so that the waste is on its left."""
+    """The outline of the board: n cuts round parts, each directed with the waste on its left."""
 
     start: F64  #: (n, 2) mm
     end: F64  #: (n, 2) mm
@@ -44,7 +44,15 @@ class BoardOutline:
 
     @classmethod
     def from_cuts(cls, ends: F64, bulge: F64, side: I8) -> BoardOutline:
-        """Return the cuts, of (n, 2, 2) mm and (n,), that have waste on a ``side``: ±1, not 0."""
+        """Return the outline that cuts form, from the cuts that have waste on one side.
+
+        Parameters
+        ----------
+        ends, bulge : (n, 2, 2) mm and (n,)
+            The cuts.
+        side : (n,)
+            Side of the waste: +1 left, -1 right, 0 for a cut that bounds no part.
+        """
         rows = np.flatnonzero(side)
         back = (side[rows] < 0)[:, None]
         start, end = ends[rows, 0], ends[rows, 1]
@@ -54,7 +62,7 @@ class BoardOutline:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Contacts:
-    """k pairs of an end of a groove and a cut of the outline on which it lies."""
+    """k contacts: pairs of an end of a groove and a cut of the outline on which the end lies."""
 
     end: I64  #: (k,) index of the end
     cut: I64  #: (k,) index of the cut
@@ -69,7 +77,7 @@ class _Contacts:
 def run_out_lengths(
     points: F64, ahead: F64, width: float, outline: BoardOutline, source: I32
 ) -> tuple[F64, Bool]:
-    """Return the run-out of each end, (n,) mm, and whether the end lies on the board's edge, (n,).
+    """Return the run-out of each end of a groove, and which ends lie on the board's edge.
 
     Parameters
     ----------
@@ -77,8 +85,14 @@ def run_out_lengths(
         Ends of grooves, and the unit directions in which the grooves leave the board there.
     width : mm
         W, the width of the tool or of the groove.
+    outline
+        Outline of the board.
     source : (n,)
         Edge of each end, for errors.
+
+    Returns
+    -------
+    Run-out of each end (n,) mm, 0 inside the board; mask of the ends on the board's edge (n,).
 
     Raises
     ------
@@ -119,7 +133,10 @@ def _check_run_outs(
     outline: BoardOutline,
     source: I32,
 ) -> None:
-    """Raise ``FlankOutside`` if a run-out enters board again: across a slot, or in another part."""
+    """Raise ``FlankOutside`` if a run-out enters board again: across a slot, or in another part.
+
+    ``size`` is the run-out of each end, (n,) mm; the other arguments are as in ``run_out_lengths``.
+    """
     rows = np.flatnonzero(size > GAP)
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
     # Tracks: of the middle of the tool, and across the tool where it stops.  The latter is slightly
@@ -145,7 +162,10 @@ def _check_run_outs(
 
 
 def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
-    """Raise ``FlankOutside`` if a groove meets a single edge at less than 5°."""
+    """Raise ``FlankOutside`` if a groove meets a single edge of the board at less than 5°.
+
+    ``sine`` is the sine of the angle between groove and edge at each contact, (k,).
+    """
     alone = np.bincount(contacts.end, minlength=len(source)) == 1
     along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & alone[contacts.end])
     if len(along):
@@ -155,7 +175,7 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
 
 
 def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
-    """Return the contacts of points, (n, 2) mm, with the outline, within ``GAP``."""
+    """Return the contacts of points, (n, 2) mm, with the outline: at most ``GAP`` mm apart."""
     boxes = arc.bounding_boxes(outline.start, outline.end, outline.bulge)
     end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
@@ -180,9 +200,10 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
 
 
 def _corner_turns(contacts: _Contacts, count: int) -> F64:
-    """Return the sine of the turn of the outline at each end, (n,): > 0 in a notch, 0 if straight.
+    """Return the sine of the turn of the outline at each of ``count`` ends of grooves.
 
-    With the waste on the left, an outer corner is a right turn.
+    It is positive in a notch, negative at an outer corner (with the waste on the left, a right
+    turn), and 0 where the outline has no corner.
     """
     arriving, leaving = np.zeros((count, 2)), np.zeros((count, 2))
     arriving[contacts.end[contacts.arrives]] = contacts.tangent[contacts.arrives]

@@ -38,7 +38,7 @@ _TRIES = 16
 
 
 class Spacing(NamedTuple):
-    """Size of bridges and distance between them."""
+    """Length of bridges, and the greatest distance between them."""
 
     gap: float  #: mm of the path that a bridge takes
     most: float  #: greatest distance between the middles of two neighbouring bridges (mm)
@@ -57,11 +57,13 @@ def place_bridges(
     Parameters
     ----------
     which : (p,)
-        Paths that get bridges; they must be closed.
+        Mask of the paths that get bridges; they must be closed.
+    spacing
+        Length of the bridges, and the greatest distance between them.
     source : (n,)
         Edge of each segment, for errors.
     avoid : (m, 2) mm
-        Ends of other edges: bridges keep their distance from those on the paths, if possible.
+        Ends of other edges; bridges keep away from those that lie on the paths, if possible.
     reachable
         Stretches that the tool can reach; elsewhere a bridge would be useless.
 
@@ -81,7 +83,7 @@ def place_bridges(
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
-    """Return the ends, (m, 2) mm, of all worked edges except those of some rows."""
+    """Return the ends, (m, 2) mm, of all worked edges except those in these rows."""
     worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     worked[rows] = False
     ends: F64 = dieline.ends[worked].reshape(-1, 2)
@@ -89,7 +91,18 @@ def ends_of_others(dieline: Dieline, rows: I32) -> F64:
 
 
 def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
-    """Return the path and the position along it (mm) of each point on one of the paths."""
+    """Locate points that lie on paths; points on no path are left out.
+
+    Parameters
+    ----------
+    which : (p,)
+        Mask of the paths that are searched.
+    points : (m, 2) mm
+
+    Returns
+    -------
+    Path of each located point (k,), and its position along the path (k,) mm.
+    """
     rows = np.flatnonzero(which[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     point, row = box_pairs(np.hstack([points, points]), arc.bounding_boxes(start, end, bulge), GAP)
@@ -105,13 +118,16 @@ def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _FreeRanges:
-    """Ranges along a contour, in ascending order, where the middle of a bridge may lie."""
+    """Ranges along a contour, in ascending order, in which the middle of a bridge may lie."""
 
     low: F64  #: mm
     high: F64  #: mm
 
     def without(self, at: F64, clear: float, length: float) -> _FreeRanges:
-        """Return the ranges that are ``clear`` mm from positions on a contour of ``length`` mm."""
+        """Return the parts of the ranges that are at least ``clear`` mm away from positions ``at``.
+
+        ``length`` is the length of the contour (mm).
+        """
         low, high = self.low, self.high
         for place in np.concatenate([at - length, at, at + length]):
             before, after = np.minimum(high, place - clear), np.maximum(low, place + clear)
@@ -122,7 +138,7 @@ class _FreeRanges:
         return _FreeRanges(low, high)
 
     def nearest(self, wanted: F64) -> F64:
-        """Return the permitted position nearest to each wanted one (mm)."""
+        """Return the permitted position nearest to each wanted position, (n,) mm."""
         clipped = np.clip(wanted[:, None], self.low, self.high)
         # Of two equally near positions the first is taken, whatever the rounding.
         far = np.abs(clipped - wanted[:, None])
@@ -134,7 +150,11 @@ class _FreeRanges:
 def _place_on_contour(
     paths: Paths, path: int, bridge: Spacing, source: I32, at: F64, reachable: ReachableStretches
 ) -> F64:
-    """Return the positions of the middles of the bridges along a closed path, ascending (mm)."""
+    """Return the positions of the middles of the bridges along one closed path, ascending (mm).
+
+    ``at`` are the positions on the path that bridges avoid (mm); the other arguments are as in
+    ``place_bridges``.
+    """
     gap, spacing = bridge
     length = float(paths.lengths[path])
     fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
@@ -160,7 +180,10 @@ def _place_on_contour(
 
 
 def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
-    """Return the positions of bridges without those that the spacing does not require."""
+    """Return the positions of bridges without those that the spacing does not require (mm).
+
+    ``middle`` are the positions along a contour of ``length`` mm, ascending.
+    """
     while len(middle) > _FEWEST:
         around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
         without = around[2:] - around[:-2]
@@ -174,7 +197,17 @@ def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
 def _free_ranges(
     paths: Paths, path: int, gap: float, reachable: ReachableStretches, arcs_too: bool
 ) -> _FreeRanges:
-    """Return the ranges along a path for the middle of a bridge that takes ``gap`` mm of it."""
+    """Return the ranges along a path in which the middle of a bridge may lie.
+
+    Parameters
+    ----------
+    gap : mm
+        Length of the path that a bridge takes.
+    reachable
+        Stretches that the tool can reach.
+    arcs_too
+        Bridges may lie on arcs.
+    """
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     size = arc.length(start, end, bulge)

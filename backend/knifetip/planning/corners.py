@@ -1,9 +1,9 @@
 """corners: match the user's corner choices with the corners of contours.
 
-    Paths, side, Corners -> (n,) type and k of the corner at the start of each segment
+    Paths, side, Corners -> type and k of the corner at the start of each segment
 
-A corner is a joint of two segments of a path whose bend is convex for the tool.  At concave bends
-there is only one way round, so there is nothing to choose.
+A corner is a joint of two segments of a path whose bend is convex for the tool.  At a concave bend
+the tool can move in only one way, so there is nothing to choose.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ _LISTED: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bends:
-    """The starts of n segments of contours, in sheet coordinates."""
+    """Positions and bends of the contours at the starts of n segments, in sheet coordinates."""
 
     position: F64  #: (n, 2) mm
     turn: F64  #: (n,) radians, > 0 if convex for the tool; 0 at the start of an open path
 
 
 def find_bends(paths: Paths, side: int) -> Bends:
-    """Return the bend at the start of every segment; ``side`` is +1 for a tool on the left."""
+    """Return the bend at the start of every segment; ``side`` is +1 if the tool is on the left."""
     ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
     first, last = paths.first[:-1], paths.first[1:] - 1
     before = np.roll(arriving, 1, axis=0)
@@ -49,7 +49,7 @@ def find_bends(paths: Paths, side: int) -> Bends:
 
 
 def check_choices(corners: Corners) -> None:
-    """Raise ``PlanError`` if a corner choice is invalid: its type, k, position or interference."""
+    """Raise ``PlanError`` if a corner choice has an invalid type, k, position or interference."""
     if corners.interference not in INTERFERENCES:
         raise PlanError("corner.bad-interference", interference=corners.interference)
     for kind, k, where in [(corners.type, corners.k, None)] + [
@@ -70,6 +70,8 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 
     Parameters
     ----------
+    corners
+        Corner choices; ``at`` contains those for single positions.
     contours
         Bends of every operation that mills beside a line.
 
@@ -107,10 +109,15 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 
 
 def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
-    """Return the chosen type and k at the start of every segment, (n,) and (n,).
+    """Return the chosen corner type and k at the start of every segment, (n,) and (n,).
 
-    They are ``AS_OTHERS`` and NaN without a choice.  A choice holds for all corners at one point,
-    for instance where two contours touch.
+    They are ``AS_OTHERS`` and NaN without a choice.  A choice applies to all corners at one point,
+    for instance if two contours touch there.
+
+    Parameters
+    ----------
+    nearest : (len(at),) mm
+        Distance of each chosen position from the nearest corner.
     """
     kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
     k = np.full(len(bends.turn), np.nan)

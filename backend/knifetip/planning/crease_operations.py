@@ -21,10 +21,10 @@ from knifetip.planning.setup import Setup
 
 
 def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that rolls the creases in some rows of a dieline, (m,).
+    """Return the operation that rolls the creases in these rows of a dieline, (m,).
 
-    Its depth depends on the angle φ between the segment's chord and the grain of the board:
-    d = d∥ + (d⊥ - d∥) sin² φ.
+    The depth depends on the angle φ between a segment's chord and the grain of the board:
+    d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.
     """
     board = setup.board
     paths, source, ends = _crease_paths(dieline, rows)
@@ -39,9 +39,10 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
-    """Return the paths of creases, the edge of each segment, and the kinds of the paths' ends.
+    """Return the paths of creases, the row of each segment, and the kinds of the paths' ends.
 
     Dashes are merged, coincident creases become one, and all are split where cuts cross them.
+    The kinds are two arrays (p,): of the starts and of the finishes.
     """
     cut = dieline.line_type == LineType.CUT
     cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]

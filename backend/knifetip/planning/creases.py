@@ -3,7 +3,7 @@
     Paths of creases -> Paths
 
 Both halves of a split crease keep the end clearance from the cut.  The two lines of a double crease
-end at the same positions along the drawn one.
+end at the same positions as the drawn crease.
 """
 
 from __future__ import annotations
@@ -76,9 +76,15 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the segments that cuts cross, (k,), and the parameter of the crossing, 0 … 1, (k,).
+    """Return where cuts cross segments: segment (k,), parameter of the crossing 0 … 1 (k,).
 
-    A cut crosses a segment inside itself, or ends on it where another cut continues beyond.
+    A cut crosses a segment inside both of them, or the cut ends on the segment and another cut
+    continues on its other side.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        The cuts.
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
@@ -88,7 +94,10 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
 
 
 def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the segments on which cuts from both sides end at one point, and its parameter."""
+    """Return where cuts from both sides end at one point of a segment.
+
+    Returns the segment (k,) and the parameter of the point on it, 0 … 1 (k,).
+    """
     points = ends.reshape(-1, 2)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
     end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
@@ -123,11 +132,17 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
-    """Return pairs of a segment and a cut that cross inside both, and the parameter on the segment.
+    """Return the crossings of segments with cuts that lie away from the ends of both.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        The cuts.
 
     Returns
     -------
-    segment, cut, share : (k,), (k,) and (k,) 0 … 1
+    segment, cut, share : (k,), (k,) and (k,)
+        Segment, cut, and parameter of the crossing on the segment, 0 … 1.
     """
     mine, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
@@ -152,12 +167,15 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
 
 
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
-    """Split lines and arcs into k chords.
+    """Split n lines and arcs into k chords.
 
     Returns
     -------
-    chords, owner, low, size : (k, 2, 2), (k,), (k,) and (k,)
-        Row of each chord, parameter on it where the chord starts, and length in this parameter.
+    chords : (k, 2, 2) mm
+    owner : (k,)
+        Line or arc of each chord.
+    low, size : (k,) and (k,)
+        Parameter of the line or arc (0 … 1) at which the chord starts, and the chord's part of it.
     """
     count = np.where(np.abs(bulge) < BULGE, 1, _CHORDS_PER_ARC)
     owner = np.repeat(np.arange(len(bulge)), count)
@@ -169,12 +187,12 @@ def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64,
 
 
 def _boxes(chords: F64) -> F64:
-    """Return the bounding boxes of chords, (k, 4)."""
+    """Return the bounding boxes of chords, (k, 4) mm: x min, y min, x max, y max."""
     return np.hstack([chords.min(axis=1), chords.max(axis=1)])
 
 
 def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
-    """Replace each path by two parallel ones; return these, their old paths and old segments.
+    """Replace each path by two parallel paths.
 
     Parameters
     ----------
@@ -182,6 +200,10 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
         Distance between the two lines; the drawn line lies in their middle.
     source : (n,)
         Edge of each segment, for errors.
+
+    Returns
+    -------
+    The new paths, the old path of each new path, and the old segment of each new segment.
 
     Raises
     ------
@@ -225,7 +247,10 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
 
 
 def _mitre_offset(one: F64, other: F64) -> F64:
-    """Return the vectors to the points at distance 1 from both of two lines, from their normals."""
+    """Return the vectors from a joint of two lines to the point at distance 1 from each, (n, 2).
+
+    ``one`` and ``other`` are the unit normals of the lines, (n, 2).
+    """
     both = one + other
     result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]
     return result

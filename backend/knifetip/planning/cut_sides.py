@@ -1,7 +1,7 @@
 """cut_sides: on which side of each cut the waste lies, and which face each cut bounds.
 
-A contour inside no other contour bounds a blank, a contour inside that one a hole, and a contour
-inside the hole another part: a contour inside an even number of others is the outline of a part.
+A contour that lies inside an even number of other contours (0, 2, …) is the outline of a part.  A
+contour that lies inside an odd number is a hole.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from knifetip.topology.subdivision import subdivide
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutSides:
-    """What lies on the two sides of n cuts."""
+    """The waste and the faces on the two sides of n cuts."""
 
     waste: I8  #: (n,) side of the waste around a part: +1 left, -1 right, 0 if it bounds no part
     face: I64  #: (n,) part or hole that the cut bounds, -1 for none
@@ -24,7 +24,7 @@ class CutSides:
 
 
 def cut_sides(ends: F64, bulge: F64) -> CutSides:
-    """Return what lies on the two sides of each cut.
+    """Return the waste and the faces on the two sides of each cut.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
 """dashes: merge creases that are drawn as dashes, and remove repeated edges.
 
-    creases -> edges without overlaps, the gaps between dashes filled
-    edges -> rows without repeated edges
+``merge_dashes`` returns edges without overlaps, with the gaps between dashes filled;
+``distinct_edges`` returns the rows of edges without repeated ones.
 
-Three or more pieces on one line are dashes if the gaps between them are regular and not longer than
-12 mm or 1.5 times the mean length of the pieces, and no cut starts, ends or crosses in a gap.
+Three or more edges on one line are dashes if the gaps between them are regular and not longer than
+12 mm or 1.5 times the mean length of the edges, and no cut starts, ends or crosses in a gap.
 """
 
 from __future__ import annotations
@@ -32,11 +32,12 @@ _REGULAR = 0.25
 def merge_dashes(
     ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None
 ) -> tuple[F64, F64, I32]:
-    """Return edges that cover each stretch of the given ones once, with the gaps of dashes filled.
+    """Return edges that cover each stretch of the given edges once, with gaps of dashes filled.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
+        The edges.
     cuts : (m, 2, 2) mm and (m,)
         Ends and bulges of the cuts: a gap with a cut in it is not filled.  None fills no gap.
 
@@ -73,7 +74,7 @@ def merge_dashes(
     begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
-        """Return the points at positions on the line from the first to the last dash of a run."""
+        """Return the points at positions ``along`` on the lines of runs of dashes, (k, 2) mm."""
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
         place: F64 = near[first[piece]] + way * (along - low[first[piece]])[:, None] / span
@@ -102,7 +103,7 @@ def merge_dashes(
 
 
 def _upward_directions(ends: F64) -> F64:
-    """Return the unit direction of each line, reversed where it points downwards, (n, 2)."""
+    """Return the unit direction of each line, reversed if it points downwards, (n, 2)."""
     ahead = unit_vectors(ends[:, 1] - ends[:, 0])
     # Directions very near due west become due east, so that one line has one direction.
     down = (ahead[:, 1] < -1e-4) | ((np.abs(ahead[:, 1]) <= 1e-4) & (ahead[:, 0] < 0.0))
@@ -110,10 +111,15 @@ def _upward_directions(ends: F64) -> F64:
 
 
 def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
-    """Return the line number of straight edges, and the positions on it where they start and end.
+    """Return the number of the line on which each straight edge lies, and its positions there.
 
     Clusters of directions span at most ``COLLINEAR``, those of offsets ``JOIN``.  Edges that are
-    just collinear may get different lines; edges that are not collinear never get the same one.
+    just collinear may get different lines; edges that are not collinear never get the same line.
+
+    Returns
+    -------
+    line, low, high : (m,), (m,) mm and (m,) mm
+        Line of each edge, and its least and greatest position along that line.
     """
     ahead = _upward_directions(ends[rows])
     angle = np.degrees(np.arctan2(ahead[:, 1], ahead[:, 0]))
@@ -129,7 +135,10 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
 
 
 def _cluster(group: I64, value: F64, gap: float) -> I64:
-    """Cluster the values of a group that are within ``gap`` of the least one of their cluster."""
+    """Return the cluster of each value, (n,).
+
+    The values of a cluster belong to one group and exceed its least value by at most ``gap``.
+    """
     order = np.lexsort((value, group))
     number = np.empty(len(order), np.int64)
     number[order] = _number_clusters(group[order], value[order], gap)
@@ -138,7 +147,7 @@ def _cluster(group: I64, value: F64, gap: float) -> I64:
 
 @kernel
 def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
-    """Return the cluster of each value; the values are sorted by group, then by size."""
+    """Return the cluster of each value, (n,); the values are sorted by group, then by size."""
     number = np.zeros(len(value), np.int64)
     least = 0
     for i in range(1, len(value)):
@@ -150,7 +159,10 @@ def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
 
 
 def distinct_edges(ends: F64, bulge: F64) -> I32:
-    """Return the rows of edges, (n, 2, 2) mm and (n,), without those that repeat an earlier one."""
+    """Return the rows of the edges that repeat no earlier edge, ascending.
+
+    ``ends`` is (n, 2, 2) mm and ``bulge`` (n,).
+    """
     if len(ends) == 0:
         return np.zeros(0, np.int32)
     node = number_vertices(ends.reshape(-1, 2)).reshape(-1, 2)
@@ -166,16 +178,23 @@ def distinct_edges(ends: F64, bulge: F64) -> I32:
 def _merge_along_lines(
     line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1
 ) -> Any:
-    """Remove overlaps along each line and find rows of dashes; pieces are sorted along each line.
+    """Remove overlaps along each line, and find rows of dashes.
+
+    Parameters
+    ----------
+    line, low, high : (n,)
+        Line of each edge, and its start and end along it (mm), sorted by line and start.
+    low_barred, high_barred : (n,)
+        Whether a cut prevents that the gap before, and after, the edge is filled.
 
     Returns
     -------
-    begin : (n,)
-        Position at which each piece starts where the one before does not cover it.
+    begin : (n,) mm
+        Position at which each edge starts, or at which the edge before it ends.
     kept : (n,)
-        Whether the piece is not covered by others.
+        Mask of the edges that earlier edges do not cover completely.
     first, last : (n,) and (n,)
-        First and last dash of the row to which a piece belongs; itself if it is no dash.
+        First and last dash of the row to which an edge belongs; the edge itself if it is no dash.
     """
     count = len(line)
     begin = low.copy()

@@ -1,8 +1,8 @@
 """flank_check: check that both flanks of a V-groove stay on the board.
 
 A groove of depth h and flank angle θ is a strip of half-width h tan θ on the top face.  A cut
-inside this strip would lose its edge: the flank passes it by h tan θ minus its distance from the
-line.
+inside this strip would lose its edge: the flank passes the cut by h tan θ minus the distance of the
+cut from the groove's line.
 """
 
 from __future__ import annotations
@@ -38,13 +38,14 @@ class _NearbyChords:
     high: F64  #: (k,) parameter on the chord, 0 … 1
 
     def select(self, rows: I64 | Bool) -> _NearbyChords:
-        """Return the chords of some rows."""
+        """Return the chords with these indices, or of this mask."""
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
-        """Return the parts of the chords on which a column, (k, 2), is between two limits.
+        """Return the parts of the chords on which a coordinate lies between two limits.
 
-        Nothing is between two limits if ``least`` exceeds ``most``.
+        ``column`` is the coordinate at both ends of each chord, (k, 2): ``along`` or ``offset``.
+        There are no such parts if ``least`` exceeds ``most``.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
         level = np.abs(step) < 1e-12
@@ -59,7 +60,10 @@ class _NearbyChords:
         return _NearbyChords(cut.path, cut.cut, cut.along, cut.offset, low[rows], high[rows])
 
     def at_ends(self, column: F64) -> F64:
-        """Return the values of a column, (k, 2), at ``low`` and ``high`` of the chords, (k, 2)."""
+        """Return a coordinate at the parameters ``low`` and ``high`` of each chord, (k, 2).
+
+        ``column`` is the coordinate at both ends of each chord, (k, 2): ``along`` or ``offset``.
+        """
         share = np.stack([self.low, self.high], axis=1)
         result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * share
         return result
@@ -118,7 +122,11 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
 
 
 def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:
-    """Return the chords of the cuts near straight grooves, in coordinates along each groove."""
+    """Return the chords of the cuts near straight grooves, in coordinates along each groove.
+
+    ``begin`` and ``finish`` are the ends of the grooves, (p, 2) mm; ``reach`` is the distance of
+    the flanks from the line (mm).
+    """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
     ahead = unit_vectors(finish - begin)
@@ -148,7 +156,10 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
 
 
 def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
-    """Return which ends of the grooves, (p, 2), lie on a cut, or within twice the reach of one."""
+    """Return the mask of the ends of grooves that lie on a cut or within twice the reach, (p, 2).
+
+    ``length`` is the length of each groove, (p,) mm.
+    """
     result = np.zeros((len(length), 2), np.bool_)
     on = nearby.clip(nearby.offset, -GAP, GAP)
     past = 2.0 * reach
@@ -161,7 +172,7 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
 
 
 def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
-    """Return which chords belong to a cut that crosses steeply and ends between the flanks."""
+    """Return the mask of the chords whose cut crosses steeply and ends between the flanks, (k,)."""
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)
     pair, group = np.unique(np.stack([strip.path, strip.cut], axis=1), axis=0, return_inverse=True)

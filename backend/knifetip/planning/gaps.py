@@ -34,7 +34,7 @@ _CHAIN_FACTOR: Final = 3.0
 
 
 def closing_links(ends: F64, bulge: F64) -> F64:
-    """Return straight links that close gaps, (k, 2, 2) mm.
+    """Return straight links that close gaps in contours, (k, 2, 2) mm.
 
     Parameters
     ----------
@@ -86,12 +86,14 @@ def _choose_links(
     points: F64_2, length: F64_1,
     node: I64_1, by_node: I64_1, begin: I64_1,
 ) -> Any:  # fmt: skip
-    """Return which candidates become links, (k,): relative neighbours, and nearest points of cuts.
+    """Return the mask of the candidates that become links, (k,).
+
+    These are relative neighbours among the dangling ends, and nearest points of cuts.
 
     Parameters
     ----------
     tips, first : (t,) and (t + 1,)
-        Dangling ends, and the candidates of each.
+        Dangling ends, and the index of the first candidate of each.
     row, share, target, to_end : (k,), (k,), (k, 2) and (k,)
         Of each candidate: the edge, the parameter and the point on it, and whether it is a
         dangling end.
@@ -139,7 +141,19 @@ def _choose_links(
 def _has_end_between(
     k: int, gap: float, low: int, high: int, target: F64_2, to_end: Bool_1, tip: F64_1
 ) -> bool:
-    """Return whether a third dangling end is nearer to both ends of a gap than they are."""
+    """Return whether a third dangling end is nearer to both ends of a gap than the gap is long.
+
+    Parameters
+    ----------
+    k, gap
+        Candidate at the other end of the gap, and the length of the gap (mm).
+    low, high
+        Range of the candidates of this dangling end.
+    target, to_end
+        Point of each candidate (mm), and whether it is a dangling end.
+    tip : (2,) mm
+        The dangling end.
+    """
     for other in range(low, high):
         if (
             to_end[other]
@@ -162,7 +176,24 @@ def _far_along_chain(
     back: Bool_1,
     length: F64_1,
 ) -> bool:
-    """Return whether a point on an edge is far enough from the tip along their common chain."""
+    """Return whether a point on an edge is far enough from a dangling end along their chain.
+
+    A point of another chain is far enough.
+
+    Parameters
+    ----------
+    edge, share
+        Edge, and parameter of the point on it, 0 … 1.
+    gap : mm
+        Straight distance of the point from the dangling end.
+    t
+        Number of the dangling end.
+    seen, along_chain, back
+        Of each edge: the dangling end from which it was reached last, the distance along the chain
+        to it (mm), and whether the chain runs from its end to its start.
+    length : (n,) mm
+        Length of each edge.
+    """
     if seen[edge] != t:
         return True
     along = (1.0 - share if back[edge] else share) * length[edge]

@@ -24,7 +24,7 @@ from knifetip.planning.setup import Setup
 
 
 def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that cuts the V-grooves in some rows of a dieline, (m,).
+    """Return the operation that cuts the V-grooves in these rows of a dieline, (m,).
 
     Raises
     ------

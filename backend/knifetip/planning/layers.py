@@ -5,13 +5,13 @@
 A piece of board comes loose when cuts enclose it.  The layers are found backwards, from the
 finished sheet: removing a cut joins the faces on its two sides, and a face that is joined to the
 plane outside is held.  Cuts with a held face on one side form layer 0.  Removing them makes more
-faces held; cuts beside those form layer 1, and so on inwards.  Cuts of one layer may be made in any
-order, after those of all higher layers.
+faces held; cuts beside those faces form layer 1, and so on inwards.  Cuts of one layer may be made
+in any order, after all cuts of higher layers.
 
 So holes come before their part, a part before the window in which it lies, the line between two
 parts before their common outline, and open cuts before the contour in which they lie.  A closed
-contour is one unit of work, and so is an edge that belongs to none; it has the layer of its
-innermost stretch.
+contour is one unit of work, and so is an edge that belongs to no contour; a unit has the layer of
+its innermost stretch.
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         Cuts in any order and direction; contours may have gaps of up to ``CONTOUR_GAP``.
     contour : (n,)
         Closed contour of each cut, -1 for none.  All cuts of a contour get one layer, unless
-        contours enclose each other in a cycle; then each edge gets its own.
+        contours enclose each other in a cycle; then each edge gets its own layer.
 
     Raises
     ------
     PlanError
-        The boxes of more than five million pairs of cuts overlap.
+        The bounding boxes of more than five million pairs of cuts overlap.
     """
     count = len(ends)
     if count == 0:
@@ -168,7 +168,10 @@ def _assign_layers(
 
 @kernel
 def _enqueue(edge: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
-    """Put an edge into the queue unless it was there; return the length of the queue."""
+    """Append a unit of work to the queue unless it was queued; return the length of the queue.
+
+    ``layer`` is the layer of each unit, -1 for none yet; ``waiting`` becomes -1 for a queued unit.
+    """
     if layer[edge] >= 0 or waiting[edge] < 0:
         return size
     waiting[edge] = -1

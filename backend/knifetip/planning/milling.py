@@ -1,12 +1,12 @@
-"""milling: the operations of a cutter that removes a disc: a router or a beam.
+"""milling: the operations of a cutter that removes a disc: a router bit or a laser beam.
 
-    Dieline, rows of cuts, Setup -> Operations[DiscTool], layer by layer, open cuts first
+    Dieline, rows of cuts, Setup -> one Operation for each layer of cuts, open cuts first
 
-The centre of the cutter runs beside the line, in the waste: outside a part, inside a hole.  It is
-on the left of travel: a part is travelled clockwise, a hole counter-clockwise.  With a spindle that
-turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut on the line,
-and each side loses the radius r.  An edge that two parts share is refused, since the disc would cut
-into one of them.
+The centre of the cutter runs beside the line, in the waste: outside a part, inside a hole.  The
+waste is on the left of travel: a part is travelled clockwise, a hole counter-clockwise.  With a
+spindle that turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut
+on the line, and each side loses the radius r.  An edge that two parts share is refused, since the
+disc would cut into one of them.
 """
 
 from __future__ import annotations
@@ -43,12 +43,12 @@ def plan_milling(
 ) -> list[Operation]:
     """Return the operations that mill some cuts, layer by layer from the innermost.
 
-    Every contour is chained separately, so that two may touch at a point.
+    Every contour is chained separately, so that two contours may touch at a point.
 
     Parameters
     ----------
     corners
-        Type of all corners; ``apply_choices`` sets those of single corners.
+        Type of all corners; ``apply_choices`` sets the types of single corners.
     rows : (m,)
         Rows of the cuts in the dieline.
 
@@ -117,7 +117,17 @@ def _bridge_positions(
 ) -> F64:
     """Return the segment of each bridge and the position of its middle along it (mm), (k, 2).
 
-    The disc cuts r beyond the points where its centre stops, on either side of a bridge.
+    The disc cuts one radius beyond the points at which its centre stops, on either side of a
+    bridge.
+
+    Parameters
+    ----------
+    held : (p,)
+        Mask of the paths that get bridges.
+    source : (n,)
+        Edge of each segment, for errors.
+    avoid : (m, 2) mm
+        Positions from which bridges keep away, if possible.
     """
     if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
         return np.zeros((0, 2))
@@ -135,7 +145,7 @@ def _bridge_positions(
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return the operations, with the choices for single corners applied to those that mill.
+    """Return all operations, with the choices for single corners set in those that mill.
 
     Raises
     ------
@@ -163,7 +173,10 @@ def apply_choices(operations: list[Operation], corners: Corners) -> list[Operati
 
 
 def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
-    """Return for every edge, if it is a cut, what ``cut_sides`` returns: waste, face, shared."""
+    """Return the waste, face and shared columns of ``CutSides`` for every edge of a dieline.
+
+    An edge that is no cut has waste 0, face -1 and shared False.
+    """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     # A line between the insides of two edges separates two parts without a vertex on the edges.
     ends, bulge, row = split_at_ends(dieline.ends[cuts], dieline.bulge[cuts])
@@ -177,7 +190,7 @@ def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
 
 
 def _check_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise ``PlanError`` if there is an edge that two parts share."""
+    """Raise ``PlanError`` if there is an edge that two parts share; ``rows`` are these edges."""
     if len(rows):
         raise PlanError(
             "milling.shared-edge",
@@ -188,7 +201,7 @@ def _check_shared(rows: I32, cutter: DiscTool) -> None:
 
 
 def _close_joints(paths: Paths) -> Paths:
-    """Return the paths with equal ends at joints, closed if their ends are within ``JOIN``."""
+    """Return the paths with equal ends at joints, closed if their two ends are within ``JOIN``."""
     end = paths.end.copy()
     first, last = paths.first[:-1], paths.first[1:] - 1
     inner: Bool = np.ones(len(end), np.bool_)

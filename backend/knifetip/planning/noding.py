@@ -1,4 +1,4 @@
-"""noding: split edges where others end on them or cross them.
+"""noding: split edges where other edges end on them or cross them.
 
 edges -> pieces that meet only at their ends, and the edge of each piece
 """
@@ -21,7 +21,7 @@ _MOST_PAIRS: Final = 5_000_000
 
 
 def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges split where others end on them, and the row of each piece.
+    """Return edges split where others end on them: ends and bulge of the pieces, edge of each.
 
     Parameters
     ----------
@@ -31,16 +31,20 @@ def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 
 
 def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges split where others end on them or cross them, and the row of each piece.
+    """Return edges split where other edges end on them or cross them.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
 
+    Returns
+    -------
+    Ends (m, 2, 2) mm and bulge (m,) of the pieces, and the edge of each piece (m,).
+
     Raises
     ------
     PlanError
-        The boxes of more than five million pairs of edges overlap.
+        The bounding boxes of more than five million pairs of edges overlap.
     """
     junctions, crossed = _end_contacts(ends, bulge), _crossings(ends, bulge)
     return _split_at(
@@ -51,12 +55,12 @@ def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 
 
 def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return the points at which ends of other edges lie on edges.
+    """Return the points of edges at which ends of other edges lie.
 
     Returns
     -------
-    edge, share, point : (k,), (k,) and (k, 2)
-        Edge, parameter on it (0 … 1), and point.
+    edge, share, point : (k,), (k,) and (k, 2) mm
+        Edge, parameter of the point on it (0 … 1), and the end of the other edge.
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
@@ -71,7 +75,13 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return the points at which edges cross, once for each edge, as ``_end_contacts``."""
+    """Return the points at which edges cross, once for each of the two edges.
+
+    Returns
+    -------
+    edge, share, point : (k,), (k,) and (k, 2) mm
+        Edge, parameter of the point on it (0 … 1), and the point.
+    """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes, boxes, 0.0)
     if len(one) > 2 * _MOST_PAIRS:
@@ -95,7 +105,13 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _split_at(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64, F64, I64]:
-    """Return edges split at points, and the row of each piece."""
+    """Return edges split at points: ends and bulge of the pieces, and the edge of each piece.
+
+    Parameters
+    ----------
+    row, share, point : (k,), (k,) and (k, 2) mm
+        Edge, parameter on it (0 … 1) and position of each point.
+    """
     rows = np.concatenate([np.arange(len(ends)), row])
     low = np.concatenate([np.zeros(len(ends)), share])
     begin = np.concatenate([ends[:, 0], point])

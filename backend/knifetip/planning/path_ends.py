@@ -17,7 +17,7 @@ from knifetip.model.operation import End
 def chain_edges(
     dieline: Dieline, rows: I32, kink: float, group: I64 | None = None
 ) -> tuple[Paths, I32]:
-    """Chain edges of a dieline into paths; return these and the edge of each segment.
+    """Chain edges of a dieline into paths; return the paths and the row of each segment.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def chain_edges(
 
 
 def end_points(paths: Paths) -> tuple[F64, I32]:
-    """Return the ends of the paths, (2p, 2) mm, and the segment at each of them, (2p,)."""
+    """Return the ends of the paths, (2p, 2) mm, and the segment at each end, (2p,)."""
     begin, finish = paths.first[:-1], paths.first[1:] - 1
     points = np.concatenate([paths.start[begin], paths.end[finish]])
     return points, np.concatenate([begin, finish]).astype(np.int32)
@@ -51,7 +51,8 @@ def end_directions(paths: Paths) -> F64:
 def end_kinds(paths: Paths, marked: Bool, kind: End) -> tuple[U8, U8]:
     """Return the kinds of the starts and of the finishes of the paths, (p,) and (p,).
 
-    Ends of closed paths are CLOSED, those that are marked in (2p,) have ``kind``, others are FREE.
+    Ends of closed paths are CLOSED; other ends have ``kind`` in the mask ``marked``, (2p,), and are
+    FREE elsewhere.
     """
     kinds = np.where(marked, kind, End.FREE)
     start, finish = np.split(np.where(np.tile(paths.closed, 2), End.CLOSED, kinds), 2)

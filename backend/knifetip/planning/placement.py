@@ -14,7 +14,7 @@ from knifetip.model.machine import Machine
 
 
 def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
-    """Return the shift (mm) that moves the lower left corner of the work to the machine's origin.
+    """Return the shift (mm) from the lower left corner of the work to the machine's origin.
 
     Ignored and unclassified edges are no part of the work.
 

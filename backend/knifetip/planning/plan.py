@@ -2,8 +2,8 @@
 
     Dieline (in sheet coordinates), Machine, Board -> Operations
 
-Creases and V-grooves come first, while the board is whole and lies firmly; then half-cuts and
-perforations; then the cuts, layer by layer from the innermost: what lies inside a contour is cut
+Creases and V-grooves come first, while the board is uncut and lies firmly; then half-cuts and
+perforations; then the cuts, layer by layer from the innermost: edges inside a contour are cut
 before the contour itself.
 """
 
@@ -47,12 +47,12 @@ def lacks_tool(machine: Machine, line_type: LineType) -> bool:
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:
-    """Raise an error if corner choices are invalid or the machine has no milling cutter.
+    """Check corner choices against a machine.
 
     Raises
     ------
     PlanError
-        A choice is invalid, or there is no cutter.
+        A choice is invalid, or the machine has no milling cutter.
     """
     if not machine.offset_cuts:
         raise PlanError("corner.no-cutter", machine=machine.title)
@@ -67,9 +67,9 @@ def plan(
     Parameters
     ----------
     dieline
-        Edges in sheet coordinates.  Ignored and unclassified ones are skipped.
+        Edges in sheet coordinates.  Ignored and unclassified edges are skipped.
     corners
-        How a milling cutter goes round corners; None for the way that is fastest on the machine.
+        How a milling cutter goes round corners; None for the fastest way on this machine.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from knifetip.planning.plan import lacks_tool
 
 
 def tool_questions(dieline: Dieline, machine: Machine) -> list[Question]:
-    """Return one question for each line type that no station of the machine can make."""
+    """Return one question for each line type of the dieline that the machine cannot make."""
     return [
         Question(
             kind="tool",

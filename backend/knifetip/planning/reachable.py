@@ -3,7 +3,7 @@
     Paths, radius of a cutter on their left -> ReachableStretches, at most one per raw offset piece
 
 A knife reaches everything.  A disc does not reach into inner corners, slots and necks that are
-narrower than itself: it reaches a segment where ``offset.offset_paths`` keeps the offset of it.
+narrower than itself: it reaches the stretches whose offset ``offset.offset_paths`` keeps.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from knifetip.offset.offset_paths import offset_paths
 
 
 class ReachableStretches(NamedTuple):
-    """m stretches of segments, ordered by segment and position."""
+    """m stretches of segments that a tool reaches, ordered by segment and position."""
 
     segment: I64  #: (m,)
     low: F64  #: (m,) mm from the segment's start
@@ -28,7 +28,7 @@ class ReachableStretches(NamedTuple):
 
 
 def all_reachable(paths: Paths) -> ReachableStretches:
-    """Return one stretch for each segment, over its whole length."""
+    """Return one stretch for each segment, over its entire length."""
     size = arc.length(paths.start, paths.end, paths.bulge)
     return ReachableStretches(np.arange(len(size)), np.zeros(len(size)), size)
 
@@ -36,14 +36,12 @@ def all_reachable(paths: Paths) -> ReachableStretches:
 def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
     """Return the stretches that a disc reaches from the left of paths which bound one region.
 
+    If the paths have no offset, all stretches are returned: compensation reports the error later.
+
     Parameters
     ----------
     radius : mm
-        Of the disc.
-
-    Returns
-    -------
-    Of paths that have no offset, everything: compensation reports what is wrong with them.
+        Radius of the disc.
     """
     group = np.where(paths.closed, 0, 1 + np.arange(len(paths)))
     try:

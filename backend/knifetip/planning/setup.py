@@ -16,7 +16,7 @@ from knifetip.model.operation import Operation
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Setup:
-    """One station of a machine, and the board on its table."""
+    """One station of a machine, and the board on the machine's table."""
 
     machine: Machine
     board: Board
@@ -24,13 +24,13 @@ class Setup:
 
     @property
     def through(self) -> float:
-        """Depth of a through cut (mm)."""
+        """Depth of a through cut below the board's top face (mm)."""
         return self.board.caliper + self.machine.into_mat
 
     def operation(
         self, line_type: LineType, paths: Paths, source: I32, depth: F64, ends: tuple[U8, U8]
     ) -> Operation:
-        """Return the operation that works p paths of n segments with this station's tool.
+        """Return the operation that moves this station's tool along p paths of n segments.
 
         Parameters
         ----------

@@ -1,1 +1,1 @@
-"""Sequencing: orders the tracks of a job and plans the air moves between them."""
+"""Put the tracks of a job into order, and plan the air moves between them."""

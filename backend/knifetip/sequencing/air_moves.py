@@ -30,7 +30,7 @@ _FLATTEST: Final = 89.0
 
 
 def tool_axis(c: F64, circle: TipCircle) -> F64:
-    """Return the unit vectors a from the tip into the tool, (n, 3), at headings c, (n,) degrees."""
+    """Return the unit vector from the tip into the tool at each heading ``c`` (degrees), (n, 3)."""
     tilt, heading = math.radians(circle.tilt), np.radians(c)
     sideways = math.sin(tilt)
     return np.column_stack(
@@ -50,7 +50,7 @@ def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
     Parameters
     ----------
     start, end : (4,) x y z in mm, c in degrees
-        C of the end is already the one that the smaller angle leads to.
+        The C of ``end`` is the one to which the smaller angle leads.
     step_c, step : degrees, mm
         δ_c and δ_s, the greatest distances between two poses.
     """
@@ -62,9 +62,9 @@ def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
 
 
 def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | None = None) -> F64:
-    """Return D, the depth of the lowest point of the tip circle below the board's face, (n,) mm.
+    """Return the depth of the lowest point of the tip circle below the board's face, (n,) mm.
 
-    It is 0 above the face, and where the whole circle is outside the board.
+    It is 0 above the face, and if the entire circle is outside the board.
 
     Parameters
     ----------
@@ -114,17 +114,19 @@ def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
 
 
 def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
-    """Return the turns on which the whole tip circle is always outside the board, (n,).
+    """Return the mask of the turns on which the entire tip circle is outside the board, (n,).
 
     Parameters
     ----------
-    start, end : (n, 4) poses
+    start, end : (n, 4) x y z in mm, c in degrees
+        Poses at the start and the end of each turn.
     outline : closed Paths
+        Outline of the board with its holes.
 
     Notes
     -----
-    This is a proof, not a sample: where the circle is outside the board by g, the next pose that
-    is tested is the first at which its centre could be nearer by g.
+    This is a proof, not a sample: if the circle is outside the board by a distance, the next pose
+    that is tested is the first at which the circle could have come nearer by that distance.
     """
     result: Bool = _turns_outside(
         np.ascontiguousarray(start),
@@ -141,7 +143,8 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
     """Return the toolpath with a full retract at every turn, for comparison with the paper.
 
-    Every rapid below the machine's travel height goes up to that height first, and down last.
+    Every rapid below the machine's travel height first goes up to that height, then across, then
+    down.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z
@@ -177,10 +180,10 @@ def unwind(
     high: float,
     period: float,
 ) -> Any:
-    """Return the multiples of the period to add to the headings of runs of moves, (t,) degrees.
+    """Return the multiple of the period to add to the headings of each run of moves, (t,) degrees.
 
-    Between runs C turns by the smaller angle.  If both angles are half a period, the one is taken
-    that leaves C nearer to the middle of its travel.
+    Between runs C turns by the smaller angle.  If the angles either way are half a period, the
+    multiple is chosen that leaves C nearer to the middle of its travel.
 
     Parameters
     ----------
@@ -264,7 +267,16 @@ def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> 
 def _turns_outside(
     start: F64_2, end: F64_2, radius: float, aside: float, first: F64_2, last: F64_2, bulge: F64_1
 ) -> Any:
-    """Return the turns that are outside the board, (n,): sphere tracing along each turn."""
+    """Return the mask of the turns that are outside the board, (n,), by sphere tracing.
+
+    Parameters
+    ----------
+    start, end : (n, 4) x y z in mm, c in degrees
+    radius, aside : mm
+        Radius of the tip circle, and distance of its centre to the left of the pose.
+    first, last, bulge
+        Lines and arcs of the board's outline.
+    """
     clear = np.zeros(len(start), np.bool_)
     for row in range(len(start)):
         travel = end[row] - start[row]

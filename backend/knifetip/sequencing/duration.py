@@ -1,4 +1,4 @@
-"""duration: estimate the time that the machine takes.
+"""duration: estimate the time that the machine takes for a toolpath.
 
     Toolpath, Machine -> seconds of every row
 
@@ -38,14 +38,16 @@ def duration(toolpath: Toolpath, machine: Machine) -> float:
 def durations(toolpath: Toolpath, machine: Machine) -> F64:
     """Return the time of each row of a toolpath, (n,) s.
 
-    A change of station belongs to its first row, a halt to the row before it.
+    The time of a station change is added to the first row of the new station, and the time of a
+    halt to the row before the halt.
 
     Parameters
     ----------
     toolpath : Toolpath
         One chain of moves, as ``sequence`` returns it.
     machine : Machine
-        Its axes' velocities and accelerations, settling time and controller language.
+        The velocities and accelerations of its axes, settling time and controller language are
+        used.
 
     Notes
     -----
@@ -105,7 +107,10 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
 
 def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
-    """Return whether a beam is switched at the start of each row, and its piercing time (s)."""
+    """Return the mask of the rows at whose start a beam is switched, and the piercing times (s).
+
+    Both are (n,); a piercing time is 0 unless the beam is switched on.
+    """
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)
     for station in machine.stations:
@@ -117,7 +122,10 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
 
 
 def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
-    """Return the time of each row at its programmed feed, (n,) s; 0 for rapids."""
+    """Return the time of each row at its programmed feed, (n,) s; 0 for rapids.
+
+    ``travel`` (mm) and ``degrees`` are the length and the turn of C of each row, (n,).
+    """
     swivel = toolpath.motion == Motion.SWIVEL
     feed = np.where(toolpath.feed > 0.0, toolpath.feed, np.inf)
     feed_time: F64 = 60.0 * np.where(swivel, degrees, travel) / feed
@@ -154,7 +162,7 @@ def _simulate(
     Parameters
     ----------
     length, velocity, acceleration : (n,)
-        Of each row; rows without length take no time.
+        Length of each row, and its limits; rows without length take no time.
     first, last : (n, 4)
         Change of each axis per unit of length at the start and the end of each row.
     jolt : (4,)

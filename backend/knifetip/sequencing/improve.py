@@ -2,10 +2,11 @@
 
     tour of tracks, link times, neighbours -> the same tracks in a shorter order
 
-2-opt and Or-opt until neither improves the tour; then random segment swaps, each followed by the
-same local search and undone if the tour is not shorter.
+2-opt and Or-opt until neither improves the tour; then random segment swaps.  Each swap is followed
+by the same local search, and undone if the tour is not shorter.
 
-A track is run forwards (side 0) or backwards (side 1).  ``reversal`` is a ``Reversal``.
+A track is run forwards (side 0) or backwards (side 1).  ``reversal`` is a ``Reversal``.  ``ends``
+and ``rates`` are as in ``improve_tour``.
 
 Source: Croes 1958 (2-opt), Or 1976, Martin, Otto & Felten 1991 (perturb and repair).
 """
@@ -36,7 +37,10 @@ _LONGEST_RUN: Final = 50
 
 @kernel
 def _travel_time(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: F64_2) -> float:
-    """Return the time from the end of track a to the start of track b (s)."""
+    """Return the time from the end of track a to the start of track b (s).
+
+    ``side_a`` and ``side_b`` are 0 for a track that is run forwards and 1 for backwards.
+    """
     x = abs(ends[side_b, 0, b, 0] - ends[side_a, 1, a, 0])
     y = abs(ends[side_b, 0, b, 1] - ends[side_a, 1, a, 1])
     c = abs(ends[side_b, 0, b, 2] - ends[side_a, 1, a, 2])
@@ -55,9 +59,9 @@ def _travel_time(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: 
 def _link_time(
     i: int, turn_i: int, j: int, turn_j: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the time from position i to position j of the tour (s); 0 beyond its end.
+    """Return the time from position i to position j of the tour (s); 0 if j is beyond its end.
 
-    ``turn_i`` and ``turn_j`` are 1 if that track is run the other way round.
+    ``turn_i`` and ``turn_j`` are 1 if the track there is run opposite to ``side``.
     """
     if j >= len(tour):
         return 0.0
@@ -68,7 +72,10 @@ def _link_time(
 def _inner_change(
     i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the change of the links between positions i … j if these are reversed (s)."""
+    """Return how much longer the links between positions i … j take if these are reversed (s).
+
+    With ``turn`` 1 the tracks are run the other way round too, which changes no link time.
+    """
     if turn:
         return 0.0
     more = 0.0
@@ -82,7 +89,11 @@ def _inner_change(
 def _reversal_change(
     i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the change of the tour if positions i … j are reversed (s)."""
+    """Return how much longer the tour takes if its positions i … j are reversed (s).
+
+    With ``turn`` 1 the tracks are run the other way round too.  Returns 0 if i is the origin or the
+    run is too long.
+    """
     if i < 1 or (not turn and j - i > _LONGEST_RUN):
         return 0.0
     more = _link_time(i - 1, 0, j, turn, tour, side, ends, rates)
@@ -98,7 +109,7 @@ def _reversal_change(
 
 @kernel
 def _removal_gain(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2) -> float:
-    """Return the time saved by removing positions s … e (s); 0 if they cannot be removed."""
+    """Return the time saved by removing positions s … e of the tour (s); 0 if not removable."""
     if s < 1 or e >= len(tour):
         return 0.0
     saved = _link_time(s - 1, 0, s, 0, tour, side, ends, rates)
@@ -108,7 +119,10 @@ def _removal_gain(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: 
 
 @kernel
 def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
-    """Reverse positions i … j in place; with ``turn`` 1 run their tracks the other way round."""
+    """Reverse positions i … j of the tour in place; with ``turn`` 1 also the sides of their tracks.
+
+    Updates ``position``, the position of each track in the tour.
+    """
     low, high = i, j
     while low < high:
         tour[low], tour[high] = tour[high], tour[low]
@@ -122,7 +136,7 @@ def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, position:
 
 @kernel
 def _swap(s: int, m: int, e: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
-    """Move positions m … e before positions s … m - 1."""
+    """Move positions m … e of the tour before positions s … m - 1, in place."""
     _reverse(s, m - 1, 0, tour, side, position)
     _reverse(m, e, 0, tour, side, position)
     _reverse(s, e, 0, tour, side, position)
@@ -140,9 +154,16 @@ def _improve_track(
     near: I32_2,
     floor: F64_2,
 ) -> Any:
-    """Make the first improving change near a track.
+    """Make the first change near a track that shortens the tour.
 
-    Return the first and last position that changed and the change (s); (0, -1, 0) for none.
+    Returns the first and last position that changed and the change (s); (0, -1, 0) for none.
+
+    Parameters
+    ----------
+    position
+        Position of each track in the tour.
+    near, floor : (t, k) and (t, k)
+        Neighbours of each track, and lower bounds of the link times to them (s).
     """
     last = len(tour) - 1
     symmetric = 1 if reversal == 1 else 0
@@ -231,9 +252,16 @@ def _improve_queued(
     near: I32_2,
     floor: F64_2,
 ) -> Any:
-    """Improve around the queued tracks and those next to each change, until nothing improves.
+    """Improve the tour around the queued tracks and those next to each change, until none helps.
 
-    Return the total change (s), and the first and last position that changed.
+    Returns the total change (s), and the first and last position that changed.
+
+    Parameters
+    ----------
+    queue, waiting, head, size
+        Circular queue of tracks, whether each track is in it, its first element and its length.
+    most
+        Greatest number of changes.
     """
     count = len(queue)
     gained = 0.0
@@ -273,7 +301,7 @@ def improve_tour(
     floor: F64_2,
     trials: int,
 ) -> None:
-    """Shorten the tour in place.
+    """Shorten a tour of tracks in place.
 
     Parameters
     ----------

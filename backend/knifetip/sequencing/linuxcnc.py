@@ -1,4 +1,4 @@
-"""linuxcnc: the halts of a LinuxCNC program, and their time (ADR 0008)."""
+"""linuxcnc: the halts of a LinuxCNC program between moves, and their time (ADR 0008)."""
 
 from __future__ import annotations
 
@@ -18,11 +18,16 @@ BLENDED: Final = 0.005
 
 
 def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return the time for which LinuxCNC halts after each row, (n,) s; parameters as ``Timing``.
+    """Return the time for which LinuxCNC halts after each row of a toolpath, (n,) s.
 
-    Where C starts or ends to turn, the trajectory planner overlaps both rows for the time t in
-    which the slower axis changes its speed.  The tip then deviates by Δκ (v t)² / 2, where κ is the
-    turn of C per mm (ADR 0008).
+    Where C starts or ends to turn, the trajectory planner overlaps the rows before and after for
+    the time t in which the slower axis changes its speed.  The tip then deviates by Δκ (v t)² / 2,
+    where κ is the turn of C per mm (ADR 0008).  The program halts if that is more than ``BLENDED``.
+
+    Parameters
+    ----------
+    travel, seconds
+        Length of each row (mm), and its time at its feed.
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL

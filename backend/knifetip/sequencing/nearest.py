@@ -16,7 +16,7 @@ from knifetip.kernels import F64_1, F64_2, F64_2A, I32_1, OutF64_1, OutI32_1, ke
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
-    """Return the nearest-neighbour order of tracks, (t,), from ``origin``.
+    """Return the nearest-neighbour order of tracks, (t,), from the point ``origin``.
 
     Parameters
     ----------
@@ -29,9 +29,16 @@ def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
 
 
 def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
-    """Return the nearest-neighbour tour of ``count`` tracks, (count,) candidates.
+    """Return the nearest-neighbour tour of ``count`` tracks that may be run in either direction.
 
-    Candidates i and i + ``count`` are one track, run forwards and backwards; one is visited.
+    Candidates i and i + ``count`` are track i, run forwards and backwards.  The result contains one
+    candidate of each track, (count,).
+
+    Parameters
+    ----------
+    start, end : (count, 2) or (2 count, 2) mm
+        Positions of the head at the start and the end of each candidate.
+    origin : (2,) mm
     """
     if count == 0:
         return np.zeros(0, np.int32)
@@ -58,7 +65,19 @@ def _search_rings(
     key: I32_1,
     count: int,
 ) -> Any:
-    """Search the grid in growing rings; a track that is found is removed from its cells."""
+    """Return the tour by searching the grid in growing rings around the head.
+
+    A track that is found is removed from its cells.
+
+    Parameters
+    ----------
+    low, size : (2,) and (2,) mm
+        Lower left corner of the grid, and size of its cells.
+    side
+        Number of columns, and of rows, of the grid.
+    listed, first, key
+        Candidates of all cells, first index of each cell, and cell of each candidate.
+    """
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)
     x = origin[0]
@@ -102,7 +121,8 @@ def _search_rings(
 def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
     """Return the nearest other tracks of each track, (t, wanted), and their distances (mm).
 
-    The distance of two tracks is that of their nearest ends.
+    The distance of two tracks is the distance of their nearest ends.  ``start`` and ``end`` are (t,
+    2) mm.
     """
     count = len(start)
     point = np.concatenate((start, end))
@@ -149,7 +169,11 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
 
 @kernel
 def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
-    """Insert a track into a sorted list of the nearest ones; return the length of the list."""
+    """Insert a track into a sorted list of nearest tracks; return the length of the list.
+
+    ``near`` and ``best`` are the tracks and their distances (mm), of which the first ``found`` are
+    used.  A track that is already in the list gets the smaller distance.
+    """
     at = found
     for place in range(found):
         if near[place] == other:

@@ -1,7 +1,7 @@
 """order: the order of tracks, and the end from which each is run.
 
-A nearest-neighbour tour is shortened by local search.  The number of trials is counted
-and not timed, so that the same tracks always get the same order.  The cost of a
+A nearest-neighbour tour is shortened by local search.  The number of trials is fixed by the number
+of tracks and not by a time limit, so that the same tracks always get the same order.  The cost of a
 link is the time of its slowest axis among X, Y and C.  Lifts take the same time on every link and
 are left out.
 """
@@ -26,7 +26,10 @@ _MOST_TRIALS: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
-    """Return the nearest-neighbour order and which tracks to reverse, as ``short_order``."""
+    """Return the nearest-neighbour order of tracks, (t,), and the mask of those to reverse, (t,).
+
+    The parameters are as for ``short_order``.
+    """
     count = entry.shape[1]
     if reversal == Reversal.ONE:
         order = nearest_neighbour(entry[0, :, :2], leave[0, :, :2], origin[:2])
@@ -40,7 +43,7 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
 def short_order(
     entry: F64, leave: F64, origin: F64, pace: F64, period: float, reversal: Reversal
 ) -> tuple[I32, Bool]:
-    """Return a short order of tracks, (t,), and which of them to run from their far end, (t,).
+    """Return a short order of tracks, (t,), and the mask of those to run from their far end, (t,).
 
     Parameters
     ----------
@@ -88,11 +91,12 @@ def short_order(
 
 
 def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) -> F64:
-    """Return the time of the link before each track, (t,) s, for tracks in the given order.
+    """Return the time of the air move before each track, (t,) s, for tracks in the given order.
 
     Parameters
     ----------
     entry, leave : (t, 3) x y in mm, c in degrees
+        Poses at the start and the end of each track.
     origin, pace, period
         As for ``short_order``.
 

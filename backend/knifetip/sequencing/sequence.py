@@ -2,10 +2,10 @@
 
     Toolpaths in working order, Machine -> Toolpath
 
-Toolpaths keep their order, which is the working order of the operations.  The tracks of each are
-put into a short order, and run from their far end where the tool permits it.  In air moves between
-tracks the head turns while it travels, at the least height that clears the board.  When the tool
-changes, it travels at the machine's travel height.
+Toolpaths keep their order, which is the working order of the operations.  The tracks of each
+toolpath are put into a short order, and run from their far end if the tool permits it.  In air
+moves between tracks the head turns while it travels, at the least height that clears the board.
+When the tool changes, it travels at the machine's travel height.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of moves; ``pose`` is the one at the end of each move."""
+    """Columns of n moves, as in ``Toolpath``; ``pose`` is the pose at the end of each move."""
 
     pose: F64
     bulge: F64
@@ -64,9 +64,9 @@ def sequence(
     Raises
     ------
     PlanError
-        There is no work in the toolpaths.
+        The toolpaths contain no moves.
     TravelExceeded
-        A head would leave the machine's travel.
+        A move would leave the machine's travel.
     """
     work = [toolpath for toolpath in toolpaths if len(toolpath)]
     if not work:
@@ -98,14 +98,14 @@ def sequence(
 
 
 def _at_height(pose: F64, height: float) -> F64:
-    """Return the pose with the tip at a height (mm)."""
+    """Return a copy of a pose, (4,), with the tip at a height (mm)."""
     raised = pose.copy()
     raised[2] = height
     return raised
 
 
 def _parking_pose(station: Station, machine: Machine) -> F64:
-    """Return the pose nearest to the table's corner that the station can reach."""
+    """Return the pose, (4,), nearest to the table's corner that the station can reach."""
     return np.array(
         [
             min(max(0.0, machine.x.low - station.x), machine.x.high - station.x),
@@ -117,7 +117,7 @@ def _parking_pose(station: Station, machine: Machine) -> F64:
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:
-    """Return one rapid to a pose."""
+    """Return one rapid of a tool (its station number) to a pose, (4,)."""
     return _Moves(
         pose=pose[None],
         bulge=np.zeros(1),
@@ -132,7 +132,7 @@ def _air_move(pose: F64, tool: int) -> _Moves:
 def _order_tracks(
     toolpath: Toolpath, station: Station, machine: Machine, current: F64, count: int
 ) -> _Moves:
-    """Return the tracks of a toolpath in a short order, with an air move before each.
+    """Return the tracks of a toolpath in a short order, with an air move before each track.
 
     Parameters
     ----------
@@ -268,7 +268,10 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return the turns whose lift and plunge use the same tool and do not move C."""
+    """Return the mask of turns, (t,), whose lift and plunge use the same tool and do not move C.
+
+    ``turns`` are rows of the toolpath.
+    """
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])
     same &= (c[turns - 1] == c[turns]) & (c[turns + 1] == c[turns + 2])

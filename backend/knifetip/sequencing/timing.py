@@ -18,7 +18,7 @@ STILL: Final = 1e-9
 
 
 class Timing(Protocol):
-    """The halts of one controller language."""
+    """A function that returns the halts of programs in one controller language."""
 
     def __call__(self, toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
         """Return the time for which the controller halts after each row, (n,) s.

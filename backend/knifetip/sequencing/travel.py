@@ -1,6 +1,7 @@
 """travel: check that the axes stay within their limits.
 
-Joint position = programmed position + datum of the station, so each station has its own limits.
+The joint position is the programmed position plus the datum of the station, so each station has its
+own limits.
 """
 
 from __future__ import annotations
