@@ -114,14 +114,14 @@ def test_a_line_between_two_parts_comes_before_their_outline() -> None:
     assert layers(PANEL, rungs, box(20, 70, 10, 10)) == [[0], [1], [1]]
 
 
-def test_parts_that_share_a_piece_of_an_edge_and_holes_in_them() -> None:
+def test_layers_of_parts_that_share_a_piece_of_an_edge() -> None:
     # The second part's contour is open: its fourth side is a piece of the first one's.
     other = edges(((310, 50), (400, 50)), ((400, 50), (400, 150)), ((400, 150), (310, 150)))
     found = layers(PANEL, other, box(20, 20, 10, 10), box(330, 70, 10, 10))
     assert found == [[1], [0], [2], [1]]
 
 
-def test_a_contour_that_touches_its_hole_in_a_vertex() -> None:
+def test_layers_of_a_contour_that_touches_its_hole_in_a_vertex() -> None:
     hole = closed((0, 0), (60, 20), (20, 60))
     assert layers(PANEL, hole, box(24, 24, 5, 5)) == [[0], [1], [2]]
 

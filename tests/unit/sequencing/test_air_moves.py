@@ -166,7 +166,7 @@ def test_the_lift_is_the_least_that_clears(
 
 @settings(deadline=None, max_examples=300)
 @given(start=poses, end=poses, circle=circles, angle=st.floats(0.0, 360.0))
-def test_turning_the_board_turns_everything(
+def test_lifts_do_not_depend_on_the_direction_of_the_board(
     start: tuple[float, float, float, float],
     end: tuple[float, float, float, float],
     circle: TipCircle,

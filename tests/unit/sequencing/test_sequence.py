@@ -54,7 +54,7 @@ def test_links_between_tracks_stay_above_the_board() -> None:
     assert path.pose[1:][rapid][:, 2].min() == 4.0  # caliper 2 and clearance 2
 
 
-def test_every_row_of_the_tracks_is_there_once() -> None:
+def test_every_row_of_the_tracks_occurs_once() -> None:
     groups = [(LineType.CREASE, edges(*[((x, 10), (x, 90)) for x in range(10, 90, 7)]))]
     operation = plan(dieline(*groups), MACHINE, BOARD)[0]
     before = compensate(operation)

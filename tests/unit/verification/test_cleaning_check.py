@@ -33,7 +33,7 @@ def findings_text(made: Cleaned, line: Dieline = LINE) -> str:
     return " ".join(finding.text for finding in check_cleaning(line, made))
 
 
-def test_what_cleaning_does_is_accepted() -> None:
+def test_a_correct_cleaning_is_accepted() -> None:
     made = clean(LINE)
     assert np.flatnonzero(made.changed).tolist() == [3, 4, 5, 6, 8]
     assert check_cleaning(LINE, made) == []

@@ -42,7 +42,7 @@ def find_finding(kind: str, edge: int, findings: list[Finding]) -> Finding:
     return chosen[0]
 
 
-def test_a_crease_that_stops_early_is_short_by_as_much() -> None:
+def test_a_crease_that_stops_early_is_uncut_by_the_missing_length() -> None:
     finding = find_finding("uncut", FOLD, findings_of("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
@@ -71,7 +71,7 @@ def test_a_wheel_four_micrometres_too_deep_is_accepted() -> None:
     assert findings_of("G1 Z1.4000 F6000", "G1 Z1.3960 F6000") == []
 
 
-def test_a_line_beside_its_edge_is_a_deviation() -> None:
+def test_a_cut_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     finding = find_finding("deviation", SLIT, list(verdict_of(text).findings))
     assert finding.measure == pytest.approx(0.03)

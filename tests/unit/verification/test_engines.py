@@ -122,7 +122,7 @@ def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
     assert {finding.kind for finding in groove_findings(28.7, 100.1)} == {"overcut"}
 
 
-def test_where_grooves_must_run_out_and_where_not() -> None:
+def test_which_ends_of_grooves_must_run_out() -> None:
     outline_ = dieline(
         (CUT, 0, 0, 100, 0, 0.0), (CUT, 100, 50, 100, 0, 0.0), (CUT, 100, 50, 50, 50, 0.0),
         (CUT, 50, 50, 50, 100, 0.0), (CUT, 50, 100, 0, 100, 0.0), (CUT, 0, 0, 0, 100, 0.0),

@@ -122,7 +122,7 @@ def test_only_a_collinear_groove_continues_another() -> None:
     ]
 
 
-def test_pairs_are_those_that_all_distances_find() -> None:
+def test_pairs_within_agrees_with_all_distances() -> None:
     chance = np.random.default_rng(5)
     one, other = chance.uniform(0, 3, (200, 2)), chance.uniform(0, 3, (300, 2))
     a, b = pairs_within(one, other, 0.1)

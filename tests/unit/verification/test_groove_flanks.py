@@ -36,7 +36,7 @@ def test_a_parallel_cut_inside_the_strip_is_found_on_either_side(aside: float) -
 
 
 @pytest.mark.parametrize("aside", [1.31, -1.31, 5.0])
-def test_a_parallel_cut_outside_the_strip_is_not(aside: float) -> None:
+def test_a_parallel_cut_outside_the_strip_is_not_found(aside: float) -> None:
     assert len(damaged_beside_groove((CUT, 120, aside, -20, aside, 0.0)).cut) == 0
 
 

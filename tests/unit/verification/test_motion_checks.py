@@ -72,7 +72,7 @@ def test_a_rapid_in_the_board_is_found_with_its_depth() -> None:
     )
 
 
-def test_a_lift_that_stays_in_the_board_lets_the_next_rapid_be_found() -> None:
+def test_a_rapid_after_a_lift_that_stays_in_the_board_is_found() -> None:
     found = findings(changed(LINUXCNC, "G1 Y65.6000 F30000\nG1 Z4", "G1 Y65.6000 F30000\nG1 Z1.9"))
     assert any(finding.kind == "stray" and finding.line == 20 for finding in found)
 

@@ -65,7 +65,7 @@ def test_the_effect_of_a_change_is_computed_without_the_verifier(
     assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) == kind
 
 
-def test_a_point_that_slides_along_its_line_moves_nothing() -> None:
+def test_a_point_moved_along_its_line_is_not_counted_as_a_change() -> None:
     # The end of the round and what is run over lie in one line: 70 is only where they meet.
     mutant = changed(LINUXCNC, "G1 X70.0000\n", "G1 X70.2000\n")
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)

@@ -48,7 +48,7 @@ def with_head(program: bytes, head: str) -> bytes:
         ("G0 Z20.0000\n", "switches at a height that no line before it states. Lift to 20.000 mm"),
     ],
 )
-def test_each_line_of_the_head_is_needed(program: bytes, gone: str, what: str) -> None:
+def test_each_line_of_the_header_is_needed(program: bytes, gone: str, what: str) -> None:
     assert program_findings(program) == []
     # The first station's own output is stated again by the line that lowers it.
     if gone == "M65 P1\n":
