@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from knifetip.errors import KnifetipError
 from knifetip.formats.limits import REACH
 from knifetip.jobs import tasks
-from knifetip.jobs.columns import unpacked
 from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.columns import unpack_columns
 from tests.support.writers import cf2_text, svg_text
 from tests.support.writers import dxf_text as dxf
 
@@ -106,7 +106,7 @@ def check_import(data: bytes, unit: str) -> bool:
     except KnifetipError as error:
         refused = error
     else:
-        columns, _ = unpacked(reading.edges)
+        columns, _ = unpack_columns(reading.edges)
         assert (np.abs(columns["ends"]) <= 1.001 * REACH).all()
         assert (np.abs(columns["bulge"]) <= 1.0).all()
         if reading.summary["unit"]:

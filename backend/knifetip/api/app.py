@@ -27,7 +27,7 @@ from knifetip.api.problems import PROBLEM, problem
 from knifetip.api.queue import WorkQueue
 from knifetip.api.schemas.common import Health, Problem, ServiceOut
 from knifetip.api.schemas.messages import describe_codes
-from knifetip.api.service import Here, Service, Settings
+from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
@@ -136,11 +136,11 @@ async def _health() -> Health:
     return Health(status="ok", version=version("knifetip"))
 
 
-async def _ready(here: Here, response: Response) -> Health:
+async def _ready(service: ServiceDep, response: Response) -> Health:
     """Report whether requests can be served; 503 if not."""
-    checks = {"database": "ok", "workers": "ok" if here.ready else "starting"}
+    checks = {"database": "ok", "workers": "ok" if service.ready else "starting"}
     try:
-        await here.threads.reports(here.store.alive)
+        await service.threads.reports(service.store.alive)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         checks["database"] = type(reason).__name__
     good = all(check == "ok" for check in checks.values())
@@ -148,9 +148,9 @@ async def _ready(here: Here, response: Response) -> Health:
     return Health(status="ok" if good else "starting", version=version("knifetip"), checks=checks)
 
 
-async def _status(here: Here) -> ServiceOut:
+async def _status(service: ServiceDep) -> ServiceOut:
     """Return what the server does besides serving: compiling itself after an installation."""
-    progress = here.warm_up.progress
+    progress = service.warm_up.progress
     return ServiceOut(
         version=version("knifetip"),
         preparing=not progress.finished,

@@ -30,7 +30,7 @@ from fastapi import FastAPI
 from knifetip.api import keys
 from knifetip.api.access import AccessRules, is_loopback
 from knifetip.api.app import create_app
-from knifetip.api.drawings import add_drawing
+from knifetip.api.drawing_requests import add_drawing
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator

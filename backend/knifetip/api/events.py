@@ -20,7 +20,7 @@ from typing import Annotated
 from fastapi import APIRouter, Header, Query, Request
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 
-from knifetip.api.drawings import summary_out
+from knifetip.api.drawing_requests import summary_out
 from knifetip.api.jobs import job_out, jobs_out
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.service import Service

@@ -11,7 +11,7 @@ from knifetip.api.jobs import job_out
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
-from knifetip.api.service import Here, bytes_response, check_library_name
+from knifetip.api.service import ServiceDep, bytes_response, check_library_name
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import MachineBusy, WrongState
 from knifetip.jobs.gateway_store import GatewayReport
@@ -29,7 +29,7 @@ _SEEN = 2.0  # seconds between two records of a gateway's contact
 
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
-async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Response:
+async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim | Response:
     """Wait for the next job of a machine and claim it; 204 if there is none within ``wait``.
 
     If ``confirm`` is true in the answer, the job stays queued until the operator confirms it.
@@ -37,17 +37,17 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
     check_library_name("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
     noted = -_SEEN
-    with wake_on_change(here.store.changes) as changed:
-        while not here.stopping.is_set():
+    with wake_on_change(service.store.changes) as changed:
+        while not service.stopping.is_set():
             if time.monotonic() - noted >= _SEEN:
                 noted = time.monotonic()
-                await here.threads.claims(
-                    here.store.gateways.record_contact, wanted.machine, wanted.gateway
+                await service.threads.claims(
+                    service.store.gateways.record_contact, wanted.machine, wanted.gateway
                 )
             # A disconnected gateway would never start the job.
             if await request.is_disconnected():
                 break
-            job = await here.threads.claims(_next, here, wanted)
+            job = await service.threads.claims(_next, service, wanted)
             if job is not None:
                 return Claim(
                     job=job.id,
@@ -66,29 +66,29 @@ async def claim(here: Here, request: Request, wanted: ClaimIn) -> Claim | Respon
     return Response(status_code=204)
 
 
-def _next(here: Here, wanted: ClaimIn) -> Job | None:
+def _next(service: ServiceDep, wanted: ClaimIn) -> Job | None:
     try:
         manual = load.machine(wanted.machine, files=False).feed == "manual"
-        return here.store.gateways.claim(wanted.machine, wanted.gateway, manual=manual)
+        return service.store.gateways.claim(wanted.machine, wanted.gateway, manual=manual)
     except MachineBusy:
         return None
 
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
-async def get_gateway_program(here: Here, request: Request, id: str) -> Response:
+async def get_gateway_program(service: ServiceDep, request: Request, id: str) -> Response:
     """Download the program of a claimed job."""
-    job = await here.threads.claims(here.store.jobs.get, id)
+    job = await service.threads.claims(service.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
-    text = await here.threads.claims(here.store.jobs.column, id, "program")
+    text = await service.threads.claims(service.store.jobs.column, id, "program")
     return bytes_response(request, text, job.program_sha256, "text/plain; charset=utf-8")
 
 
 @router.post("/heartbeat")
-async def heartbeat(here: Here, report: HeartbeatIn) -> HeartbeatOut:
+async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
     """Report progress, renew the lease and get the next command."""
-    command = await here.threads.reports(
-        here.store.gateways.heartbeat,
+    command = await service.threads.reports(
+        service.store.gateways.heartbeat,
         report.job,
         report.epoch,
         GatewayReport(
@@ -104,9 +104,9 @@ async def heartbeat(here: Here, report: HeartbeatIn) -> HeartbeatOut:
 
 
 @router.post("/finish")
-async def finish(here: Here, report: FinishIn) -> JobOut:
+async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     """Report the end of a job; a late report of the last owner corrects an interrupted job."""
-    return await here.threads.reports(_finish_job, here, report)
+    return await service.threads.reports(_finish_job, service, report)
 
 
 def _cause(why: str | MessageIn) -> Message | None:
@@ -116,8 +116,8 @@ def _cause(why: str | MessageIn) -> Message | None:
     return Message(STORED, text=why, hint="") if why else None
 
 
-def _finish_job(here: Here, report: FinishIn) -> JobOut:
-    row = here.store.gateways.finish(
+def _finish_job(service: ServiceDep, report: FinishIn) -> JobOut:
+    row = service.store.gateways.finish(
         report.job,
         report.epoch,
         report.outcome,
@@ -125,4 +125,4 @@ def _finish_job(here: Here, report: FinishIn) -> JobOut:
         line=report.line,
         copies_done=report.copies_done,
     )
-    return job_out(here.store, row)
+    return job_out(service.store, row)

@@ -10,7 +10,7 @@ import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
-from knifetip.api.drawings import merge_overrides
+from knifetip.api.overrides import merge_overrides
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
@@ -25,10 +25,10 @@ from knifetip.api.schemas.jobs import (
 from knifetip.api.service import (
     BINARY,
     Cursor,
-    Here,
-    Key,
+    IdempotencyKey,
     Limit,
     Service,
+    ServiceDep,
     bytes_response,
     check_library_name,
     customer_rules,
@@ -38,7 +38,6 @@ from knifetip.api.service import (
 from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.errors import OpenQuestions
 from knifetip.jobs import tasks
-from knifetip.jobs.columns import unpacked
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.job import State
 from knifetip.jobs.job_store import JobOrder
@@ -49,6 +48,7 @@ from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import hint, render
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.columns import unpack_columns
 from knifetip.presentation.verdict import EDGE_COLUMNS
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
@@ -56,24 +56,26 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 
 @router.post("", status_code=201)
 @queued
-def order_job(here: Here, response: Response, order: JobIn, key: Key = None) -> JobOut:
+def order_job(
+    service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
+) -> JobOut:
     """Create a job; 409 with ``questions`` if decisions are missing."""
     request = fingerprint(order.model_dump_json())
-    row = here.store.jobs.find(key, request) if key else None
+    row = service.store.jobs.find(key, request) if key else None
     if row is None:
-        row = _ordered(here, order, key, request)
+        row = _ordered(service, order, key, request)
     response.headers["Location"] = f"/api/jobs/{row.id}"
-    return job_out(here.store, row)
+    return job_out(service.store, row)
 
 
-def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
+def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -> Job:
     check_library_name("machines", order.machine)
     check_library_name("boards", order.board)
     # Questions, the stored job and the compile all use this one revision.
-    drawing = here.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
+    drawing = service.store.drawings.get_with(order.drawing, "content", "overrides", "edges")
     check_revision(order.revision, drawing)
-    interpretation = _interpretation(here, order, drawing)
-    questions = here.run(
+    interpretation = _interpretation(service, order, drawing)
+    questions = service.run(
         tasks.ask,
         StoredDrawing(
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
@@ -91,14 +93,14 @@ def _ordered(here: Here, order: JobIn, key: str | None, request: str) -> Job:
         priority=order.priority,
         release=order.release,
     )
-    return here.store.jobs.add(drawing, ordered, key=key, fingerprint=request)
+    return service.store.jobs.add(drawing, ordered, key=key, fingerprint=request)
 
 
-def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpretation:
+def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
     """Return the drawing's interpretation with the profile, overrides and corners of the job."""
     interpretation = interpretation_of(drawing, drawing.overrides)
     if order.profile is not None:
-        rules = customer_rules(here, order.profile)
+        rules = customer_rules(service, order.profile)
         interpretation = replace(interpretation, profile=order.profile, rules=rules)
     if order.overrides:
         overrides = merge_overrides(drawing.edges, drawing.overrides, order.overrides)
@@ -111,7 +113,7 @@ def _interpretation(here: Service, order: JobIn, drawing: Drawing) -> Interpreta
 
 @router.get("")
 def list_jobs(
-    here: Here,
+    service: ServiceDep,
     response: Response,
     state: Annotated[list[JobState] | None, Query()] = None,
     cursor: Cursor = None,
@@ -119,21 +121,21 @@ def list_jobs(
 ) -> list[JobOut]:
     """List jobs, newest first; the Link header contains the next page."""
     states = state or []
-    rows = here.store.jobs.search(states, cursor, limit)
+    rows = service.store.jobs.search(states, cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
     filters = "".join(f"state={word}&" for word in states)
     set_next_page(response, f"/api/jobs?{filters}", last, limit)
-    return jobs_out(here.store, rows)
+    return jobs_out(service.store, rows)
 
 
 @router.get("/{id}")
-def get_job(here: Here, id: str) -> JobOut:
+def get_job(service: ServiceDep, id: str) -> JobOut:
     """Get a job."""
-    return job_out(here.store, here.store.jobs.get(id))
+    return job_out(service.store, service.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
-def get_job_events(here: Here, id: str) -> list[JobEvent]:
+def get_job_events(service: ServiceDep, id: str) -> list[JobEvent]:
     """List the transitions of a job with time, cause and reason."""
     return [
         JobEvent.model_validate(
@@ -147,15 +149,15 @@ def get_job_events(here: Here, id: str) -> list[JobEvent]:
                 "message": event.message,
             }
         )
-        for event in here.store.events.of_job(id)
+        for event in service.store.events.of_job(id)
     ]
 
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
-def get_program(here: Here, request: Request, id: str) -> Response:
+def get_program(service: ServiceDep, request: Request, id: str) -> Response:
     """Download the program, byte for byte as sent to the machine."""
-    row = here.store.jobs.get(id)
-    text = here.store.jobs.column(id, "program")
+    row = service.store.jobs.get(id)
+    text = service.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
     name = f"{stem}-{row.machine}.nc"
     return bytes_response(request, text, row.program_sha256, "text/plain; charset=utf-8", name)
@@ -163,14 +165,14 @@ def get_program(here: Here, request: Request, id: str) -> Response:
 
 @router.get("/{id}/verdict", response_model=VerdictOut, responses={200: BINARY})
 def get_verdict(
-    here: Here,
+    service: ServiceDep,
     request: Request,
     id: str,
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
     """Get the verdict for each edge, as JSON or as binary columns (``format=columns``)."""
-    row = here.store.jobs.get(id)
-    block = here.store.jobs.column(id, "verdict")
+    row = service.store.jobs.get(id)
+    block = service.store.jobs.column(id, "verdict")
     if format == "columns":
         return bytes_response(request, block, row.program_sha256, "application/octet-stream")
     return Response(verdict_out(block).model_dump_json(), media_type="application/json")
@@ -178,7 +180,7 @@ def get_verdict(
 
 def verdict_out(block: bytes) -> VerdictOut:
     """Return the API model of a stored verdict; columns missing in older ones are empty."""
-    columns, meta = unpacked(block)
+    columns, meta = unpack_columns(block)
     figures = {
         f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
     }
@@ -200,21 +202,21 @@ def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
-def get_toolpath(here: Here, request: Request, id: str) -> Response:
+def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
     """Get the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
-    row = here.store.jobs.get(id)
-    block = here.store.jobs.column(id, "toolpath")
+    row = service.store.jobs.get(id)
+    block = service.store.jobs.column(id, "toolpath")
     return bytes_response(request, block, row.program_sha256, "application/octet-stream")
 
 
 @router.post("/{id}/release")
-def release_job(here: Here, id: str) -> JobOut:
+def release_job(service: ServiceDep, id: str) -> JobOut:
     """Queue a ready job."""
-    return job_out(here.store, here.store.jobs.release(id))
+    return job_out(service.store, service.store.jobs.release(id))
 
 
 @router.post("/{id}/confirm")
-def confirm_job(here: Here, id: str, found: ConfirmIn | None = None) -> JobOut:
+def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; the machine then starts.
 
     Between two copies this confirms the new sheet.  A confirmation is valid for the current claim
@@ -222,44 +224,44 @@ def confirm_job(here: Here, id: str, found: ConfirmIn | None = None) -> JobOut:
     """
     confirmation = found or ConfirmIn()
     return job_out(
-        here.store, here.store.jobs.confirm(id, confirmation.board or "", confirmation.by)
+        service.store, service.store.jobs.confirm(id, confirmation.board or "", confirmation.by)
     )
 
 
 @router.post("/{id}/hold")
-def hold_job(here: Here, id: str) -> JobOut:
+def hold_job(service: ServiceDep, id: str) -> JobOut:
     """Request a hold; the job is ``held`` when the machine has stopped."""
-    return job_out(here.store, here.store.jobs.hold(id))
+    return job_out(service.store, service.store.jobs.hold(id))
 
 
 @router.post("/{id}/resume")
-def resume_job(here: Here, id: str) -> JobOut:
+def resume_job(service: ServiceDep, id: str) -> JobOut:
     """Request to resume; between two copies this confirms the new sheet."""
-    return job_out(here.store, here.store.jobs.resume(id))
+    return job_out(service.store, service.store.jobs.resume(id))
 
 
 @router.post("/{id}/cancel")
-def cancel_job(here: Here, id: str) -> JobOut:
+def cancel_job(service: ServiceDep, id: str) -> JobOut:
     """Cancel a job: immediately, or when the machine has stopped if the job is running."""
-    return job_out(here.store, here.store.jobs.cancel(id))
+    return job_out(service.store, service.store.jobs.cancel(id))
 
 
 @router.post("/{id}/finish")
-def finish_job(here: Here, id: str) -> JobOut:
+def finish_job(service: ServiceDep, id: str) -> JobOut:
     """Declare an interrupted job finished: all its sheets are complete."""
-    return job_out(here.store, here.store.jobs.declare_finished(id))
+    return job_out(service.store, service.store.jobs.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
-def requeue_job(here: Here, id: str) -> JobOut:
+def requeue_job(service: ServiceDep, id: str) -> JobOut:
     """Queue an interrupted job again from its first line; the table must be clear."""
-    return job_out(here.store, here.store.jobs.requeue(id))
+    return job_out(service.store, service.store.jobs.requeue(id))
 
 
 @router.post("/{id}/scrap")
-def scrap_job(here: Here, id: str) -> JobOut:
+def scrap_job(service: ServiceDep, id: str) -> JobOut:
     """Scrap an interrupted job and free its table."""
-    return job_out(here.store, here.store.jobs.scrap(id))
+    return job_out(service.store, service.store.jobs.scrap(id))
 
 
 def job_out(store: Store, row: Job) -> JobOut:

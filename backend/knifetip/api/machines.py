@@ -7,7 +7,7 @@ from dataclasses import asdict
 from fastapi import APIRouter
 
 from knifetip.api.schemas.machines import MachineOut
-from knifetip.api.service import Here, check_library_name
+from knifetip.api.service import ServiceDep, check_library_name
 from knifetip.api.waiting import ABSENT
 from knifetip.library import load
 from knifetip.model.machine import Machine
@@ -17,10 +17,10 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 
 
 @router.get("")
-def list_machines(here: Here) -> list[MachineOut]:
+def list_machines(service: ServiceDep) -> list[MachineOut]:
     """List the machines of the library."""
-    connected = here.store.gateways.connected(ABSENT)
-    on_table = here.store.gateways.jobs_on_tables()
+    connected = service.store.gateways.connected(ABSENT)
+    on_table = service.store.gateways.jobs_on_tables()
     return [
         _machine_out(load.machine(name), name in connected, on_table.get(name))
         for name in load.names("machines")
@@ -28,13 +28,13 @@ def list_machines(here: Here) -> list[MachineOut]:
 
 
 @router.get("/{name}")
-def get_machine(here: Here, name: str) -> MachineOut:
+def get_machine(service: ServiceDep, name: str) -> MachineOut:
     """Get a machine."""
     machine = load.machine(check_library_name("machines", name))
     return _machine_out(
         machine,
-        name in here.store.gateways.connected(ABSENT),
-        here.store.gateways.jobs_on_tables().get(name),
+        name in service.store.gateways.connected(ABSENT),
+        service.store.gateways.jobs_on_tables().get(name),
     )
 
 

@@ -14,7 +14,12 @@ from pydantic import ValidationError
 
 from knifetip.api.queue import queued
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
-from knifetip.api.service import Here, bytes_response, check_library_name, require_customer_profile
+from knifetip.api.service import (
+    ServiceDep,
+    bytes_response,
+    check_library_name,
+    require_customer_profile,
+)
 from knifetip.errors import ProfileError, RequestError
 from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
@@ -52,18 +57,18 @@ Body = Annotated[bytes, Depends(_body)]
 
 
 @router.get("/profiles")
-def list_profiles(here: Here) -> list[ProfileOut]:
+def list_profiles(service: ServiceDep) -> list[ProfileOut]:
     """List the classification profiles: those of customers, then those of the library."""
-    stored = here.store.profiles.all()
+    stored = service.store.profiles.all()
     names = {row.name for row in stored}
     shipped = [name for name in load.names("profiles") if name not in names]
     return [_stored_out(row) for row in stored] + [_shipped_out(name) for name in shipped]
 
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=_TEXT)
-def export_profile(here: Here, request: Request, name: str) -> Response:
+def export_profile(service: ServiceDep, request: Request, name: str) -> Response:
     """Download a profile as TOML."""
-    row = here.store.profiles.get(name)
+    row = service.store.profiles.get(name)
     text = (
         custom_profiles.library_text(check_library_name("profiles", name))
         if row is None
@@ -74,9 +79,9 @@ def export_profile(here: Here, request: Request, name: str) -> Response:
 
 
 @router.get("/profiles/{name}")
-def get_profile(here: Here, response: Response, name: str) -> ProfileOut:
+def get_profile(service: ServiceDep, response: Response, name: str) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge decides."""
-    row = here.store.profiles.get(name)
+    row = service.store.profiles.get(name)
     profile = (
         _shipped_out(check_library_name("profiles", name)) if row is None else _stored_out(row)
     )
@@ -86,14 +91,19 @@ def get_profile(here: Here, response: Response, name: str) -> ProfileOut:
 
 @router.put("/profiles/{name}", openapi_extra=_FORMS)
 def keep_profile(
-    here: Here, request: Request, response: Response, name: str, body: Body, match: IfMatch = None
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    name: str,
+    body: Body,
+    match: IfMatch = None,
 ) -> ProfileOut:
     """Create or replace a customer's profile, sent as TOML or JSON.
 
     To replace a profile, name the version that the change is based on.
     """
     custom_profiles.check_name(name)
-    require_customer_profile(here, name)
+    require_customer_profile(service, name)
     version, anyway = _version(match)
     if "json" in request.headers.get("content-type", "").lower():
         given = _profile_in(body)
@@ -103,25 +113,25 @@ def keep_profile(
     else:
         text = _text(name, body)
     title = custom_profiles.parse_text(name, text).title
-    row = here.store.profiles.save(name, title, text, version, anyway=anyway)
+    row = service.store.profiles.save(name, title, text, version, anyway=anyway)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
     return _stored_out(row)
 
 
 @router.delete("/profiles/{name}", status_code=204)
-def delete_profile(here: Here, name: str, match: IfMatch = None) -> None:
+def delete_profile(service: ServiceDep, name: str, match: IfMatch = None) -> None:
     """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""
-    require_customer_profile(here, name)
-    here.store.profiles.delete(name, _version(match)[0])
+    require_customer_profile(service, name)
+    service.store.profiles.delete(name, _version(match)[0])
 
 
 @router.post("/drawings/{id}/preview")
 @queued
-def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
+def preview_profile(service: ServiceDep, id: str, profile: ProfileIn) -> PreviewOut:
     """Preview the effect of a profile on a drawing; nothing is stored."""
-    row = here.store.drawings.get_with(id, "content", "overrides")
-    found = here.run(
+    row = service.store.drawings.get_with(id, "content", "overrides")
+    found = service.run(
         profiling.preview,
         row.content,
         interpretation_of(row, row.overrides),
@@ -132,10 +142,10 @@ def preview_profile(here: Here, id: str, profile: ProfileIn) -> PreviewOut:
 
 @router.post("/drawings/{id}/learned")
 @queued
-def learn_from_corrections(here: Here, id: str) -> list[ProposalOut]:
+def learn_from_corrections(service: ServiceDep, id: str) -> list[ProposalOut]:
     """Propose rules that explain the user's corrections of line types; nothing is stored."""
-    row = here.store.drawings.get_with(id, "content", "overrides")
-    found = here.run(
+    row = service.store.drawings.get_with(id, "content", "overrides")
+    found = service.run(
         profiling.learn,
         row.content,
         interpretation_of(row, row.overrides),

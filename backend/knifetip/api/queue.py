@@ -2,7 +2,7 @@
 
     @router.post(…)
     @queued
-    def upload_drawing(here: Here, …): …
+    def upload_drawing(service: ServiceDep, …): …
 
 Only a few run at the same time, because each computing thread delays all others of the server.
 When too many wait, the next request is refused before anything of it is stored.
@@ -86,7 +86,7 @@ def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
 
     @wraps(endpoint)
     async def route(*args: P.args, **named: P.kwargs) -> T:
-        here = cast("_Queued", named["here"])
-        return await here.work.run(partial(endpoint, *args, **named))
+        service = cast("_Queued", named["service"])
+        return await service.work.run(partial(endpoint, *args, **named))
 
     return route

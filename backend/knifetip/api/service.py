@@ -78,8 +78,8 @@ async def _service(request: Request) -> Service:
     return service
 
 
-Here = Annotated[Service, Depends(_service)]
-Key = Annotated[
+ServiceDep = Annotated[Service, Depends(_service)]
+IdempotencyKey = Annotated[
     str | None,
     Header(
         alias="Idempotency-Key",
@@ -120,7 +120,7 @@ def check_library_name(shelf: str, name: str) -> str:
     return name
 
 
-def customer_rules(here: Service, name: str) -> str:
+def customer_rules(service: Service, name: str) -> str:
     """Return the TOML of a customer's profile; empty for one of the library.
 
     Raises
@@ -128,19 +128,19 @@ def customer_rules(here: Service, name: str) -> str:
     LibraryError
         There is no such profile.
     """
-    row = here.store.profiles.get(name)
+    row = service.store.profiles.get(name)
     if row is not None:
         return row.text
     known = load.names("profiles")
     if name not in known:
-        known = [*(row.name for row in here.store.profiles.all()), *known]
+        known = [*(row.name for row in service.store.profiles.all()), *known]
         raise LibraryError("library.unknown", name=name[:80], known=known[:40], shelf="profile")
     return ""
 
 
-def require_customer_profile(here: Service, name: str) -> None:
+def require_customer_profile(service: Service, name: str) -> None:
     """Raise WrongState if a profile belongs to the library and cannot be changed."""
-    if name in load.names("profiles") and here.store.profiles.get(name) is None:
+    if name in load.names("profiles") and service.store.profiles.get(name) is None:
         raise WrongState("profile.shipped", name=name)
 
 

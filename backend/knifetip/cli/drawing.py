@@ -14,14 +14,17 @@ from knifetip.cli.rules import find_profile
 from knifetip.cli.terminal import QUESTIONS, print_json, read_bytes, report_questions, write_bytes
 from knifetip.errors import LibraryError
 from knifetip.formats import FORMATS
-from knifetip.geometry.columns import I64
-from knifetip.messages import render, with_text
+from knifetip.geometry.columns import I64, U8
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
 from knifetip.model.question import Question
-from knifetip.units.evidence import find_unit
+from knifetip.presentation.drawing import classified_json, drawing_json
+from knifetip.presentation.edges import EdgeTable
+from knifetip.presentation.import_report import import_report_rows
+from knifetip.presentation.outcomes import edge_outcomes
+from knifetip.presentation.texts import with_texts
 
 #: Maximum number of printed lines of a list, and of handles named in one line.
 _MAX_LINES: Final = 40
@@ -62,10 +65,22 @@ class LoadedDrawing:
     data: bytes
     drawing: Drawing
     dieline: Dieline
+    overrides: U8  #: (n,) ``NO_OVERRIDE`` or the LineType set by an option, for each edge
 
     def questions(self, machine: Machine | None = None) -> list[Question]:
         """Return the open questions about the drawing, and about its tools on a machine."""
         return pipeline.questions(self.drawing, self.dieline, machine)
+
+    def as_json(self, name: str) -> dict[str, Any]:
+        """Return the drawing and its edges as JSON data, with the fields of REST."""
+        outcomes = edge_outcomes(self.drawing, self.dieline)
+        data = classified_json(
+            self.drawing, self.dieline, outcomes, self.questions(), self.overrides
+        )
+        return {
+            "drawing": _with_report(name, self.drawing, data),
+            "edges": EdgeTable.of(self.drawing, self.dieline, outcomes).rows(),
+        }
 
 
 def load_drawing(
@@ -98,70 +113,31 @@ def load_drawing(
                 layers=(repr(layer) for layer in drawing.layers),
             )
         overrides[np.isin(drawing.layer, rows)] = kind
-    return LoadedDrawing(
-        data, drawing, pipeline.classify(drawing, find_profile(profile), overrides)
+    dieline = pipeline.classify(drawing, find_profile(profile), overrides)
+    return LoadedDrawing(data, drawing, dieline, overrides)
+
+
+def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
+    """Return unit, size and import report of a drawing as JSON data with texts.
+
+    The fields are those of a drawing in REST, and as shortcuts ``size`` (width, height) and the
+    ``warnings`` of the unit.
+    """
+    return _with_report(name, drawing, drawing_json(drawing))
+
+
+def _with_report(name: str, drawing: Drawing, data: dict[str, Any]) -> dict[str, Any]:
+    report = {**data["import_report"], "rows": import_report_rows(drawing)}
+    plain: dict[str, Any] = with_texts(
+        {
+            "name": name,
+            **data,
+            "size": [data["width"], data["height"]],
+            "warnings": data["unit_finding"]["warnings"],
+            "import_report": report,
+        }
     )
-
-
-def drawing_json(name: str, drawing: Drawing) -> dict[str, Any]:
-    """Return unit, unit evidence, size and layers of a drawing as JSON data."""
-    low_x, low_y, high_x, high_y = (float(value) for value in drawing.bounds)
-    found = find_unit(drawing)
-    return {
-        "name": name,
-        "unit": drawing.unit or None,
-        "stated": drawing.stated or None,
-        "evidence": str(drawing.evidence),
-        "unit_evidence": [
-            {"unit": one.unit, "text": one.text, "weight": one.weight} for one in found.evidence
-        ],
-        "unit_ranking": list(found.ranking),
-        "warnings": list(found.warnings),
-        "size": [high_x - low_x, high_y - low_y],
-        "bounds": [low_x, low_y, high_x, high_y],
-        "segments": len(drawing),
-        "length": float(drawing.lengths.sum()),
-        "layers": list(drawing.layers),
-    }
-
-
-def report_rows(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return the import report as JSON data: one row per entity of the file."""
-    rows = drawing.import_report
-    return [
-        {
-            "handle": rows.handle[i],
-            "kind": rows.kind[i],
-            "layer": rows.layer[i],
-            "outcome": ImportOutcome(rows.outcome[i]).name.lower(),
-            **rows.reason[i].as_json(),
-            "reason": render(rows.reason[i]),
-            "length": float(rows.length[i]),
-        }
-        for i in range(len(rows))
-    ]
-
-
-def edge_rows(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
-    """Return the edges with line type, rule and confidence as JSON data."""
-    lengths = drawing.lengths
-    return [
-        {
-            "row": row,
-            "handle": handle,
-            "layer": drawing.layers[drawing.layer[row]],
-            "colour": int(drawing.colour[row]),
-            "linetype": drawing.linetypes[drawing.linetype[row]],
-            "type": LineType(dieline.line_type[row]).word,
-            "rule": str(dieline.rules[dieline.rule[row]]) if dieline.rule[row] >= 0 else "",
-            "confidence": float(dieline.confidence[row]),
-            "length": float(lengths[row]),
-            "start": dieline.ends[row, 0].tolist(),
-            "end": dieline.ends[row, 1].tolist(),
-            "bulge": float(dieline.bulge[row]),
-        }
-        for row, handle in enumerate(drawing.handles)
-    ]
+    return plain
 
 
 def register(app: typer.Typer) -> None:
@@ -171,17 +147,16 @@ def register(app: typer.Typer) -> None:
     def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
         """Show unit, size and import report of a drawing."""
         drawing = pipeline.read(read_bytes(file), unit)
-        about = drawing_json(file.name, drawing)
-        rows = report_rows(drawing)
+        about = report_json(file.name, drawing)
         if json:
-            print_json({"drawing": about, "import_report": rows})
+            print_json({"drawing": about})
             return
-        typer.echo(f"{file.name}: {_size(about)}, {len(drawing)} segments; {drawing.evidence}")
+        typer.echo(f"{file.name}: {_size(drawing)}, {len(drawing)} segments; {drawing.evidence}")
         for text in about["warnings"]:
             typer.echo(f"  ! {text}")
-        for text in _evidence_lines(about):
+        for text in _evidence_lines(about["unit_finding"]):
             typer.echo(f"  {text}")
-        _print_lines(_report_lines(rows))
+        _print_lines(_report_lines(about["import_report"]["rows"]))
 
     @app.command()
     def classify(
@@ -197,20 +172,12 @@ def register(app: typer.Typer) -> None:
         before a program can be made: with --unit, --layer or a profile.
         """
         result = load_drawing(file, unit, profile, layer)
-        listed = edge_rows(result.drawing, result.dieline)
         open_questions = result.questions()
-        about = drawing_json(file.name, result.drawing)
         if json:
-            print_json(
-                {
-                    "drawing": about,
-                    "edges": listed,
-                    "questions": [with_text(question.as_json()) for question in open_questions],
-                    "import_report": report_rows(result.drawing),
-                }
-            )
+            data = result.as_json(file.name)
+            print_json({**data, "questions": data["drawing"]["questions"]})
         else:
-            typer.echo(f"{file.name}: {_size(about)}; {result.drawing.evidence}")
+            typer.echo(f"{file.name}: {_size(result.drawing)}; {result.drawing.evidence}")
             for kind in LineType:
                 selected = result.dieline.line_type == kind
                 if selected.any():
@@ -235,12 +202,12 @@ def register(app: typer.Typer) -> None:
             report_questions(result.questions())
             raise typer.Exit(QUESTIONS)
         cleaned = pipeline.clean(result.dieline)
-        about = drawing_json(file.name, result.drawing)
         if json:
+            about = report_json(file.name, result.drawing)
             print_json({"drawing": about, "cleaning": cleaned.as_json(result.drawing.handles)})
             return
         lengths = cleaned.lengths
-        typer.echo(f"{file.name}: {_size(about)}, {len(result.drawing)} edges")
+        typer.echo(f"{file.name}: {_size(result.drawing)}, {len(result.drawing)} edges")
         typer.echo(
             f"  drawn {lengths['drawn']:.3f} mm = kept {lengths['kept']:.3f} "
             f"+ merged {lengths['merged']:.3f} + dropped {lengths['dropped']:.3f}"
@@ -281,7 +248,7 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
     """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
-        key = row["outcome"], row["kind"], row["layer"], row["reason"]
+        key = row["outcome"], row["kind"], row["layer"], row["reason"]["text"]
         groups.setdefault(key, []).append(row["handle"])
     lines = []
     for (outcome, kind, layer, reason), handles in groups.items():
@@ -305,17 +272,18 @@ def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
     return lines
 
 
-def _evidence_lines(about: dict[str, Any]) -> list[str]:
+def _evidence_lines(finding: dict[str, Any]) -> list[str]:
     """Return text lines with the evidence for the two likeliest units, highest weight first."""
     return [
         f"{one['unit']:3} {one['weight']:5.1f}  {one['text']}"
-        for unit in about["unit_ranking"][:2]
-        for one in about["unit_evidence"]
+        for unit in finding["ranking"][:2]
+        for one in finding["evidence"]
         if one["unit"] == unit
     ]
 
 
-def _size(about: dict[str, Any]) -> str:
-    width, height = about["size"]
-    unit = "mm" if about["unit"] else "units (unit unknown)"
-    return f"{width:.2f} × {height:.2f} {unit}"
+def _size(drawing: Drawing) -> str:
+    """Return width and height of a drawing with its unit."""
+    min_x, min_y, max_x, max_y = drawing.bounds
+    unit = "mm" if drawing.unit else "units (unit unknown)"
+    return f"{max_x - min_x:.2f} × {max_y - min_y:.2f} {unit}"

@@ -18,8 +18,7 @@ from knifetip.cli.drawing import (
     Json,
     LoadedDrawing,
     ReadingOptions,
-    drawing_json,
-    report_rows,
+    report_json,
 )
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import (
@@ -35,14 +34,13 @@ from knifetip.cli.terminal import (
 )
 from knifetip.errors import PlanError, ProgramUnreadable
 from knifetip.library import load
-from knifetip.messages import with_text
 from knifetip.model.board import Board
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
 from knifetip.model.machine import Machine
-from knifetip.model.verdict import Unreached, Verdict
+from knifetip.model.verdict import Verdict
 from knifetip.planning.plan import check_corners
-from knifetip.presentation.verdict import EDGE_COLUMNS, findings_of, finite_column, verdict_summary
+from knifetip.presentation.verdict import verdict_json
 from knifetip.verification.verify import read_placement
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
@@ -143,38 +141,6 @@ class CornerOptions:
         return corners
 
 
-def verdict_json(verdict: Verdict, drawing: Drawing) -> dict[str, Any]:
-    """Return a verdict as JSON data: figures, findings, unreached areas and edges."""
-    handles = drawing.handles
-    columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS}
-    return {
-        **verdict_summary(verdict),
-        "areas": unreached_json(verdict.areas),
-        "findings": [with_text(finding) for finding in findings_of(verdict, handles)],
-        "edges": [
-            {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
-            for row, handle in enumerate(handles)
-        ],
-    }
-
-
-def unreached_json(areas: Unreached) -> list[dict[str, Any]]:
-    """Return the areas that no cutter reaches as JSON data.
-
-    Each has its ``area`` (mm²) and its ``outline``, a list of [start, end, bulge].
-    """
-    ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
-    return [
-        {
-            "area": float(areas.area[row]),
-            "outline": [
-                [*ends[at], bulge[at]] for at in range(areas.first[row], areas.first[row + 1])
-            ],
-        }
-        for row in range(len(areas))
-    ]
-
-
 def print_verdict(verdict: Verdict) -> None:
     """Print the figures and the first findings of a verdict."""
     word = "accepted" if verdict.accepted else "refused"
@@ -239,7 +205,7 @@ def program(
         )
     if report is not None:
         data = {
-            "drawing": drawing_json(file.name, loaded.drawing),
+            "drawing": report_json(file.name, loaded.drawing),
             "machine": machine.name,
             "board": board.name,
             "profile": reading.profile,
@@ -271,12 +237,11 @@ def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any
             "lines": len(result.program),
             "sha256": hashlib.sha256(result.program.text).hexdigest(),
         },
-        "verdict": verdict_json(result.verdict, drawing),
+        "verdict": verdict_json(result.verdict, drawing.handles),
         "samples": {
             name: np.round(getattr(result.verdict.samples, name), 6).tolist()
             for name in ("edge", "place", "deviation")
         },
-        "import_report": report_rows(drawing),
     }
 
 
@@ -307,7 +272,7 @@ def verify(
         raise ProgramUnreadable("program.no-placement", program=program.name)
     verdict = pipeline.verify(text, loaded.dieline, placement, machine, board)
     if json:
-        print_json(verdict_json(verdict, loaded.drawing))
+        print_json(verdict_json(verdict, loaded.drawing.handles))
     else:
         print_verdict(verdict)
     if not verdict.accepted:

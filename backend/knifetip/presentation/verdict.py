@@ -1,19 +1,19 @@
-"""verdict: a verdict as plain data, the same in REST, in reports of the CLI and in the store.
+"""A verdict as JSON data and as columns: the one definition for REST, command line and store.
 
-    Verdict -> summary; findings with the handles of their edges; columns with one row per edge
-
-All measures are finite, since JSON has no other numbers: 1e9 stands for an infinite one.
+All measures are finite, because JSON has no other numbers; 1e9 replaces infinity and NaN.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from knifetip.geometry.columns import F64
-from knifetip.model.verdict import Verdict
+from knifetip.messages import with_text
+from knifetip.model.verdict import Unreached, Verdict
+from knifetip.presentation.columns import pack_columns
 
 #: Columns of a verdict with one row per edge.
 EDGE_COLUMNS = (
@@ -33,21 +33,22 @@ _FAR = 1e9
 
 
 def finite(measure: float) -> float:
-    """Return a measure that JSON can hold."""
+    """Return a measure, or ±1e9 instead of infinity and 1e9 instead of NaN."""
     return float(np.nan_to_num(measure, nan=_FAR, posinf=_FAR, neginf=-_FAR))
 
 
 def finite_column(measures: F64) -> F64:
-    """Return measures that JSON can hold."""
+    """Return a column with ±1e9 instead of infinity and 1e9 instead of NaN."""
     column: F64 = np.nan_to_num(measures, nan=_FAR, posinf=_FAR, neginf=-_FAR)
     return column
 
 
 def verdict_summary(verdict: Verdict) -> dict[str, Any]:
-    """Return the figures of a verdict.
+    """Return the figures of a verdict as JSON data.
 
-    ``deviation``, ``overcut`` and ``uncut`` are the greatest of any edge (mm), ``uncut_total`` and
-    ``setback_total`` the sums over all edges (mm), ``unreached`` is an area (mm²).
+    ``deviation``, ``overcut`` and ``uncut`` are the maximum over all edges (mm), ``uncut_total``
+    and ``setback_total`` the sum over all edges (mm).  ``unreached`` is the total of the areas that
+    no cutter reaches (mm²), ``unreached_places`` their number.
     """
     return {
         "accepted": bool(verdict.accepted),
@@ -63,13 +64,15 @@ def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def findings_of(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the findings of a verdict: each a message, with kind, measure and place.
+def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]]:
+    """Return the findings of a verdict as JSON data.
+
+    Each finding is a message with its kind, measure, edge, handle of the edge and program line.
 
     Parameters
     ----------
     handles : (n,)
-        Of the drawing's edges.
+        Handles of the edges of the drawing.
     """
     return [
         {
@@ -82,3 +85,59 @@ def findings_of(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]
         }
         for finding in verdict.findings
     ]
+
+
+def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
+    """Return figures, findings with text, unreached areas and edges of a verdict as JSON data.
+
+    Parameters
+    ----------
+    handles : (n,)
+        Handles of the edges of the drawing.
+    """
+    columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS}
+    return {
+        **verdict_summary(verdict),
+        "areas": areas_json(verdict.areas),
+        "findings": [with_text(finding) for finding in findings_json(verdict, handles)],
+        "edges": [
+            {"handle": handle, **{name: float(column[row]) for name, column in columns.items()}}
+            for row, handle in enumerate(handles)
+        ],
+    }
+
+
+def areas_json(areas: Unreached) -> list[dict[str, Any]]:
+    """Return the areas that no cutter reaches as JSON data.
+
+    Each has its ``area`` (mm²) and its ``outline``, a list of [start, end, bulge].
+    """
+    ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
+    return [
+        {
+            "area": float(areas.area[row]),
+            "outline": [
+                [*ends[at], bulge[at]] for at in range(areas.first[row], areas.first[row + 1])
+            ],
+        }
+        for row in range(len(areas))
+    ]
+
+
+def pack_verdict(
+    verdict: Verdict, findings: Sequence[Mapping[str, Any]], summary: Mapping[str, Any]
+) -> bytes:
+    """Return a verdict as a block of columns with findings and figures as metadata."""
+    return pack_columns(
+        {
+            **{name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS},
+            "sample_edge": verdict.samples.edge,
+            "sample_place": verdict.samples.place,
+            "sample_deviation": finite_column(verdict.samples.deviation),
+            "area_ends": verdict.areas.ends,
+            "area_bulge": verdict.areas.bulge,
+            "area_first": verdict.areas.first,
+            "area_size": verdict.areas.area,
+        },
+        {"findings": findings, **summary},
+    )

@@ -7,8 +7,8 @@ import httpx
 import numpy as np
 import pytest
 
-from knifetip.api.drawings import drawing_name
-from knifetip.jobs.columns import unpacked
+from knifetip.api.drawing_requests import drawing_name
+from knifetip.presentation.columns import unpack_columns
 from tests.support.serving.server import square, uploaded
 from tests.support.writers import dxf_text as text
 
@@ -170,7 +170,7 @@ def test_an_override_about_nothing_is_refused(
 def test_columns_say_the_same_as_json(client: httpx.Client) -> None:
     id = uploaded(client, square(extra=(MYSTERY,)))["id"]
     answer = client.get(f"/api/drawings/{id}/edges", params={"format": "columns"})
-    columns, meta = unpacked(answer.content)
+    columns, meta = unpack_columns(answer.content)
     listed = edges(client, id)
     np.testing.assert_array_equal(
         columns["ends"], [[edge["start"], edge["end"]] for edge in listed]

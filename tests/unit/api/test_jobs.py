@@ -10,7 +10,7 @@ import httpx
 import numpy as np
 import pytest
 
-from knifetip.jobs.columns import unpacked
+from knifetip.presentation.columns import unpack_columns
 from tests.support.serving.server import ordered, square, until, uploaded
 from tests.support.writers import dxf_text as text
 
@@ -48,7 +48,7 @@ def test_the_program_is_served_byte_for_byte_as_it_was_verified(
 def test_the_toolpath_comes_as_columns_that_know_their_lines(
     client: httpx.Client, ready: dict[str, Any]
 ) -> None:
-    columns, meta = unpacked(client.get(f"/api/jobs/{ready['id']}/toolpath").content)
+    columns, meta = unpack_columns(client.get(f"/api/jobs/{ready['id']}/toolpath").content)
     rows = len(columns["bulge"])
     assert columns["pose"].shape == (rows + 1, 4)
     assert all(len(columns[name]) == rows for name in ("motion", "feed", "source", "tool", "line"))
@@ -287,7 +287,7 @@ def test_the_verdict_as_columns_has_the_map_and_the_outlines(
     client: httpx.Client, window: dict[str, Any]
 ) -> None:
     answer = client.get(f"/api/jobs/{window['id']}/verdict", params={"format": "columns"})
-    columns, meta = unpacked(answer.content)
+    columns, meta = unpack_columns(answer.content)
     assert meta["accepted"] is True
     assert set(columns["sample_edge"].tolist()) == set(range(8))
     assert np.abs(columns["sample_deviation"]).max() <= 0.01

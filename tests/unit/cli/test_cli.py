@@ -36,7 +36,7 @@ def test_classify_lists_line_type_and_rule_of_every_edge(knifetip: Command, fold
     groove = next(edge for edge in data["edges"] if edge["type"] == "v-groove")
     assert {"handle", "layer", "type", "rule", "confidence", "length"} <= set(groove)
     assert "V-GROOVE" in groove["rule"]
-    assert {row["outcome"] for row in data["import_report"]} == {"kept"}
+    assert {row["outcome"] for row in data["drawing"]["import_report"]["rows"]} == {"kept"}
 
 
 @pytest.mark.parametrize("options", [(), ("--json",)])
@@ -54,7 +54,7 @@ def test_classify_exits_with_2_while_a_question_is_open(
 def test_read_reports_every_entity(knifetip: Command, folder: Path) -> None:
     code, out, _ = knifetip("read", folder / "tuck-end-carton.dxf", "--json")
     assert code == 0
-    assert len(json.loads(out)["import_report"]) > 5
+    assert len(json.loads(out)["drawing"]["import_report"]["rows"]) > 5
 
 
 def test_read_groups_entities_by_outcome_and_lists_dropped_ones_first(
@@ -118,9 +118,9 @@ def test_read_warns_if_the_header_states_an_unlikely_unit(knifetip: Command, fol
     code, out, _ = knifetip("read", folder / "wrong.dxf", "--json")
     drawing = json.loads(out)["drawing"]
     assert code == 0
-    assert drawing["stated"] == "m"
+    assert drawing["unit_finding"]["stated"] == "m"
     assert drawing["unit"] != "m"
-    assert drawing["unit_ranking"][0] == "mm"
+    assert drawing["unit_finding"]["ranking"][0] == "mm"
     if drawing["unit"]:
         assert drawing["warnings"][0].startswith("The header states metres")
 

@@ -10,13 +10,13 @@ import pytest
 from knifetip import pipeline
 from knifetip.dxf.samples import samples
 from knifetip.jobs import readings, tasks
-from knifetip.jobs.columns import packed, unpacked
-from knifetip.jobs.readings import StoredDrawing, interpreted
+from knifetip.jobs.readings import StoredDrawing, restore_or_read
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.stage import no_progress
+from knifetip.presentation.columns import pack_columns, unpack_columns
 
 CONTENT = samples()["tuck-end-carton.dxf"]
 
@@ -68,13 +68,13 @@ def from_file(wanted: Interpretation) -> tuple[Drawing, Dieline]:
 
 def test_a_reading_has_what_its_file_has(unread: None) -> None:
     kept = stored(Interpretation())
-    same(interpreted(kept, kept.interpretation), from_file(Interpretation()))
+    same(restore_or_read(kept, kept.interpretation), from_file(Interpretation()))
 
 
 def test_more_overrides_are_laid_over_a_reading(unread: None) -> None:
     kept = stored(Interpretation())
     wanted = replace(kept.interpretation, overrides=overrides(kept, row3=LineType.IGNORED))
-    same(interpreted(kept, wanted), from_file(wanted))
+    same(restore_or_read(kept, wanted), from_file(wanted))
 
 
 @pytest.mark.parametrize(
@@ -88,24 +88,24 @@ def test_more_overrides_are_laid_over_a_reading(unread: None) -> None:
 def test_another_unit_or_profile_reads_the_file_again(wanted: Interpretation) -> None:
     kept = stored(Interpretation())
     wanted = replace(wanted, overrides=kept.interpretation.overrides)
-    same(interpreted(kept, wanted), from_file(wanted))
+    same(restore_or_read(kept, wanted), from_file(wanted))
 
 
 def test_an_override_that_is_taken_back_is_classified_anew() -> None:
     count = len(pipeline.read(CONTENT))
     kept = stored(Interpretation(overrides=bytes([LineType.HALF_CUT] * count)))
     wanted = replace(kept.interpretation, overrides=bytes([NO_OVERRIDE] * count))
-    found = interpreted(kept, wanted)
+    found = restore_or_read(kept, wanted)
     same(found, from_file(wanted))
     assert LineType.HALF_CUT not in found[1].line_type
 
 
 def test_a_reading_of_an_older_version_is_made_anew() -> None:
     kept = stored(Interpretation())
-    columns, meta = unpacked(kept.edges)
+    columns, meta = unpack_columns(kept.edges)
     del columns["true_colour"]
-    old = replace(kept, edges=packed(columns, meta))
-    same(interpreted(old, kept.interpretation), from_file(kept.interpretation))
+    old = replace(kept, edges=pack_columns(columns, meta))
+    same(restore_or_read(old, kept.interpretation), from_file(kept.interpretation))
 
 
 def test_a_program_of_a_reading_is_that_of_its_file(unread: None) -> None:

@@ -32,7 +32,6 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs import migrations
-from knifetip.jobs.columns import packed, unpacked
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.compile_store import ATTEMPTS
 from knifetip.jobs.drawing_store import NewDrawing
@@ -44,6 +43,7 @@ from knifetip.jobs.transitions import LEASE
 from knifetip.messages import Message, hint
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
+from knifetip.presentation.columns import pack_columns, unpack_columns
 from tests.support.messages import stored
 
 LINES = 231
@@ -1076,7 +1076,7 @@ def test_a_database_with_the_former_names_of_the_import_report_keeps_its_drawing
 ) -> None:
     job = queued(store)
     ends = np.arange(8.0).reshape(2, 2, 2)
-    block = packed({"ends": ends, "fate": np.array([0, 2], np.uint8)}, {"fates": ["kept"]})
+    block = pack_columns({"ends": ends, "fate": np.array([0, 2], np.uint8)}, {"fates": ["kept"]})
     rows = [{"handle": "1F", "fate": "kept"}, {"handle": "fate", "fate": "dropped"}]
     former: dict[str, Any] = {
         "summary": json.dumps(
@@ -1110,7 +1110,7 @@ def test_a_database_with_the_former_names_of_the_import_report_keeps_its_drawing
         {"handle": "1F", "outcome": "kept"},
         {"handle": "fate", "outcome": "dropped"},
     ]
-    columns, meta = unpacked(row.edges)
+    columns, meta = unpack_columns(row.edges)
     assert (list(columns), meta) == (["ends", "outcome"], {"outcomes": ["kept"]})
     assert_array_equal(columns["ends"], ends)
     assert columns["outcome"].tolist() == [0, 2]
@@ -1121,7 +1121,7 @@ def test_a_database_with_the_former_names_of_the_import_report_keeps_its_drawing
         again = connection.execute(sa.text("SELECT summary, edges FROM drawing")).one()
     engine.dispose()
     assert json.loads(str(again[0])) == json.loads(former["summary"])
-    assert unpacked(bytes(again.edges))[1] == {"fates": ["kept"]}
+    assert unpack_columns(bytes(again.edges))[1] == {"fates": ["kept"]}
 
 
 @pytest.mark.parametrize("url", ["nonsense", "sqlite://", "sqlite:///:memory:", "mysql://h/d", ""])

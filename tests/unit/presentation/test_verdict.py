@@ -7,7 +7,7 @@ import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.verdict import Finding, Verdict
-from knifetip.presentation.verdict import findings_of, verdict_summary
+from knifetip.presentation.verdict import findings_json, verdict_summary
 
 
 def refused() -> Verdict:
@@ -38,6 +38,6 @@ def test_a_summary_has_the_greatest_measures_and_the_sums_under_names_of_their_o
 
 
 def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:
-    (found,) = findings_of(refused(), ["A", "B"])
+    (found,) = findings_json(refused(), ["A", "B"])
     assert (found["handle"], found["measure"]) == ("B", 1e9)
     assert (found["code"], found["arguments"]["text"]) == ("stored.text", "ab")

@@ -180,6 +180,9 @@ class DrawingOut(BaseModel):
         description="The profile with which it was classified (TOML); empty for one of the library"
     )
     segments: int
+    length: float | None = Field(
+        default=None, description="Null if the drawing was read by an older version"
+    )
     bounds: tuple[float, float, float, float]
     width: float
     height: float

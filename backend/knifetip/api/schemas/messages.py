@@ -15,7 +15,7 @@ from knifetip.messages import Message, from_json, with_text
 from knifetip.messages.codes import CODES
 from knifetip.messages.entry import Kind
 
-#: Key that marks schemas whose ``code`` is a MessageCode.
+#: IdempotencyKey that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"
 #: Greatest size of a message in a request, as JSON (characters).
 _LONGEST: Final = 20_000

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from knifetip import pipeline
-from knifetip.jobs.import_report import inscribed, listed
+from knifetip.presentation.import_report import annotations_by_row, import_report_rows
 from tests.support.writers import dxf_text as text
 
 
@@ -20,7 +20,7 @@ def test_words_stand_where_the_file_puts_them() -> None:
             words("TITLE", 50.0, 60.0, "Box"),
         )
     )
-    rows = listed(drawing)
+    rows = import_report_rows(drawing)
     assert [(row.get("text"), row.get("place")) for row in rows] == [
         ("Rev. B", [10.0, 20.0, 5.0]),
         (None, None),
@@ -31,7 +31,7 @@ def test_words_stand_where_the_file_puts_them() -> None:
 
 def test_words_are_measured_in_the_unit_that_was_decided() -> None:
     drawing = pipeline.read(text.dxf(words("NOTES", 1.0, 2.0, "Lid"), units=None), "in")
-    assert listed(drawing)[0]["place"] == [25.4, 50.8, 127.0]
+    assert import_report_rows(drawing)[0]["place"] == [25.4, 50.8, 127.0]
 
 
 def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets() -> None:
@@ -43,7 +43,7 @@ def test_words_of_a_block_or_of_the_paper_take_no_place_of_the_sheets() -> None:
             blocks=(text.block("STAMP", words("NOTES", 0.0, 0.0, "stamp")),),
         )
     )
-    found = inscribed(drawing)
+    found = annotations_by_row(drawing)
     assert [(drawing.import_report.handle[row], one.text) for row, one in found.items()] == [
         (drawing.import_report.handle[max(found)], "sheet")
     ]

@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import pytest
 
-from knifetip.jobs.columns import packed, unpacked
+from knifetip.presentation.columns import pack_columns, unpack_columns
 
 COLUMNS = {
     "pose": np.array([[1.5, -2.0, 3.25, 90.0], [0.0, 0.1, 1e9, -0.0]]),
@@ -17,7 +17,9 @@ COLUMNS = {
 
 
 def test_columns_come_back_as_they_went_in() -> None:
-    columns, meta = unpacked(packed(COLUMNS, {"layer": 'Größe "1"', "placement": [20.0, 20.0]}))
+    columns, meta = unpack_columns(
+        pack_columns(COLUMNS, {"layer": 'Größe "1"', "placement": [20.0, 20.0]})
+    )
     assert meta == {"layer": 'Größe "1"', "placement": [20.0, 20.0]}
     assert list(columns) == list(COLUMNS)
     for name, column in COLUMNS.items():
@@ -26,7 +28,7 @@ def test_columns_come_back_as_they_went_in() -> None:
 
 
 def test_the_layout_is_as_the_browser_reads_it() -> None:
-    block = packed(COLUMNS, {"ü": 1})
+    block = pack_columns(COLUMNS, {"ü": 1})
     assert block[:4] == b"KTIP"
     (length,) = struct.unpack("<I", block[4:8])
     start = 8 + length
@@ -42,9 +44,9 @@ def test_the_layout_is_as_the_browser_reads_it() -> None:
 
 def test_other_bytes_are_refused() -> None:
     with pytest.raises(ValueError, match="KTIP"):
-        unpacked(b"PK\x03\x04 something else")
+        unpack_columns(b"PK\x03\x04 something else")
 
 
 def test_a_number_that_json_cannot_say_is_refused_in_the_meta_data() -> None:
     with pytest.raises(ValueError, match="JSON compliant"):
-        packed({}, {"seconds": float("nan")})
+        pack_columns({}, {"seconds": float("nan")})

@@ -1,16 +1,15 @@
-"""columns: arrays as one block of bytes, which a browser reads as typed arrays without a copy.
+"""Pack numeric columns and their metadata into one block of bytes, and unpack such a block.
 
-    {"pose": (n + 1, 4) float64, …}, {"placement": …}  ⇄  bytes
-
-Layout, little-endian throughout::
+A browser can use the columns of a block as typed arrays without copying them.  Layout of a block,
+little-endian throughout::
 
     4 bytes   b"KTIP"
-    uint32    length of the header
+    uint32    length of the header in bytes
     header    JSON in UTF-8, padded with spaces so that the data starts at a multiple of 8:
               {"columns": [{"name", "dtype", "shape", "offset"}, …], "meta": {…}}
     data      each column at a multiple of 8; ``offset`` counts from the start of the data
 
-``dtype`` is ``<f8``, ``<i4`` or ``|u1``.
+The ``dtype`` of a column is ``<f8``, ``<i4`` or ``|u1``.
 """
 
 from __future__ import annotations
@@ -27,13 +26,26 @@ MAGIC = b"KTIP"
 _DTYPES = {"f": "<f8", "i": "<i4", "u": "|u1"}
 
 
-def packed(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> bytes:
-    """Return columns and metadata as one block of bytes."""
-    listed: list[dict[str, object]] = []
+def pack_columns(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> bytes:
+    """Return columns and metadata as one block of bytes.
+
+    Parameters
+    ----------
+    columns
+        Arrays by name, of any shape; floats become float64, integers int32, unsigned ones uint8.
+    meta
+        JSON data; all numbers must be finite.
+
+    Raises
+    ------
+    ValueError
+        A number of the metadata is infinite or NaN.
+    """
+    descriptions: list[dict[str, object]] = []
     data = bytearray()
     for name, column in columns.items():
         array = np.ascontiguousarray(column, dtype=_DTYPES[column.dtype.kind])
-        listed.append(
+        descriptions.append(
             {
                 "name": name,
                 "dtype": array.dtype.str,
@@ -43,14 +55,16 @@ def packed(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]) -> b
         )
         data += array.tobytes()
         data += bytes(-len(data) % 8)
-    header = json.dumps({"columns": listed, "meta": meta}, ensure_ascii=False, allow_nan=False)
+    header = json.dumps(
+        {"columns": descriptions, "meta": meta}, ensure_ascii=False, allow_nan=False
+    )
     text = header.encode("utf-8", "replace")
     text += b" " * (-(8 + len(text)) % 8)
     return MAGIC + struct.pack("<I", len(text)) + text + bytes(data)
 
 
-def unpacked(block: bytes) -> tuple[dict[str, NDArray[Any]], dict[str, Any]]:
-    """Return the columns (read-only views of the block) and the metadata.
+def unpack_columns(block: bytes) -> tuple[dict[str, NDArray[Any]], dict[str, Any]]:
+    """Return the columns of a block by name, as read-only views of its bytes, and its metadata.
 
     Raises
     ------

@@ -1,0 +1,209 @@
+"""Read, store, change and return drawings on behalf of the routes and the embedded service."""
+
+from __future__ import annotations
+
+import hashlib
+import unicodedata
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+from fastapi import Response
+
+from knifetip.api.revisions import check_match, etag
+from knifetip.api.schemas.drawings import DrawingOut, DrawingSummary
+from knifetip.api.service import Service, customer_rules, fingerprint
+from knifetip.errors import (
+    DrawingTooLarge,
+    KnifetipError,
+    NotADrawing,
+    StaleRevision,
+    WrongState,
+)
+from knifetip.jobs import tasks
+from knifetip.jobs.drawing_store import NewDrawing
+from knifetip.jobs.interpretations import drawing_columns
+from knifetip.jobs.process_pool import TaskFailed
+from knifetip.jobs.tables import Drawing
+from knifetip.messages import Message
+from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.columns import unpack_columns
+from knifetip.presentation.import_report import unpack_rows
+
+#: Number of attempts to change a drawing that other requests change at the same time.
+_ATTEMPTS: Final = 3
+#: Maximum number of import report rows in the JSON of a drawing.
+_MAX_ROWS: Final = 2000
+
+
+def add_drawing(
+    service: Service,
+    response: Response | None,
+    name: str,
+    content: bytes,
+    unit: str,
+    profile: str,
+    key: str | None = None,
+) -> DrawingOut:
+    """Read, classify and store a drawing."""
+    if len(content) > service.settings.upload:
+        raise DrawingTooLarge(
+            "drawing.upload-too-large", name=name, limit=service.settings.upload >> 20
+        )
+    rules = customer_rules(service, profile)
+    sha256 = hashlib.sha256(content).hexdigest()
+    request = fingerprint(name, sha256, unit, profile)
+    row = service.store.drawings.find(key, request) if key else None
+    if row is None:
+        interpretation = Interpretation(unit, profile, rules)
+        reading = read_drawing(service, name, content, interpretation)
+        new = NewDrawing(
+            name=name,
+            content=content,
+            sha256=sha256,
+            interpretation=replace(interpretation, overrides=reading.overrides),
+            summary=reading.summary,
+            edges=reading.edges,
+            import_report=reading.import_report,
+        )
+        row = service.store.drawings.add(new, key=key, fingerprint=request)
+    drawing = drawing_out(service, row)
+    if response is not None:
+        response.headers["Location"] = f"/api/drawings/{row.id}"
+        response.headers["ETag"] = drawing_etag(drawing)
+    return drawing
+
+
+def read_drawing(
+    service: Service,
+    name: str,
+    content: bytes,
+    interpretation: Interpretation,
+    handles: Sequence[str] | None = None,
+) -> tasks.Reading:
+    """Read a drawing in a worker process; parameters as for ``tasks.read``.
+
+    Raises
+    ------
+    ReadError
+        The drawing cannot be read; the message starts with its name.
+    """
+    try:
+        return service.run(tasks.read, content, interpretation, handles)
+    except TaskFailed as reason:
+        raise NotADrawing("reading.crashed", name=name, reason=reason) from reason
+    except KnifetipError as reason:
+        if reason.message.arguments.get("name") != name:
+            reason.message = Message("error.in-file", name=name, error=reason.message)
+        raise
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """New interpretation of a drawing, and the message for the event log."""
+
+    interpretation: Interpretation
+    event: Message
+
+
+def apply_change(
+    service: Service,
+    response: Response,
+    id: str,
+    match: str | None,
+    decide: Callable[[Drawing], Change],
+) -> DrawingOut:
+    """Change a drawing; ``decide`` returns the change for its newest revision.
+
+    Raises
+    ------
+    StaleRevision
+        The request names another revision.
+    WrongState
+        Other requests changed the drawing at every attempt.
+    """
+    for _ in range(_ATTEMPTS):
+        row = service.store.drawings.get_with(id, "content", "overrides", "edges")
+        check_match(match, row)
+        change = decide(row)
+        handles = unpack_columns(row.edges)[1]["handles"]
+        reading = read_drawing(service, row.name, row.content, change.interpretation, handles)
+        final = replace(change.interpretation, overrides=reading.overrides)
+        try:
+            changed = service.store.drawings.change(
+                row.id,
+                row.version,
+                change.event,
+                **drawing_columns(final),
+                summary=reading.summary,
+                edges=reading.edges,
+                import_report=reading.import_report,
+            )
+        except StaleRevision:
+            # A request without a revision applies to the newest one: try again.
+            if match is not None and match.strip() != "*":
+                raise
+            continue
+        drawing = drawing_out(service, changed)
+        response.headers["ETag"] = drawing_etag(drawing)
+        return drawing
+    raise WrongState("drawing.changing", drawing=id)
+
+
+def drawing_etag(drawing: DrawingOut) -> str:
+    """Return the ETag of a drawing: its revision and the state of its profile."""
+    return etag(drawing.revision, drawing.profile_state)
+
+
+def drawing_name(given: str) -> str:
+    """Return a file name without folders and control characters, at most 120 long."""
+    last = given.replace("\\", "/").rsplit("/", 1)[-1]
+    shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
+    if len(shown) > 120:
+        stem, dot, suffix = shown.rpartition(".")
+        shown = stem[:110] + dot + suffix[:9] if dot and stem else shown[:120]
+    return shown or "drawing.dxf"
+
+
+def drawing_out(service: Service, row: Drawing) -> DrawingOut:
+    """Return the API model of a drawing whose ``import_report`` column is loaded."""
+    import_report = row.summary["import_report"]
+    return DrawingOut.model_validate(
+        {
+            **row.summary,
+            "unit": row.summary["unit"] or None,
+            "id": row.id,
+            "revision": row.version,
+            "name": row.name,
+            "created": row.created,
+            "sha256": row.sha256,
+            "profile": row.profile,
+            "profile_state": profile_state(service, row),
+            "rules": row.rules,
+            "unit_given": row.unit_given or None,
+            "import_report": {**import_report, "rows": unpack_rows(row.import_report, _MAX_ROWS)},
+        }
+    )
+
+
+def profile_state(service: Service, row: Drawing) -> str:
+    """Return whether the profile is current, changed or deleted since the classification."""
+    stored = service.store.profiles.get(row.profile)
+    if stored is None:
+        return "deleted" if row.rules else "current"
+    return "current" if stored.text == row.rules else "changed"
+
+
+def summary_out(row: Drawing) -> DrawingSummary:
+    """Return the summary of a drawing for lists."""
+    return DrawingSummary(
+        id=row.id,
+        revision=row.version,
+        name=row.name,
+        created=row.created,
+        unit=row.summary["unit"] or None,
+        width=row.summary["width"],
+        height=row.summary["height"],
+        segments=row.summary["segments"],
+        questions=len(row.summary["questions"]),
+    )

@@ -1,0 +1,108 @@
+"""A drawing as JSON data: the one definition for REST, the command line and the store."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, U8
+from knifetip.messages import printable
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
+from knifetip.model.question import Question
+from knifetip.presentation.import_report import outcome_counts
+from knifetip.presentation.outcomes import EdgeOutcomes
+
+
+def drawing_json(drawing: Drawing) -> dict[str, Any]:
+    """Return unit, size and number of edges and entities of a drawing."""
+    min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
+    return {
+        "unit": drawing.unit or None,
+        "evidence": printable(str(drawing.evidence)),
+        "evidence_message": drawing.evidence.as_json(),
+        "unit_finding": _unit_finding(drawing),
+        "segments": len(drawing),
+        "length": float(drawing.lengths.sum()),
+        "bounds": [min_x, min_y, max_x, max_y],
+        "width": max_x - min_x,
+        "height": max_y - min_y,
+        "import_report": outcome_counts(drawing),
+    }
+
+
+def classified_json(
+    drawing: Drawing,
+    dieline: Dieline,
+    outcomes: EdgeOutcomes,
+    questions: Sequence[Question],
+    overrides: U8,
+) -> dict[str, Any]:
+    """Return the data of ``drawing_json`` with line types, layers, questions and edge outcomes.
+
+    Parameters
+    ----------
+    overrides : (n,)
+        For each edge ``NO_OVERRIDE`` or the LineType that the user set.
+    """
+    return {
+        **drawing_json(drawing),
+        "counts": _line_type_counts(dieline.line_type, drawing.lengths),
+        "layers": _layers(drawing, dieline),
+        "questions": [question.as_json() for question in questions],
+        "overrides": int((overrides != NO_OVERRIDE).sum()),
+        "report": outcomes.summary,
+    }
+
+
+def _unit_finding(drawing: Drawing) -> dict[str, Any]:
+    """Return the stated unit, the units ranked by likelihood, and the evidence for each unit."""
+    from knifetip.units.evidence import find_unit
+
+    found = find_unit(drawing)
+    return {
+        "stated": drawing.stated,
+        "ranking": list(found.ranking),
+        "warnings": [printable(text) for text in found.warnings],
+        "evidence": [
+            {"unit": one.unit, "text": printable(one.text), "weight": float(one.weight)}
+            for one in found.evidence
+        ],
+    }
+
+
+def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
+    """Return number and total length (mm) of the edges of each line type that occurs."""
+    edges = np.bincount(line_type, minlength=len(LineType))
+    length = np.bincount(line_type, weights=lengths, minlength=len(LineType))
+    return [
+        {"type": kind.word, "edges": int(edges[kind]), "length": float(length[kind])}
+        for kind in LineType
+        if edges[kind]
+    ]
+
+
+def _layers(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
+    """Return name, colour, edges, length (mm) and line types of each pair of layer and colour."""
+    pairs, pair = np.unique(
+        np.stack([drawing.layer, drawing.colour], axis=1), axis=0, return_inverse=True
+    )
+    pair = pair.reshape(-1)
+    edges = np.bincount(pair, minlength=len(pairs))
+    length = np.bincount(pair, weights=drawing.lengths, minlength=len(pairs))
+    occurs = np.zeros((len(pairs), len(LineType)), bool)
+    occurs[pair, dieline.line_type] = True
+    names = [printable(layer) for layer in drawing.layers]
+    return [
+        {
+            "name": names[layer],
+            "colour": int(colour),
+            "edges": int(edges[row]),
+            "length": float(length[row]),
+            "types": [kind.word for kind in LineType if occurs[row, kind]],
+        }
+        for row, (layer, colour) in enumerate(pairs)
+    ]

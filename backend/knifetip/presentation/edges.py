@@ -1,0 +1,176 @@
+"""Edges of a classified drawing: as columns with one row per edge, and as JSON data.
+
+The columns contain all data that questions, planning and verification need, so a drawing can be
+restored from them without reading its file again.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from knifetip.messages import Message, from_json, printable, render
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import KEPT, Drawing, ImportOutcome, ImportReport
+from knifetip.model.words import Repeated
+from knifetip.presentation.columns import pack_columns, unpack_columns
+from knifetip.presentation.outcomes import EdgeOutcomes
+
+#: Number of edges that are encoded as JSON at a time.
+_BATCH: Final = 1000
+
+
+class EdgeTable(NamedTuple):
+    """Columns of n edges, and the names to which the indices in the columns refer."""
+
+    columns: Mapping[str, NDArray[Any]]  #: each has one row per edge
+    meta: Mapping[str, Any]  #: handles (n,), layers, linetypes, rules, outcomes, reasons, types
+
+    @classmethod
+    def of(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
+        """Return the table of a classified drawing."""
+        return cls(
+            {
+                "ends": dieline.ends,
+                "bulge": dieline.bulge,
+                "line_type": dieline.line_type,
+                "layer": drawing.layer,
+                "colour": drawing.colour,
+                "true_colour": drawing.true_colour,
+                "linetype": drawing.linetype,
+                "rule": dieline.rule,
+                "confidence": dieline.confidence,
+                "face": dieline.face,
+                "part": dieline.part,
+                "length": drawing.lengths,
+                "outcome": outcomes.outcome,
+                "reason": outcomes.reason,
+            },
+            {
+                "handles": [printable(handle) for handle in drawing.handles],
+                "layers": [printable(layer) for layer in drawing.layers],
+                "linetypes": [printable(name) for name in drawing.linetypes],
+                "rules": [printable(str(rule)) for rule in dieline.rules],
+                "rule_messages": [rule.as_json() for rule in dieline.rules],
+                "alternatives": [[kind.word for kind in one] for one in dieline.alternatives],
+                "outcomes": [outcome.name.lower() for outcome in ImportOutcome],
+                "reasons": [render(reason) for reason in outcomes.reasons],
+                "reason_messages": [reason.as_json() for reason in outcomes.reasons],
+                "types": [kind.word for kind in LineType],
+                "unit": drawing.unit,
+            },
+        )
+
+    @classmethod
+    def unpack(cls, block: bytes) -> EdgeTable:
+        """Return the table in a block of bytes.
+
+        Tables stored by older versions have no outcomes; all their edges count as kept.
+        """
+        columns, meta = unpack_columns(block)
+        missing = np.zeros(len(columns["ends"]), np.int32)
+        return cls(
+            {"outcome": missing, "reason": missing, **columns},
+            {"outcomes": ["kept"], "reasons": [""], "alternatives": [], **meta},
+        )
+
+    def pack(self) -> bytes:
+        """Return the table as one block of bytes, see ``presentation.columns``."""
+        return pack_columns(self.columns, self.meta)
+
+    def rows(self, first: int = 0, last: int | None = None) -> list[dict[str, Any]]:
+        """Return edges ``first`` to ``last - 1`` as JSON data of the schema ``EdgeOut``."""
+        values = {name: column[first:last].tolist() for name, column in self.columns.items()}
+        meta = self.meta
+        alternatives = meta["alternatives"]
+        rows = []
+        for at, (start, end) in enumerate(values["ends"]):
+            rule = values["rule"][at]
+            rows.append(
+                {
+                    "row": first + at,
+                    "handle": meta["handles"][first + at],
+                    "layer": meta["layers"][values["layer"][at]],
+                    "colour": values["colour"][at],
+                    "linetype": meta["linetypes"][values["linetype"][at]],
+                    "type": meta["types"][values["line_type"][at]],
+                    "rule": meta["rules"][rule] if rule >= 0 else "",
+                    "confidence": values["confidence"][at],
+                    "alternatives": alternatives[rule] if alternatives and rule >= 0 else [],
+                    "outcome": meta["outcomes"][values["outcome"][at]],
+                    "reason": meta["reasons"][values["reason"][at]],
+                    "length": values["length"][at],
+                    "start": start,
+                    "end": end,
+                    "bulge": values["bulge"][at],
+                }
+            )
+        return rows
+
+    def json_pieces(self) -> Iterator[bytes]:
+        """Yield the JSON text of the schema ``EdgesOut`` in pieces.
+
+        Other threads can run between two pieces.
+        """
+        yield b'{"edges":['
+        for first in range(0, len(self.columns["ends"]), _BATCH):
+            rows = self.rows(first, first + _BATCH)
+            text = json.dumps(rows, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+            yield (("," if first else "") + text[1:-1]).encode()
+        yield b"]}"
+
+
+def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
+    """Return the drawing and the dieline of a packed table.
+
+    The import report of the drawing has one row per edge; entities without edges and annotations
+    are missing, because the table does not contain them.
+
+    Raises
+    ------
+    KeyError
+        The block was stored by an older version and lacks a column.
+    """
+    columns, meta = unpack_columns(block)
+    count = len(columns["bulge"])
+    row = np.arange(count, dtype=np.int32)
+    layers = tuple(meta["layers"])
+    report = ImportReport(
+        handle=meta["handles"],
+        kind=Repeated(("",), np.zeros(count, np.int32)),
+        layer=Repeated(layers, columns["layer"]),
+        outcome=np.full(count, ImportOutcome.KEPT, np.uint8),
+        reason=Repeated((KEPT,), np.zeros(count, np.int32)),
+        length=columns["length"],
+    )
+    drawing = Drawing(
+        ends=columns["ends"],
+        bulge=columns["bulge"],
+        entity=row,
+        layer=columns["layer"],
+        colour=columns["colour"],
+        true_colour=columns["true_colour"],
+        linetype=columns["linetype"],
+        layers=layers,
+        linetypes=tuple(meta["linetypes"]),
+        import_report=report,
+        unit=meta["unit"],
+        evidence=Message("unit.not-given"),
+    )
+    dieline = Dieline(
+        columns["ends"],
+        columns["bulge"],
+        columns["line_type"],
+        row,
+        columns["rule"],
+        columns["confidence"],
+        tuple(map(from_json, meta.get("rule_messages") or meta["rules"])),
+        tuple(tuple(LineType.of(word) for word in words) for words in meta["alternatives"]),
+        columns["face"],
+        columns["part"],
+    )
+    return drawing, dieline

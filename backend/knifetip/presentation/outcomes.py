@@ -1,0 +1,177 @@
+"""Outcome of every edge of a drawing after import and cleaning, and a summary by reason.
+
+Import drops entities that are not drawing lines, such as texts and dimensions.  Cleaning merges or
+drops edges, for example duplicates and very short edges.  The summary contains both.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from knifetip.geometry.columns import F64, I32, U8
+from knifetip.messages import Message, printable
+from knifetip.model.cleaned import CleaningReason
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing, ImportOutcome
+
+#: Maximum number of entity kinds in a group of the summary.
+_MAX_KINDS: Final = 6
+#: Lengths up to this value count as zero (mm).
+_ZERO_LENGTH: Final = 1e-9
+#: Reasons for edges that are kept in the drawing and not machined.
+_NOT_MACHINED: Final = {
+    LineType.IGNORED: Message("cleaning.ignored"),
+    LineType.UNCLASSIFIED: Message("cleaning.unclassified"),
+}
+#: Order of the groups in the summary.
+_ORDER: Final = (ImportOutcome.DROPPED, ImportOutcome.MERGED, ImportOutcome.KEPT)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class EdgeOutcomes:
+    """Outcome and reason of n edges, and a summary that also contains entities without edges."""
+
+    outcome: U8  #: (n,) ImportOutcome of each edge
+    reason: I32  #: (n,) index into ``reasons`` for each edge
+    reasons: tuple[Message, ...]
+    summary: dict[str, Any]  #: JSON data of the schema ``ReportOut``
+
+
+def edge_outcomes(drawing: Drawing, dieline: Dieline) -> EdgeOutcomes:
+    """Clean a dieline and return the outcome of every edge with a summary by reason.
+
+    A drawing without a unit is not cleaned, because the limits of cleaning are lengths in mm; all
+    its edges are kept.
+    """
+    from knifetip.cleaning.clean import clean
+
+    lengths = drawing.lengths
+    outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
+    reason = np.full(len(drawing), CleaningReason.AS_DRAWN, np.int32)
+    parts: list[tuple[ImportOutcome, CleaningReason, F64]] = []
+    if drawing.unit:
+        cleaned = clean(dieline)
+        outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
+        # Parts of kept edges may be merged or dropped; they are counted separately.
+        kept = outcome == ImportOutcome.KEPT
+        parts = [
+            (
+                ImportOutcome.MERGED,
+                CleaningReason.SHORTENED,
+                np.where(kept, cleaned.merged, 0.0),
+            ),
+            (ImportOutcome.DROPPED, CleaningReason.SPECK, np.where(kept, cleaned.dropped, 0.0)),
+        ]
+    reasons = [code.message for code in CleaningReason]
+    for line_type, message in _NOT_MACHINED.items():
+        reason[(dieline.line_type == line_type) & (outcome == ImportOutcome.KEPT)] = len(reasons)
+        reasons.append(message)
+    kinds = np.array(drawing.import_report.kind, dtype=object)[drawing.entity]
+    remaining = lengths - sum(length for _, _, length in parts)
+    groups = _groups("edges", outcome, reason, reasons, remaining, kinds)
+    for part_outcome, code, length in parts:
+        if (rows := np.flatnonzero(length > _ZERO_LENGTH)).size:
+            groups += _groups(
+                "edges",
+                np.full(len(rows), part_outcome, np.uint8),
+                np.full(len(rows), code, np.int32),
+                reasons,
+                length[rows],
+                kinds[rows],
+            )
+    entities = _entity_groups(drawing)
+    summary = _summary(_merge_groups(groups) + entities)
+    summary["drawn"] = float(lengths.sum()) + sum(group["length"] for group in entities)
+    return EdgeOutcomes(outcome, reason, tuple(reasons), summary)
+
+
+def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
+    """Return groups of the entities that import merged or dropped, by outcome and reason."""
+    report = drawing.import_report
+    rows = np.flatnonzero(report.outcome != ImportOutcome.KEPT)
+    examples: dict[str, Message] = {}
+    numbers: dict[str, int] = {}
+    reason = np.zeros(len(rows), np.int32)
+    for position, row in enumerate(rows.tolist()):
+        message = report.reason[row]
+        examples.setdefault(message.code, message)
+        reason[position] = numbers.setdefault(message.code, len(numbers))
+    kinds = np.array(report.kind, dtype=object)[rows]
+    reasons = list(examples.values())
+    return _groups("entities", report.outcome[rows], reason, reasons, report.length[rows], kinds)
+
+
+def _groups(
+    what: str,
+    outcome: U8,
+    reason: I32,
+    reasons: Sequence[Message],
+    length: F64,
+    kinds: NDArray[np.object_],
+) -> list[dict[str, Any]]:
+    """Return n edges or entities as groups with the same outcome and the same code of the reason.
+
+    Parameters
+    ----------
+    what
+        "edges" or "entities".
+    outcome, reason, length, kinds : (n,)
+        ImportOutcome, index into ``reasons``, length in mm and entity kind of each.
+    """
+    numbers: dict[str, int] = {}
+    code = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)
+    examples = {numbers[one.code]: one for one in reversed(reasons)}
+    pairs, group = np.unique(
+        np.stack([outcome.astype(np.int32), code[reason]], axis=1), axis=0, return_inverse=True
+    )
+    group = group.reshape(-1)
+    groups = []
+    for number, (word, example) in enumerate(pairs.tolist()):
+        rows = group == number
+        common = Counter(kinds[rows].tolist()).most_common(_MAX_KINDS)
+        groups.append(
+            {
+                "outcome": ImportOutcome(word),
+                "reason": examples[example].as_json(),
+                "what": what,
+                "kinds": [printable(kind) for kind, _ in common],
+                "count": int(rows.sum()),
+                "length": float(length[rows].sum()),
+            }
+        )
+    return groups
+
+
+def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return the groups with equal outcome and reason merged: counts and lengths are added."""
+    merged: dict[tuple[ImportOutcome, str], dict[str, Any]] = {}
+    for group in groups:
+        first = merged.setdefault((group["outcome"], group["reason"]["code"]), group)
+        if first is not group:
+            first["count"] += group["count"]
+            first["length"] += group["length"]
+    return list(merged.values())
+
+
+def _summary(groups: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the sorted groups and the total length of each outcome (mm) as JSON data."""
+    groups = sorted(
+        groups,
+        key=lambda group: (_ORDER.index(group["outcome"]), -group["length"], -group["count"]),
+    )
+    totals = {
+        outcome.name.lower(): sum(
+            group["length"] for group in groups if group["outcome"] == outcome
+        )
+        for outcome in ImportOutcome
+    }
+    return {
+        **totals,
+        "groups": [{**group, "outcome": group["outcome"].name.lower()} for group in groups],
+    }

@@ -1,0 +1,23 @@
+"""Add the English text of messages to JSON data that contains messages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from knifetip.messages import with_text
+
+
+def with_texts(data: Any) -> Any:
+    """Return JSON data in which every message, an object with code and arguments, has its text.
+
+    ``text`` and ``hint`` are added at every depth, except to messages within the arguments of
+    another message.
+    """
+    if isinstance(data, Mapping):
+        if "code" in data and "arguments" in data:
+            return with_text(data)
+        return {key: with_texts(value) for key, value in data.items()}
+    if isinstance(data, list):
+        return [with_texts(item) for item in data]
+    return data

@@ -1,0 +1,63 @@
+"""The tool path of a compiled job as columns for the page, and the stations that it uses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from knifetip.model.machine import Machine
+from knifetip.model.tool import kind_of
+from knifetip.presentation.columns import pack_columns
+
+if TYPE_CHECKING:
+    from knifetip.pipeline import Compiled
+
+
+def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
+    """Return station number, name and tool kind of each station in use, ordered by number."""
+    used = set(np.unique(compiled.toolpath.tool).tolist())
+    return [
+        {"station": station.number, "name": station.name, "kind": kind_of(station.tool).name}
+        for station in sorted(machine.stations, key=lambda station: station.number)
+        if station.number in used
+    ]
+
+
+def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
+    """Return the tool path as a block of columns, with the stations of the machine as metadata.
+
+    The column ``line`` contains for each row of the path the number of the last program line that
+    moves along the row; the row is complete when the line has been executed.  It is -1 for rows
+    without a program line.
+    """
+    path = compiled.toolpath
+    source = compiled.program.source
+    line = np.full(len(path), -1, np.int32)
+    numbers = np.arange(1, len(source) + 1, dtype=np.int32)
+    moving = source >= 0
+    np.maximum.at(line, source[moving], numbers[moving])
+    return pack_columns(
+        {
+            "pose": path.pose,
+            "bulge": path.bulge,
+            "motion": path.motion,
+            "feed": path.feed,
+            "source": path.source,
+            "tool": path.tool,
+            "line": line,
+        },
+        {
+            "placement": [float(shift) for shift in compiled.placement],
+            "dialect": compiled.program.dialect,
+            "stations": [
+                {
+                    "number": station.number,
+                    "name": station.name,
+                    "kind": kind_of(station.tool).name,
+                    "datum": {"x": station.x, "y": station.y, "z": station.z, "c": station.c},
+                }
+                for station in machine.stations
+            ],
+        },
+    )
