@@ -1236,6 +1236,11 @@ export interface components {
             rules: string;
             /** Segments */
             segments: number;
+            /**
+             * Length
+             * @description Null if the drawing was read by an older version
+             */
+            length?: number | null;
             /** Bounds */
             bounds: [
                 number,
