@@ -70,7 +70,7 @@ export function OrderPanel() {
           data-testid="board-select"
         />
         <div
-          style={{ display: "grid", gridTemplateColumns: "84px 1fr", gap: 10, alignItems: "end" }}
+          style={{ display: "grid", gridTemplateColumns: "72px 1fr", gap: 8, alignItems: "end" }}
         >
           <NumberInput
             label="Copies"
@@ -84,6 +84,7 @@ export function OrderPanel() {
           />
           <Button
             leftSection={<IconBolt size={17} aria-hidden />}
+            px="sm"
             disabled={missing !== null}
             loading={(busy && missing === null) || (job !== undefined && isCompiling(job))}
             onClick={() => {
