@@ -1,9 +1,8 @@
-"""Access control: accept or refuse a request by Host, Origin, peer address and key (ADR 21).
+"""Access control: accept or refuse a request by Host, Origin, sender address and key (ADR 21).
 
-    RequestFacts + AccessRules -> None, or a Refusal
-
-The checks are pure functions of the headers and addresses of one request.  ``Access`` is the ASGI
-middleware that collects these facts and sends the refusals.
+The checks are pure functions of the headers and addresses of one request (``RequestFacts``) and of
+the settings (``AccessRules``).  ``Access`` is the ASGI middleware that collects these facts and
+sends the refusals.
 """
 
 from __future__ import annotations
@@ -82,12 +81,12 @@ class Refusal:
 
 
 def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
-    """Return the refusal of a request, or None if it is accepted.
+    """Return the refusal of a request, or None if the request is accepted.
 
     Parameters
     ----------
     now
-        Current time in seconds since 1970; sessions expire by it.
+        Current time in seconds since 1970, at which sessions may have expired.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
@@ -111,7 +110,7 @@ def _wrong_host(facts: RequestFacts) -> Refusal:
 
 
 def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
-    """Return a refusal if a page of another origin may have sent the request."""
+    """Return a refusal if a page of another origin may have sent the request, otherwise None."""
     if facts.method in _SAFE:
         return None
     same = False
@@ -136,7 +135,10 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
 
 
 def _html_form(facts: RequestFacts) -> Refusal | None:
-    """Return a refusal for HTML forms on API routes: browsers send them to any site."""
+    """Return a refusal if an HTML form sent the request to a route of the API, otherwise None.
+
+    Browsers send forms of any site to any other site.
+    """
     kind = facts.content_type.partition(";")[0].strip().lower()
     if facts.method in _SAFE or not _is_api(facts.path) or kind not in _FORMS:
         return None
@@ -146,7 +148,7 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Return a refusal for requests from other computers without key and session."""
+    """Return a refusal if another computer sent the request without key or session, or None."""
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
     is_local = is_loopback(facts.peer or "")
@@ -162,8 +164,9 @@ def _without_key(
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
     """Return whether a Host is a loopback name, the local address of the connection, or allowed.
 
-    This prevents DNS rebinding: a rebound name is none of these.  The local address cannot be
-    forged by a name server, so a server that listens on all interfaces needs no list of them.
+    This prevents DNS rebinding, because a rebound name is none of the three.  A name server cannot
+    forge the local address, so a server that listens on all interfaces needs no list of its
+    addresses.
     """
     name, _ = host
     address, port = facts.server
@@ -179,7 +182,10 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
 
 
 def parse_authority(text: str) -> Authority | None:
-    """Parse ``NAME[:PORT]``; return lower-case name (IPv6 without brackets) and port, or None."""
+    """Parse ``NAME[:PORT]``; return the lower-case name and the port, or None if it is malformed.
+
+    The name of an IPv6 address has no brackets.
+    """
     found = _AUTHORITY.fullmatch(text)
     if found is None:
         return None
@@ -206,7 +212,7 @@ def _ip(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
 
 
 def is_loopback(name: str) -> bool:
-    """Return whether a host name or an address is a loopback one."""
+    """Return whether a host name or an IP address is that of this computer (loopback)."""
     address = _ip(name)
     return name == "localhost" if address is None else address.is_loopback
 
@@ -216,7 +222,7 @@ def _is_api(path: str) -> bool:
 
 
 def same_key(given: str, key: str) -> bool:
-    """Compare two keys in constant time."""
+    """Return whether two keys are equal; the comparison takes constant time."""
     digests = (hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (given, key))
     return hmac.compare_digest(*digests)
 
@@ -260,7 +266,7 @@ class Access:
         self._cookie = signin.cookie_name(rules.key)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Forward the request, send a refusal, or send the sign-in page."""
+        """Forward the request to the application, or send a refusal or the sign-in page."""
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
@@ -279,7 +285,7 @@ class Access:
     async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None
     ) -> Response | None:
-        """Return the response to a key, or to a request that needs one; None to forward it."""
+        """Return the response to a browser that signs in or must do so; None to forward."""
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)

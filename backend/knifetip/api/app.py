@@ -53,7 +53,7 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """Create the application; on start it migrates the database and starts the workers."""
+    """Return a new application; on start it migrates the database and starts the workers."""
     chosen = settings or Settings()
 
     @asynccontextmanager
@@ -132,12 +132,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
 
 async def _health() -> Health:
-    """Report that the process is running."""
+    """Report that the server process is running."""
     return Health(status="ok", version=version("knifetip"))
 
 
 async def _ready(service: ServiceDep, response: Response) -> Health:
-    """Report whether requests can be served; 503 if not."""
+    """Report whether the server can process requests; the status is 503 if it cannot."""
     checks = {"database": "ok", "workers": "ok" if service.ready else "starting"}
     try:
         await service.threads.reports(service.store.alive)
@@ -149,7 +149,7 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
 
 
 async def _status(service: ServiceDep) -> ServiceOut:
-    """Return what the server does besides serving: compiling itself after an installation."""
+    """Get the progress of the compilation of kernels after an installation."""
     progress = service.warm_up.progress
     return ServiceOut(
         version=version("knifetip"),

@@ -45,7 +45,28 @@ def add_drawing(
     profile: str,
     key: str | None = None,
 ) -> DrawingOut:
-    """Read, classify and store a drawing."""
+    """Read, classify and store a drawing, and return its API model.
+
+    Parameters
+    ----------
+    response
+        Gets the headers ``Location`` and ``ETag``, unless it is None.
+    name
+        File name of the drawing.
+    content
+        Bytes of the file.
+    unit
+        Unit given by the user; "" for the unit of the file.
+    key
+        Idempotency-Key; if it was used before, the earlier drawing is returned.
+
+    Raises
+    ------
+    DrawingTooLarge
+        The file exceeds the limit for uploads.
+    ReadError
+        The file cannot be read.
+    """
     if len(content) > service.settings.upload:
         raise DrawingTooLarge(
             "drawing.upload-too-large", name=name, limit=service.settings.upload >> 20
@@ -81,7 +102,7 @@ def read_drawing(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> tasks.Reading:
-    """Read a drawing in a worker process; parameters as for ``tasks.read``.
+    """Read a drawing in a worker process, see ``tasks.read``.
 
     Raises
     ------
@@ -113,14 +134,21 @@ def apply_change(
     match: str | None,
     decide: Callable[[Drawing], Change],
 ) -> DrawingOut:
-    """Change a drawing; ``decide`` returns the change for its newest revision.
+    """Change a drawing and return its API model.
+
+    Parameters
+    ----------
+    match
+        If-Match header of the request; None applies the change to the newest revision.
+    decide
+        Returns the change for the newest revision of the drawing.
 
     Raises
     ------
     StaleRevision
-        The request names another revision.
+        The drawing has another revision than ``match``.
     WrongState
-        Other requests changed the drawing at every attempt.
+        Other requests changed the drawing during every attempt.
     """
     for _ in range(_ATTEMPTS):
         row = service.store.drawings.get_with(id, "content", "overrides", "edges")
@@ -156,7 +184,7 @@ def drawing_etag(drawing: DrawingOut) -> str:
 
 
 def drawing_name(given: str) -> str:
-    """Return a file name without folders and control characters, at most 120 long."""
+    """Return a file name without folders and control characters, at most 120 characters long."""
     last = given.replace("\\", "/").rsplit("/", 1)[-1]
     shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
     if len(shown) > 120:
@@ -187,7 +215,7 @@ def drawing_out(service: Service, row: Drawing) -> DrawingOut:
 
 
 def profile_state(service: Service, row: Drawing) -> str:
-    """Return whether the profile is current, changed or deleted since the classification."""
+    """Return "current", "changed" or "deleted": the profile's state since the classification."""
     stored = service.store.profiles.get(row.profile)
     if stored is None:
         return "deleted" if row.rules else "current"
@@ -195,7 +223,7 @@ def profile_state(service: Service, row: Drawing) -> str:
 
 
 def summary_out(row: Drawing) -> DrawingSummary:
-    """Return the summary of a drawing for lists."""
+    """Return the API model of a drawing for lists."""
     return DrawingSummary(
         id=row.id,
         revision=row.version,

@@ -1,4 +1,4 @@
-"""Routes for drawings: upload, list, read, and change unit, profile and line types."""
+"""Routes for drawings: upload, list, get, and change the unit, the profile or line types."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def upload_drawing(
     profile: Annotated[str, Form(max_length=200)] = "default",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
-    """Upload a drawing (DXF, CF2, SVG or PDF, detected by content); read and classify it."""
+    """Upload a DXF, CF2, SVG or PDF file, detected by content; read and classify it."""
     customer_rules(service, profile)
     content = file.file.read(service.settings.upload + 1)
     name = drawing_name(file.filename or "")
@@ -77,7 +77,7 @@ def upload_drawing(
 def list_drawings(
     service: ServiceDep, response: Response, cursor: Cursor = None, limit: Limit = 100
 ) -> list[DrawingSummary]:
-    """List drawings, newest first; the Link header contains the next page."""
+    """List the drawings, newest first; the header ``Link`` contains the URL of the next page."""
     rows = service.store.drawings.recent(cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
     set_next_page(response, "/api/drawings?", last, limit)
@@ -88,7 +88,7 @@ def list_drawings(
 def get_drawing(
     service: ServiceDep, response: Response, id: str, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
-    """Get a drawing."""
+    """Get a drawing with its questions and its import report."""
     row = service.store.drawings.get_with(id, "import_report")
     headers = {"ETag": etag(row.version, profile_state(service, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
@@ -102,7 +102,7 @@ def get_drawing(
 def change_drawing(
     service: ServiceDep, response: Response, id: str, patch: DrawingPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Set the unit of a drawing, or classify it with another profile or an earlier version."""
+    """Set the unit of a drawing, or classify it with another profile or profile version."""
 
     def decide(row: Drawing) -> Change:
         unit = row.unit_given
@@ -124,7 +124,7 @@ def change_drawing(
 
 @router.delete("/{id}", status_code=204)
 def delete_drawing(service: ServiceDep, id: str) -> None:
-    """Delete a drawing without jobs."""
+    """Delete a drawing that no job uses; 409 otherwise."""
     service.store.drawings.delete(id)
 
 
@@ -135,7 +135,7 @@ def get_edges(
     id: str,
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
-    """List the edges, as JSON or as binary columns (``format=columns``)."""
+    """List the edges of a drawing, as JSON or as binary columns (``format=columns``)."""
     row = service.store.drawings.get_with(id, "edges")
     if format == "columns":
         return bytes_response(request, row.edges, str(row.version), "application/octet-stream")
@@ -151,7 +151,7 @@ def get_edges(
 def override_edges(
     service: ServiceDep, response: Response, id: str, patch: EdgesPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Set line types of edges; later overrides replace earlier ones."""
+    """Set line types of edges; an override replaces earlier overrides of the same edges."""
 
     def decide(row: Drawing) -> Change:
         overrides = merge_overrides(row.edges, row.overrides, patch.overrides)
@@ -165,7 +165,7 @@ def override_edges(
 def get_import_report(
     service: ServiceDep, id: str, outcome: OutcomeWord | None = None
 ) -> ImportReportOut:
-    """Get the import report: all entities of the file, or only those with one outcome."""
+    """Get the import report: all entities of the file, or only the entities with one outcome."""
     row = service.store.drawings.get_with(id, "import_report")
     rows = [one for one in unpack_rows(row.import_report) if outcome in (None, one["outcome"])]
     return ImportReportOut.model_validate({**row.summary["import_report"], "rows": rows})
@@ -181,7 +181,7 @@ def get_cleaning(service: ServiceDep, id: str) -> CleaningOut:
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
 def get_file(service: ServiceDep, request: Request, id: str) -> Response:
-    """Download the uploaded file."""
+    """Download the uploaded file of a drawing."""
     row = service.store.drawings.get(id)
     content = service.store.drawings.column(id, "content")
     return bytes_response(request, content, row.sha256, format_of(content).media_type, row.name)

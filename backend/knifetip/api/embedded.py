@@ -1,9 +1,7 @@
 """The embedded service: server, compile worker, gateway and simulated machine in one process.
 
-    serve("127.0.0.1", 8080, "sqlite:///knifetip.sqlite") -> runs until Ctrl-C or SIGTERM
-
-Killing the process loses no job: after a restart queued jobs are queued, jobs that were compiling
-are compiled again, and the job on the table is interrupted.
+Killing the process loses no job.  After a restart queued jobs are still queued, jobs that were
+being compiled are compiled again, and a job that was on the table is interrupted.
 """
 
 from __future__ import annotations
@@ -120,7 +118,7 @@ def serve(
 
 
 def _listen(host: str, port: int) -> list[socket.socket]:
-    """Return listening sockets: for the host, and for loopback if the host is not loopback."""
+    """Return listening sockets for the host, and for loopback if the host is another address."""
     first = _bind(host, port)
     address, taken = first.getsockname()[:2]
     if is_loopback(address) or ipaddress.ip_address(address).is_unspecified:
@@ -156,7 +154,7 @@ def _local(host: str) -> str:
 
 
 def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
-    """Return the line for the start log that describes how other computers get access."""
+    """Return the text line for the start log that explains how other computers get access."""
     if not key:
         return (
             "No key: only this computer is served, at its loopback address. Start with "
@@ -168,7 +166,7 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
 
 
 def _journal_path(database: str) -> Path | None:
-    """Return the path of the gateway's journal, next to the database file; None without one."""
+    """Return the path of the gateway's journal next to a SQLite file; None for PostgreSQL."""
     url = sa.make_url(database)
     if url.get_backend_name() != "sqlite" or not url.database:
         return None
@@ -176,7 +174,7 @@ def _journal_path(database: str) -> Path | None:
 
 
 class _SimulatedMachine(threading.Thread):
-    """Thread with an event loop for the simulated machine and its gateway.
+    """Thread with its own event loop for the simulated machine and the gateway of the machine.
 
     The machine updates its position many times a second, which must not delay the server.
     """
@@ -276,7 +274,7 @@ class _Server(uvicorn.Server):
         return service
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
-        """Shut down in order at the first signal, immediately at the second."""
+        """Shut down in order at the first signal, and immediately at the second signal."""
         if self._leaving or not self.started:
             super().handle_exit(sig, frame)
             self._end_main_loop()
@@ -301,7 +299,7 @@ class _Server(uvicorn.Server):
 
 
 def _add_samples(service: Service) -> None:
-    """Add the samples to a database without events."""
+    """Add the sample drawings to a database that is new, which means that it has no events."""
     try:
         if service.store.events.last_id() == 0:
             # Imports ezdxf, which is not needed otherwise.

@@ -1,11 +1,9 @@
 """Changes of jobs and drawings as server-sent events.
 
-    event: job       data: JobOut           id: of the transition; none for progress
-    event: drawing   data: DrawingSummary   id
-    event: deleted   data: {"drawing": id}  id
-
-A client that reconnects sends the last id that it received (``Last-Event-ID``) and gets one event
-for each job and drawing that has changed since.
+The events are ``job`` with a JobOut, ``drawing`` with a DrawingSummary and ``deleted`` with
+``{"drawing": id}``.  Each has the number of the change as its id, except progress of a job, which
+has none.  A client that reconnects sends the last id that it received (``Last-Event-ID``) and gets
+one event for each job and drawing that has changed since then.
 """
 
 from __future__ import annotations
@@ -42,7 +40,7 @@ _log = logging.getLogger("knifetip.api")
 
 
 class Stream:
-    """Queries the store for changes while there are listeners, and sends them to all."""
+    """Queries the store for changes while clients listen, and sends the changes to all clients."""
 
     def __init__(self, service: Service) -> None:
         self._service = service
@@ -55,7 +53,7 @@ class Stream:
         self._refreshed = 0.0
 
     async def run(self) -> None:
-        """Send changes to the listeners until cancelled."""
+        """Send changes to the connected clients until the task is cancelled."""
         with wake_on_change(self._service.store.changes) as changed:
             while True:
                 await self._has_listeners.wait()
@@ -72,7 +70,7 @@ class Stream:
                     self._disconnect_all()
 
     def _disconnect_all(self) -> None:
-        """End all streams."""
+        """End the event streams of all clients."""
         for queue in list(self._listeners):
             if queue.full():
                 queue.get_nowait()
@@ -108,9 +106,10 @@ class Stream:
         return messages
 
     def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
-        """Return messages for queued jobs whose ``waiting_for`` or reason has changed.
+        """Return events for queued jobs whose ``waiting_for`` or message has changed.
 
-        Other jobs and connecting gateways change these without an event of the job.
+        Changes of other jobs and new gateways change these fields without an event of the job
+        itself.
         """
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
@@ -147,7 +146,7 @@ class Stream:
         return _message("drawing", drawing.model_dump_json(), number)
 
     async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
-        """Yield the changes since event ``after`` (None: no past ones), then new changes."""
+        """Yield the changes after event ``after``, then new ones; None skips past changes."""
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
         async with self._lock:

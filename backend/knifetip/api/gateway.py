@@ -1,4 +1,4 @@
-"""Routes for gateways: claim a job, fetch its program, send heartbeats, finish."""
+"""Routes for gateways: claim a job, download its program, send heartbeats and finish the job."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _SEEN = 2.0  # seconds between two records of a gateway's contact
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
 async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim | Response:
-    """Wait for the next job of a machine and claim it; 204 if there is none within ``wait``.
+    """Wait for the next job of a machine and claim it; 204 after ``wait`` seconds without one.
 
-    If ``confirm`` is true in the answer, the job stays queued until the operator confirms it.
+    If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
     """
     check_library_name("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
@@ -86,7 +86,7 @@ async def get_gateway_program(service: ServiceDep, request: Request, id: str) ->
 
 @router.post("/heartbeat")
 async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
-    """Report progress, renew the lease and get the next command."""
+    """Report the progress of a job, renew its lease and get the next command for the machine."""
     command = await service.threads.reports(
         service.store.gateways.heartbeat,
         report.job,
@@ -110,7 +110,7 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
 
 
 def _cause(why: str | MessageIn) -> Message | None:
-    """Return the cause that a gateway has reported, None if it is empty."""
+    """Return the cause that a gateway reported as a message; None for an empty text."""
     if isinstance(why, MessageIn):
         return why.message
     return Message(STORED, text=why, hint="") if why else None

@@ -1,4 +1,4 @@
-"""Default security headers of all responses; a response may set its own."""
+"""Default security headers of all responses; a response may set other values."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ DEFAULTS = {
 
 
 class SecurityHeaders:
-    """ASGI middleware that adds the default headers."""
+    """ASGI middleware that adds the default security headers to every response."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Forward a request and add the headers to its response."""
+        """Forward a request and add the security headers to its response."""
 
         async def send_with_headers(event: Message) -> None:
             # A browser would replace the cached headers with those of a 304.

@@ -59,7 +59,7 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 def order_job(
     service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
 ) -> JobOut:
-    """Create a job; 409 with ``questions`` if decisions are missing."""
+    """Create a job and compile it; 409 with ``questions`` if the drawing has open questions."""
     request = fingerprint(order.model_dump_json())
     row = service.store.jobs.find(key, request) if key else None
     if row is None:
@@ -119,7 +119,7 @@ def list_jobs(
     cursor: Cursor = None,
     limit: Limit = 100,
 ) -> list[JobOut]:
-    """List jobs, newest first; the Link header contains the next page."""
+    """List the jobs, newest first; the header ``Link`` contains the URL of the next page."""
     states = state or []
     rows = service.store.jobs.search(states, cursor, limit)
     last = rows[-1].serial if len(rows) == limit else None
@@ -130,13 +130,13 @@ def list_jobs(
 
 @router.get("/{id}")
 def get_job(service: ServiceDep, id: str) -> JobOut:
-    """Get a job."""
+    """Get a job with its state and its progress."""
     return job_out(service.store, service.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
 def get_job_events(service: ServiceDep, id: str) -> list[JobEvent]:
-    """List the transitions of a job with time, cause and reason."""
+    """List the state changes of a job with time, author and reason."""
     return [
         JobEvent.model_validate(
             {
@@ -155,7 +155,7 @@ def get_job_events(service: ServiceDep, id: str) -> list[JobEvent]:
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
 def get_program(service: ServiceDep, request: Request, id: str) -> Response:
-    """Download the program, byte for byte as sent to the machine."""
+    """Download the program of a job, byte for byte as it is sent to the machine."""
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
@@ -170,7 +170,7 @@ def get_verdict(
     id: str,
     format: Annotated[Literal["json", "columns"], Query()] = "json",
 ) -> Response:
-    """Get the verdict for each edge, as JSON or as binary columns (``format=columns``)."""
+    """Get the verdict with measurements for each edge, as JSON or as binary columns."""
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "verdict")
     if format == "columns":
@@ -179,7 +179,7 @@ def get_verdict(
 
 
 def verdict_out(block: bytes) -> VerdictOut:
-    """Return the API model of a stored verdict; columns missing in older ones are empty."""
+    """Return the API model of a stored verdict; columns that an older version lacks are empty."""
     columns, meta = unpack_columns(block)
     figures = {
         f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
@@ -203,7 +203,7 @@ def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
-    """Get the head's path as binary columns: pose, bulge, motion, feed, source, tool, line."""
+    """Get the path of the head as binary columns: pose, bulge, motion, feed, source, tool, line."""
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
     return bytes_response(request, block, row.program_sha256, "application/octet-stream")
@@ -211,16 +211,17 @@ def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
 
 @router.post("/{id}/release")
 def release_job(service: ServiceDep, id: str) -> JobOut:
-    """Queue a ready job."""
+    """Queue a job that is ready."""
     return job_out(service.store, service.store.jobs.release(id))
 
 
 @router.post("/{id}/confirm")
 def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) -> JobOut:
-    """Confirm that table, board and tools are ready; the machine then starts.
+    """Confirm that table, board and tools are ready; then the machine starts.
 
-    Between two copies this confirms the new sheet.  A confirmation is valid for the current claim
-    of the gateway; 409 if the job does not wait for one, or if another board is named.
+    Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
+    of the gateway.  The status is 409 if the job does not wait for a confirmation, or if another
+    board is named.
     """
     confirmation = found or ConfirmIn()
     return job_out(
@@ -230,25 +231,25 @@ def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) ->
 
 @router.post("/{id}/hold")
 def hold_job(service: ServiceDep, id: str) -> JobOut:
-    """Request a hold; the job is ``held`` when the machine has stopped."""
+    """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
     return job_out(service.store, service.store.jobs.hold(id))
 
 
 @router.post("/{id}/resume")
 def resume_job(service: ServiceDep, id: str) -> JobOut:
-    """Request to resume; between two copies this confirms the new sheet."""
+    """Request to resume a job; between two copies this confirms the new sheet."""
     return job_out(service.store, service.store.jobs.resume(id))
 
 
 @router.post("/{id}/cancel")
 def cancel_job(service: ServiceDep, id: str) -> JobOut:
-    """Cancel a job: immediately, or when the machine has stopped if the job is running."""
+    """Cancel a job: a running job when the machine has stopped, any other job immediately."""
     return job_out(service.store, service.store.jobs.cancel(id))
 
 
 @router.post("/{id}/finish")
 def finish_job(service: ServiceDep, id: str) -> JobOut:
-    """Declare an interrupted job finished: all its sheets are complete."""
+    """Declare that all sheets of an interrupted job are complete."""
     return job_out(service.store, service.store.jobs.declare_finished(id))
 
 
@@ -260,7 +261,7 @@ def requeue_job(service: ServiceDep, id: str) -> JobOut:
 
 @router.post("/{id}/scrap")
 def scrap_job(service: ServiceDep, id: str) -> JobOut:
-    """Scrap an interrupted job and free its table."""
+    """Give up an interrupted job and free the table of its machine."""
     return job_out(service.store, service.store.jobs.scrap(id))
 
 
@@ -299,7 +300,7 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
 
 
 def progress(row: Job) -> float:
-    """Return the completed share of the compile, or of the run, 0 … 1."""
+    """Return the completed fraction of the compile, or of the execution on the machine, 0 … 1."""
     match row.state:
         case State.DONE:
             return 1.0

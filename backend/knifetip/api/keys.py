@@ -17,12 +17,12 @@ _KEY = re.compile(r"[!-~]{8,200}")
 
 
 def load_key(key: str, file: Path | None) -> str:
-    """Return the given key or the key in the file; empty if neither is given.
+    """Return the given key, or the key in the file; "" if neither is given.
 
     Raises
     ------
     SettingsError
-        Both are given, the key is malformed, or the file cannot be used.
+        Key and file are given, the key is malformed, or the file cannot be used.
     """
     if key and file is not None:
         raise SettingsError("settings.two-keys")
@@ -52,12 +52,12 @@ def _check(key: str, what: str) -> str:
 
 
 def check_hosts(hosts: Sequence[str]) -> tuple[str, ...]:
-    """Return host names after checking their form.
+    """Return the host names as a tuple if each has the form NAME or NAME:PORT.
 
     Raises
     ------
     SettingsError
-        One of them is not of the form NAME or NAME:PORT.
+        A host name has another form.
     """
     for host in hosts:
         if parse_authority(host) is None:

@@ -1,4 +1,4 @@
-"""Routes for the import formats, boards and tools of the library."""
+"""Routes for import formats, for boards and for tools of the library."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ router = APIRouter(tags=["library"])
 
 @router.get("/formats")
 def list_formats() -> list[FormatOut]:
-    """List the file formats that drawings are imported from."""
+    """List the file formats from which drawings are imported."""
     return [
         FormatOut(name=one.name, title=one.title, extensions=list(one.extensions))
         for one in FORMATS
@@ -35,16 +35,16 @@ def list_boards() -> list[BoardOut]:
 
 @router.get("/boards/{name}")
 def get_board(name: str) -> BoardOut:
-    """Get a board."""
+    """Get a board of the library."""
     board = asdict(load.board(check_library_name("boards", name)))
     return BoardOut.model_validate({field: board[field] for field in BoardOut.model_fields})
 
 
 @router.post("/boards/{name}/deflection")
 def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
-    """Compute the deflection of a cutter in a board from measured points, by least squares.
+    """Compute the deflection of a cutter in a board from measured points by least squares.
 
-    Nothing is stored; ``toml`` contains the lines for the board's file.
+    Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
     """
     check_library_name("boards", name)
     station = find_cutter(load.machine(check_library_name("machines", order.machine)), order.tool)
@@ -70,7 +70,7 @@ def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
 
 @router.get("/tools")
 def list_tools() -> list[StationTool]:
-    """List the tools of all machines."""
+    """List the tools of all machines of the library."""
     return [
         StationTool.model_validate(
             {

@@ -1,6 +1,6 @@
-"""Middleware that refuses requests that are too large.
+"""Middleware that refuses requests whose body is too large.
 
-The size is taken from Content-Length if the client sends it, and counted otherwise.
+The size is the Content-Length that the client sends; without it, the received bytes are counted.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class TooLarge(Exception):
 
 
 class Limits:
-    """ASGI middleware that limits the size of requests."""
+    """ASGI middleware that limits the size of request bodies."""
 
     def __init__(self, app: ASGIApp, upload: int, body: int) -> None:
         self.app = app
@@ -28,7 +28,7 @@ class Limits:
         self.body = body
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Forward a request; refuse it with 413 if it exceeds its limit."""
+        """Forward a request; refuse it with 413 if its body exceeds the limit of the route."""
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return

@@ -18,7 +18,7 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 
 @router.get("")
 def list_machines(service: ServiceDep) -> list[MachineOut]:
-    """List the machines of the library."""
+    """List the machines of the library with their current jobs."""
     connected = service.store.gateways.connected(ABSENT)
     on_table = service.store.gateways.jobs_on_tables()
     return [
@@ -29,7 +29,7 @@ def list_machines(service: ServiceDep) -> list[MachineOut]:
 
 @router.get("/{name}")
 def get_machine(service: ServiceDep, name: str) -> MachineOut:
-    """Get a machine."""
+    """Get a machine of the library with its current job."""
     machine = load.machine(check_library_name("machines", name))
     return _machine_out(
         machine,

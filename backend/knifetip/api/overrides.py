@@ -56,7 +56,7 @@ def _select_edges(
     Raises
     ------
     RequestError
-        The override selects no edge, or names edges in more than one way.
+        The override selects no edge, or selects edges in more than one way.
     """
     by_layer = override.layer is not None or override.colour is not None
     if (override.edges is not None) + (override.handles is not None) + by_layer != 1:

@@ -25,7 +25,19 @@ def problem(
     revision: int | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> Response:
-    """Return an error response; ``title`` defaults to the reason phrase of the status."""
+    """Return an error response in the format of RFC 9457.
+
+    Parameters
+    ----------
+    kind
+        Last part of the URI of the error type.
+    title
+        Title of the error type; by default the reason phrase of the status.
+    source
+        Handles of entities, or names of fields, that the error concerns.
+    revision
+        Present revision of the drawing if the request named another revision.
+    """
     body = Problem.model_validate(
         {
             **message.as_json(),

@@ -1,7 +1,7 @@
-"""Routes for classification profiles: those of the library and those of customers.
+"""Routes for classification profiles of the library and of customers.
 
-A profile is sent as TOML or JSON.  A change names the version that it is based on; drawings and
-jobs keep the rules with which they were made.
+A profile is sent as TOML or JSON.  A change must name the version on which it is based.  Drawings
+and jobs keep the rules of the profile version with which they were made.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ Body = Annotated[bytes, Depends(_body)]
 
 @router.get("/profiles")
 def list_profiles(service: ServiceDep) -> list[ProfileOut]:
-    """List the classification profiles: those of customers, then those of the library."""
+    """List the classification profiles: first those of customers, then those of the library."""
     stored = service.store.profiles.all()
     names = {row.name for row in stored}
     shipped = [name for name in load.names("profiles") if name not in names]
@@ -80,7 +80,7 @@ def export_profile(service: ServiceDep, request: Request, name: str) -> Response
 
 @router.get("/profiles/{name}")
 def get_profile(service: ServiceDep, response: Response, name: str) -> ProfileOut:
-    """Get a classification profile; the first rule that matches an edge decides."""
+    """Get a classification profile; the first rule that matches an edge is used."""
     row = service.store.profiles.get(name)
     profile = (
         _shipped_out(check_library_name("profiles", name)) if row is None else _stored_out(row)
@@ -98,9 +98,9 @@ def keep_profile(
     body: Body,
     match: IfMatch = None,
 ) -> ProfileOut:
-    """Create or replace a customer's profile, sent as TOML or JSON.
+    """Create or replace the profile of a customer, which is sent as TOML or JSON.
 
-    To replace a profile, name the version that the change is based on.
+    To replace a profile, send the version on which the change is based in the header ``If-Match``.
     """
     custom_profiles.check_name(name)
     require_customer_profile(service, name)
@@ -154,7 +154,7 @@ def learn_from_corrections(service: ServiceDep, id: str) -> list[ProposalOut]:
 
 
 def fields_of(profile: ProfileIn) -> dict[str, Any]:
-    """Return a profile of a request in the form of the library's files."""
+    """Return the profile in a request as fields of a profile file of the library."""
     rules = [
         {key: value for key, value in rule.model_dump().items() if value} for rule in profile.rules
     ]
@@ -165,7 +165,7 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
 
 
 def _version(match: str | None) -> tuple[int | None, bool]:
-    """Return the version in an If-Match header, and whether any version is accepted."""
+    """Return the version in an If-Match header or None, and whether every version is accepted."""
     if match is None:
         return None, False
     if match.strip() == "*":
@@ -188,7 +188,7 @@ def _profile_in(body: bytes) -> ProfileIn:
 
 
 def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
-    """Return the place of a fault in a profile; rules are counted from 1."""
+    """Return the path of a faulty field in a profile; rules are counted from 1."""
     match loc:
         case ("rules", int(number), field, *_):
             return (f"rule {number + 1}", str(field)[:80])

@@ -1,11 +1,13 @@
 """Queue of requests that need a worker process; they wait in order and without a thread.
 
+::
+
     @router.post(…)
     @queued
     def upload_drawing(service: ServiceDep, …): …
 
-Only a few run at the same time, because each computing thread delays all others of the server.
-When too many wait, the next request is refused before anything of it is stored.
+Only a few calls run at the same time, because each computing thread delays all other threads of the
+server.  If too many calls wait, the next request is refused before any of its data is stored.
 """
 
 from __future__ import annotations
@@ -35,7 +37,7 @@ class WorkQueue:
     at_once
         Number of threads.
     waiting
-        Most calls that may wait.
+        Maximum number of waiting calls.
     """
 
     def __init__(self, at_once: int, waiting: int = WAITING) -> None:
@@ -51,7 +53,7 @@ class WorkQueue:
         Raises
         ------
         ServerBusy
-            Too many calls wait; this one was not executed.
+            Too many calls wait; ``call`` was not executed.
         """
         if self._inside >= self._most:
             waiting = self._inside - self._at_once
@@ -82,7 +84,7 @@ class _Queued(Protocol):
 
 
 def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
-    """Decorate a route so that it waits in the queue of its argument ``here``."""
+    """Decorate a route so that it waits in the queue of its argument ``service``."""
 
     @wraps(endpoint)
     async def route(*args: P.args, **named: P.kwargs) -> T:

@@ -34,12 +34,12 @@ IfNoneMatch = Annotated[
 
 
 def etag(revision: int, profile_state: str = "current") -> str:
-    """Return the ETag of a drawing."""
+    """Return the ETag of a drawing for a revision and a state of its profile."""
     return f'"{revision}"' if profile_state == "current" else f'"{revision}-{profile_state}"'
 
 
 def check_match(match: str | None, row: Drawing) -> None:
-    """Raise StaleRevision if an If-Match header does not match the drawing's ETag."""
+    """Raise StaleRevision if an If-Match header does not contain the ETag of the drawing."""
     if match is None or "*" in _tags(match):
         return
     named = [tag.partition("-")[0] for tag in _tags(match)]
@@ -48,13 +48,13 @@ def check_match(match: str | None, row: Drawing) -> None:
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
-    """Raise StaleRevision if a job names another revision than the drawing's."""
+    """Raise StaleRevision if a job request names another revision than that of the drawing."""
     if revision is not None and revision != row.version:
         raise StaleRevision(row.id, row.version, str(revision))
 
 
 def is_known(tag: str, none_match: str | None) -> bool:
-    """Return whether an If-None-Match header contains this ETag."""
+    """Return whether an If-None-Match header contains the ETag ``tag``."""
     known = list(_tags(none_match or ""))
     return "*" in known or tag.strip('"') in known
 

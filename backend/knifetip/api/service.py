@@ -1,4 +1,4 @@
-"""Settings and parts of a server, and helpers that several routes share."""
+"""Settings and components of a server, and helper functions for several routes."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ class Settings:
 
     database: str = "sqlite:///knifetip.sqlite"
     compiles: bool = True  #: False if compile workers run in other processes
-    name: str = ""  #: of this process, unique among its peers, the same after a restart
+    name: str = ""  #: unique name of this process, the same after a restart
     processes: int = 2  #: processes that read and compile
-    waiting: int = WAITING  #: most requests that may wait for a process
+    waiting: int = WAITING  #: maximum number of requests that wait for a process
     limit: float = LIMIT  #: time limit of reading or compiling (s)
-    upload: int = 64 * MEGABYTE  #: largest drawing (bytes)
-    body: int = 16 * MEGABYTE  #: largest other request (bytes)
+    upload: int = 64 * MEGABYTE  #: maximum size of a drawing (bytes)
+    body: int = 16 * MEGABYTE  #: maximum size of other requests (bytes)
     page: Path = Path(__file__).parent / "page"  #: folder of the built page
     access: AccessRules = field(default_factory=AccessRules)  #: access rules
 
 
 @dataclass(slots=True)
 class Service:
-    """Parts of one server."""
+    """Components of one server, which its routes use."""
 
     settings: Settings
     store: Store
@@ -61,12 +61,12 @@ class Service:
         self.store.changes.notify()
 
     def run(self, task: Callable[..., T], *arguments: object) -> T:
-        """Return what a task makes of a drawing in a worker process; blocks this thread.
+        """Run a task in a worker process and return its result; blocks the calling thread.
 
         Raises
         ------
         KnifetipError, TaskCancelled, TaskFailed
-            As for ``ProcessPool.run``.
+            See ``ProcessPool.run``.
         """
         self.warm_up.wait("drawings")
         return self.pool.run(task, *arguments, limit=self.settings.limit)
@@ -121,12 +121,12 @@ def check_library_name(shelf: str, name: str) -> str:
 
 
 def customer_rules(service: Service, name: str) -> str:
-    """Return the TOML of a customer's profile; empty for one of the library.
+    """Return the TOML text of a customer's profile; "" for a profile of the library.
 
     Raises
     ------
     LibraryError
-        There is no such profile.
+        No profile has the name.
     """
     row = service.store.profiles.get(name)
     if row is not None:
@@ -139,13 +139,13 @@ def customer_rules(service: Service, name: str) -> str:
 
 
 def require_customer_profile(service: Service, name: str) -> None:
-    """Raise WrongState if a profile belongs to the library and cannot be changed."""
+    """Raise WrongState if a profile belongs to the library, whose profiles cannot be changed."""
     if name in load.names("profiles") and service.store.profiles.get(name) is None:
         raise WrongState("profile.shipped", name=name)
 
 
 def set_next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
-    """Set the Link header to the next page of a list, if there is one."""
+    """Set the header ``Link`` to the URL of the next page of a list, unless ``cursor`` is None."""
     if cursor is not None:
         response.headers["Link"] = f'<{path}cursor={cursor}&limit={limit}>; rel="next"'
 
@@ -153,7 +153,7 @@ def set_next_page(response: Response, path: str, cursor: int | None, limit: int)
 def bytes_response(
     request: Request, content: bytes, tag: str, media: str, attachment: str = ""
 ) -> Response:
-    """Return a response with bytes and their ETag, or 304 if the client has them."""
+    """Return a response with bytes and their ETag, or 304 if the client already has the bytes."""
     headers = {"ETag": f'"{tag}"', "Cache-Control": "no-cache"}
     if f'"{tag}"' in request.headers.get("If-None-Match", ""):
         return Response(status_code=304, headers=headers)

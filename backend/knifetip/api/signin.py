@@ -1,9 +1,8 @@
-"""Sign-in of browsers: by a link with the key, or by entering the key.
+"""Sign-in of browsers, by a link with the key or by entering the key in a form.
 
-    GET /?key=KEY  or  POST /sign-in (key=KEY)  ->  session cookie, then the page
-
-A session is ``EXPIRY.SIGNATURE``, signed with the key.  The server stores no sessions; a new key
-invalidates all of them.
+``GET /?key=KEY`` and ``POST /sign-in`` with ``key=KEY`` set a session cookie and then show the
+page. A session is ``EXPIRY.SIGNATURE``, signed with the key.  The server stores no sessions; a new
+key invalidates all sessions.
 """
 
 from __future__ import annotations
@@ -47,7 +46,7 @@ _AGAIN = "again"  # query parameter of the second attempt
 
 
 def cookie_name(key: str) -> str:
-    """Return the name of the session cookie.
+    """Return the name of the session cookie of a server with the key ``key``.
 
     All ports of a host share their cookies, so the name depends on the key.
     """
@@ -61,7 +60,7 @@ def new_session(key: str, now: float) -> str:
 
 
 def is_session(cookie: str, key: str, now: float) -> bool:
-    """Return whether a cookie is a valid session of this key."""
+    """Return whether a cookie is a session that is signed with the key and not expired."""
     expiry, _, signature = cookie.partition(".")
     if not (expiry.isascii() and expiry.isdecimal() and len(expiry) < 16):
         return False
@@ -75,7 +74,7 @@ def _signature(key: str, expiry: str) -> str:
 
 
 async def given_key(request: Request) -> str | None:
-    """Return the key in the link or the form of a request, or None if there is none."""
+    """Return the key in the link or in the form of a request, or None if there is no key."""
     path = request.url.path
     if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
         return request.query_params.get("key")
@@ -96,7 +95,7 @@ def wants_page(request: Request) -> bool:
 
 
 def welcome(request: Request, key: str, now: float) -> Response:
-    """Return a response that sets the session cookie and goes to the URL without the key."""
+    """Return a response that sets the session cookie and opens the URL without the key."""
     # Not a redirect: after a link from another site a browser would follow it without the cookie.
     path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
     rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
@@ -120,7 +119,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL for a second attempt of a request; empty if this is the second."""
+    """Return the URL for a second attempt of a request; "" if the request is a second attempt."""
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:
         return ""
@@ -129,7 +128,13 @@ def retry_url(request: Request) -> str:
 
 
 def sign_in_page(fault: str = "", *, again: str = "") -> Response:
-    """Return the sign-in page; with ``again`` the browser first loads that URL."""
+    """Return the sign-in page with an error message.
+
+    Parameters
+    ----------
+    again
+        URL that the browser loads first, before it shows the form; "" for none.
+    """
     refresh = _refresh(again) if again else ""
     body = _PAGE.format(path=PATH, fault=html.escape(fault), refresh=refresh)
     return HTMLResponse(body, 401, headers=_HEADERS)

@@ -1,4 +1,4 @@
-"""Static files of the built page."""
+"""Static files of the built web page."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Separate threads for the requests of gateways.
 
 Uploads and new jobs occupy threads of the server's shared pool while they wait for a process.
-Heartbeats must not wait behind them: one that is late by a lease interrupts the cut.
+Heartbeats must not wait for these threads: if one is late by the duration of a lease, the service
+interrupts its job.
 """
 
 from __future__ import annotations
@@ -17,14 +18,14 @@ T = TypeVar("T")
 
 
 class GatewayThreads:
-    """Two thread pools, so that claims do not delay reports."""
+    """Two thread pools for requests of gateways, so that claims do not delay reports."""
 
     def __init__(self) -> None:
         self._reports = ThreadPoolExecutor(4, "report")
         self._claims = ThreadPoolExecutor(2, "claim")
 
     async def reports(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Execute a call of a heartbeat, a finish or a health check and return its result."""
+        """Execute a call for a heartbeat, a finish or a health check and return its result."""
         return await _run(self._reports, partial(call, *args, **named))
 
     async def claims(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:

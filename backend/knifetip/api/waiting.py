@@ -1,8 +1,8 @@
-"""What a job waits for: a field for programs and a message for the operator.
+"""The reason why a job waits: a field for programs and a message for the operator.
 
 The field ``waiting_for`` is one of
 
-- ``confirmation``: the operator must confirm table, board and tools before the first line,
+- ``confirmation``: the operator must confirm table, board and tools before the first program line,
 - ``sheet``: the operator must confirm the sheet of the next copy,
 - ``machine``: the job is next, but its machine has not claimed it,
 - ``turn``: other jobs of the machine come first,
@@ -30,14 +30,14 @@ ABSENT = 6.0
 
 
 class Waiting(NamedTuple):
-    """What a job waits for: the field for programs and the message for the operator."""
+    """The reason why a job waits, as a field for programs and as a message for the operator."""
 
     waiting_for: WaitingFor = ""
     message: Message | None = None
 
 
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
-    """Return what each job waits for; queries the store only if a job is queued."""
+    """Return the reason for each job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.gateways.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]
@@ -64,7 +64,7 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
 
 
 def _tools(row: Job) -> Message | None:
-    """Return the stations that the program uses, None if they are not known."""
+    """Return a message with the stations that the program uses, None if there are none."""
     tools = [
         Message("waiting.tool", name=tool["name"], station=tool["station"]) for tool in row.tools
     ]
@@ -114,7 +114,7 @@ def _title(machine: str) -> str:
 
 
 def board_message(board: str) -> Message:
-    """Return a board's name and caliper; the name alone if it is not in the library any more."""
+    """Return a message with name and caliper of a board, or its name if the library lacks it."""
     try:
         caliper = load.board(board, files=False).caliper
     except LibraryError:

@@ -10,13 +10,13 @@ from knifetip.jobs.changes import Changes
 
 
 class Wake:
-    """Event that every change in the store sets, from any thread."""
+    """An event of the running event loop that every change in the store sets, from any thread."""
 
     def __init__(self) -> None:
         self._event = asyncio.Event()
 
     async def wait(self, seconds: float) -> None:
-        """Wait for the next change since the last call, at most ``seconds``."""
+        """Wait for the next change since the previous call, at most ``seconds``."""
         with suppress(TimeoutError):
             await asyncio.wait_for(self._event.wait(), seconds)
         self._event.clear()

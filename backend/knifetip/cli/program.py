@@ -227,7 +227,7 @@ def program(
 
 
 def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any]:
-    """Return a program's figures, its verdict and the import report of its drawing as JSON data."""
+    """Return figures and verdict of a compiled program as JSON data."""
     return {
         "placement": list(result.placement),
         "seconds": result.seconds,

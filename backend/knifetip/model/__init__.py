@@ -1,1 +1,1 @@
-"""Records that the stages exchange: frozen columns and values without behaviour of a stage."""
+"""Records that the stages of the pipeline exchange: frozen dataclasses and columns of numbers."""

@@ -1,4 +1,4 @@
-"""Board: one material in one thickness, with its parameters for creasing and grooving."""
+"""Records of a board: material, caliper, and parameters for creasing, grooving and cutting."""
 
 from __future__ import annotations
 
@@ -7,16 +7,19 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Deflection:
-    """Greatest deflection of a tool in this board: ΔXmax and ΔYmax of the radius paper."""
+    """Measured maximum deflection of one cutter under load in one board.
 
-    tool: str  #: name of its station
-    x: float  #: δx, greatest deflection in X (mm)
-    y: float  #: δy, greatest deflection in Y (mm)
+    ΔXmax and ΔYmax of the radius compensation paper (``compensation.deflection``).
+    """
+
+    tool: str  #: name of the station that holds the cutter
+    x: float  #: δx, maximum deflection in X (mm)
+    y: float  #: δy, maximum deflection in Y (mm)
 
 
 @dataclass(frozen=True, slots=True)
 class Board:
-    """One material in one thickness."""
+    """A board: one material in one thickness, with the parameters of its operations."""
 
     name: str
     title: str
@@ -24,16 +27,16 @@ class Board:
     caliper: float  #: T (mm)
     grain: float  #: azimuth of flute or grain on the sheet (degrees)
     crease_along: float  #: depth of a crease that runs along flute or grain (mm)
-    crease_across: float  #: depth of a crease that runs across it (mm)
+    crease_across: float  #: depth of a crease across flute or grain (mm)
     end_clearance: float  #: setback of a crease at a free end (mm)
-    groove_depth: float  #: of a V-groove below the top face (mm)
-    groove_overcut: float  #: greatest overcut of a V-groove's blade at its ends (mm)
-    half_cut_depth: float  #: below the top face (mm)
+    groove_depth: float  #: depth of a V-groove below the top face (mm)
+    groove_overcut: float  #: maximum overcut of the blade at the ends of a V-groove (mm)
+    half_cut_depth: float  #: depth of a half cut below the top face (mm)
     perforation: tuple[float, float]  #: length of cut and of gap (mm)
-    short_crease: str  #: "press" in place to a smaller depth, or "refuse"
+    short_crease: str  #: "press" a too short crease in place, or "refuse" it
     bridge_width: float = 0.0  #: width of a bridge (nick) (mm); 0 for no bridges
-    bridge_spacing: float = 0.0  #: greatest distance between bridges along an outer cut (mm)
-    double_crease: float = 0.0  #: distance of a double crease's lines (mm); 0: single creases
-    groove_pass: float = 0.0  #: greatest depth of one pass of a V-groove (mm); 0 for no limit
-    groove_curve: float = 0.0  #: greatest distance of chords from a curved groove (mm); 0: none
-    deflection: tuple[Deflection, ...] = ()  #: of the tools that were measured in this board
+    bridge_spacing: float = 0.0  #: maximum distance of bridges along an outer cut (mm)
+    double_crease: float = 0.0  #: distance of the two parallel creases (mm); 0: single
+    groove_pass: float = 0.0  #: maximum depth of one pass of a V-groove (mm); 0: no limit
+    groove_curve: float = 0.0  #: maximum chord error of a curved groove (mm); 0: refused
+    deflection: tuple[Deflection, ...] = ()  #: of the cutters measured in this board

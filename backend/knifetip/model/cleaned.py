@@ -1,4 +1,4 @@
-"""Cleaned: a dieline put in order, and what became of every edge that was drawn."""
+"""Records of cleaning: the cleaned dieline, and the outcome of cleaning for every drawn edge."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from knifetip.model.drawing import ImportOutcome
 class CleaningReason(IntEnum):
     """Reason for the outcome of cleaning an edge."""
 
-    AS_DRAWN = 0  #: kept, bit for bit
-    MOVED = 1  #: kept, an end brought to another one
-    SHORTENED = 2  #: kept in part: the rest lies on other edges
-    LONGER = 3  #: kept, and others have become one edge with it
-    JOINED = 4  #: it has become one edge with another that it goes on in
-    FITTED = 5  #: it is a part of a flattened curve that has become a line or an arc
-    TWICE = 6  #: it lies on other edges along its whole length
-    SPECK = 7  #: it is too short to be worked
-    NO_WORK = 8  #: it is ignored or not classified, and left as it is
+    AS_DRAWN = 0  #: kept unchanged
+    MOVED = 1  #: kept; an end was moved to the end of another edge
+    SHORTENED = 2  #: kept in part; the rest coincides with other edges
+    LONGER = 3  #: kept; other edges were joined to it
+    JOINED = 4  #: joined to a collinear edge, which became longer
+    FITTED = 5  #: one of several chords replaced by a line or an arc
+    TWICE = 6  #: coincides with other edges along its whole length
+    SPECK = 7  #: dropped because it is too short to be machined
+    NO_WORK = 8  #: not cleaned because it is ignored or not classified
 
     @property
     def message(self) -> Message:
-        """The reason without positions and measures."""
+        """Message that states the reason without positions and lengths."""
         return _MESSAGES[self]
 
 
@@ -48,13 +48,16 @@ _MESSAGES = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stretches:
-    """q parts of drawn edges, which cover all that is to be worked, in the order of the drawing."""
+    """q stretches (parts of drawn edges) that together cover all edges to be machined.
+
+    The order is that of the drawing.
+    """
 
     row: I32  #: (q,) row in the drawn dieline
-    begin: F64  #: (q,) where the part begins, 0 … 1 of the drawn edge's length
-    end: F64  #: (q,) where it ends
-    cleaned: I32  #: (q,) row in the cleaned dieline that does its work, -1 where it was dropped
-    given: Bool  #: (q,) whether it lies on another edge, and so is not worked once more
+    begin: F64  #: (q,) start of the stretch, 0 … 1 of the edge's length
+    end: F64  #: (q,) end of the stretch, 0 … 1 of the edge's length
+    cleaned: I32  #: (q,) row of the cleaned edge that covers it; -1 if dropped
+    given: Bool  #: (q,) whether another drawn edge covers it, too
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -71,27 +74,27 @@ class Stretches:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cleaned:
-    """What n drawn edges became: m ≥ n edges.
+    """The cleaned dieline, and the outcome of cleaning for each of n drawn edges.
 
-    The first n rows of ``dieline`` are those of the drawing.  An edge that has become a part of
-    another one, or was dropped, stands there as it was drawn and is ignored; what an edge was
-    parted into beyond one piece follows at the end.  ``dieline.source`` says for each of the m
-    rows which row of the drawing to show for it.
+    The cleaned dieline has m ≥ n edges.  Its first n rows correspond to the drawn edges; an edge
+    that was merged or dropped keeps its row and has the line type *ignored*.  If a drawn edge was
+    split, its first piece keeps the row and the other pieces follow at the end.  ``dieline.source``
+    contains for each of the m edges the row of the drawn edge that represents it.
 
-    Lengths add up: ``kept + merged + dropped`` is what was drawn, edge by edge; the length of the
-    cleaned edges that are worked is the sum of ``kept`` and of ``added``.
+    For each drawn edge ``kept + merged + dropped`` is its drawn length.  The total length of the
+    edges to be machined is the sum of ``kept`` and ``added`` over all edges.
     """
 
     dieline: Dieline
-    of: I32  #: (n,) cleaned row that does most of the edge's work, -1 where it was dropped
+    of: I32  #: (n,) row of the cleaned edge that covers most of it; -1 if dropped
     outcome: U8  #: (n,) ImportOutcome
     reason: U8  #: (n,) CleaningReason
-    kept: F64  #: (n,) length that is worked for this edge (mm)
-    merged: F64  #: (n,) length that lies on other edges, which are worked (mm)
-    dropped: F64  #: (n,) length of specks (mm)
-    added: F64  #: (n,) length that closing gaps and fitting curves added to it; < 0: took (mm)
-    moved: F64  #: (n,) the farthest that an end was moved (mm)
-    off: F64  #: (n,) the farthest that the drawn edge is from the edge that does its work (mm)
+    kept: F64  #: (n,) length that is machined for the edge (mm)
+    merged: F64  #: (n,) length covered by other edges, which are machined (mm)
+    dropped: F64  #: (n,) length that is too short to be machined (mm)
+    added: F64  #: (n,) length added by closing gaps and fitting curves (mm)
+    moved: F64  #: (n,) maximum distance by which an end was moved (mm)
+    off: F64  #: (n,) maximum distance from the cleaned edge that covers it (mm)
     stretches: Stretches
 
     def __post_init__(self) -> None:
@@ -105,16 +108,19 @@ class Cleaned:
 
     @property
     def changed(self) -> Bool:
-        """(n,) Whether the edge is worked otherwise than as it was drawn."""
+        """Mask of the drawn edges that cleaning changed, shape (n,)."""
         return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
 
     def into(self, row: int) -> int:
-        """Return the row of the drawing that stands for the edge's work, -1 where there is none."""
+        """Return the row of the drawn edge with which an edge was merged, or -1 if it was dropped.
+
+        An edge that was kept returns its own row.
+        """
         cleaned = self.of[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
 
     def describe(self, row: int) -> Message:
-        """Return what became of a drawn edge."""
+        """Return a message with the outcome of cleaning for the drawn edge in a row."""
         match CleaningReason(self.reason[row]):
             case CleaningReason.SPECK:
                 return Message("cleaning.dropped-speck", length=self.dropped[row])
@@ -141,8 +147,11 @@ class Cleaned:
 
     @property
     def lengths(self) -> dict[str, float]:
-        """Lengths over all (mm): ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``;
-        ``worked`` that of ``kept`` and ``added``; ``no_work`` is ignored or not classified."""
+        """Total lengths by name (mm).
+
+        ``drawn`` = ``kept`` + ``merged`` + ``dropped``, ``worked`` = ``kept`` + ``added``, and
+        ``no_work`` is the length of edges that are ignored or not classified.
+        """
         at_work = self.reason != CleaningReason.NO_WORK
         kept, merged, dropped, added = (
             float(column[at_work].sum())
@@ -159,7 +168,13 @@ class Cleaned:
         }
 
     def as_json(self, handles: Sequence[str]) -> dict[str, object]:
-        """Return the cleaning report as JSON data: lengths, counts, one row per changed edge."""
+        """Return the cleaning report as JSON data: lengths, counts, one row per changed edge.
+
+        Parameters
+        ----------
+        handles : (n,)
+            Handles of the drawn edges.
+        """
         return {
             "lengths": self.lengths,
             "edges": {outcome.name.lower(): self.count(outcome) for outcome in ImportOutcome},
@@ -185,5 +200,5 @@ class Cleaned:
         }
 
     def count(self, outcome: ImportOutcome) -> int:
-        """Return how many edges have this outcome."""
+        """Return the number of drawn edges with an outcome."""
         return int((self.outcome == outcome).sum())

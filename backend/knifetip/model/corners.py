@@ -1,4 +1,4 @@
-"""Corners: the path of a cutter round convex corners, and what happens where it does not fit."""
+"""Corner types of a job: the path of a cutter round convex corners of contours."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-#: The types of transition; a code in a column is an index into this.
+#: Corner types; a code in a column is an index into this tuple.
 TYPES: Final = ("B", "C", "D", "auto")
-#: In a column of codes: the corner has the type of its operation.
+#: Code in a column: the corner has the corner type of its operation.
 AS_OTHERS: Final = 255
-#: What happens where a cutter does not fit: the place stays uncut, or the job is refused.
+#: Reaction if a cutter does not fit: leave the area uncut, or refuse the job.
 INTERFERENCES: Final = ("trim", "refuse")
 
 
@@ -21,28 +21,28 @@ class CornerAt:
     x: float  #: mm
     y: float  #: mm
     type: str  #: one of ``TYPES``
-    k: float | None = None  #: parameter of type D; None for that of the operation
+    k: float | None = None  #: parameter of type D; None: as the operation
 
 
 @dataclass(frozen=True, slots=True)
 class Corners:
-    """Corner types of a job on a router or a beam."""
+    """Corner types of a job on a machine with a router or a laser."""
 
     type: str = "auto"  #: one of ``TYPES``
     k: float = 0.5  #: parameter of type D, from 0 (like B) to 1 (like C)
     interference: str = "trim"  #: one of ``INTERFERENCES``
-    at: tuple[CornerAt, ...] = ()  #: corners with a type of their own
+    at: tuple[CornerAt, ...] = ()  #: corners whose type differs
     placement: tuple[float, float] = (0.0, 0.0)  #: offset of the drawing on the sheet (mm)
 
     def as_json(self) -> dict[str, Any]:
-        """Return the choices as plain data, in the drawing's coordinates."""
+        """Return the corner types as JSON data, with positions in coordinates of the drawing."""
         plain = asdict(self)
         del plain["placement"]
         return plain
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> Corners:
-        """Return the choices from plain data, as stored with a job."""
+        """Return the corner types from JSON data that ``as_json`` made."""
         return cls(
             plain["type"],
             plain["k"],

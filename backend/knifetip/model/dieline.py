@@ -1,4 +1,4 @@
-"""Dieline: the edges of a drawing, each with its line type and the reason for it."""
+"""Records of a dieline: the edges of a drawing with line types and the reasons for them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from knifetip.messages import Message
 
 
 class LineType(IntEnum):
-    """What an edge is made as."""
+    """The way in which an edge is machined, or the reason why it is not."""
 
     UNCLASSIFIED = 0
     CUT = 1
@@ -25,7 +25,7 @@ class LineType(IntEnum):
 
     @property
     def word(self) -> str:
-        """Name in files, in JSON and on the page: ``v-groove``, ``half-cut`` …"""
+        """Name of the line type in files, in JSON and on the page, such as ``v-groove``."""
         return self.name.lower().replace("_", "-")
 
     @classmethod
@@ -46,20 +46,16 @@ class LineType(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Dieline:
-    """n edges in the order of the drawing, not yet connected to paths.
-
-    Faces and parts come from the planar graph of all edges that may belong to the carton, whatever
-    their line types.  Edges that the profile ignores are in no part and have no faces.
-    """
+    """n classified edges in the order of the drawing, which are not yet connected to paths."""
 
     ends: F64  #: (n, 2, 2) mm
     bulge: F64  #: (n,) tan(sweep / 4)
     line_type: U8  #: (n,) LineType
-    source: I32  #: (n,) row in Drawing
-    rule: I32  #: (n,) index into ``rules``
-    confidence: F64  #: (n,) 0 … 1
-    rules: tuple[Message, ...]  #: reasons: ``layer "FOLDS"``, ``override`` …
-    #: for each of ``rules``, other line types of its edges, the likeliest first
+    source: I32  #: (n,) row of the edge in the drawing
+    rule: I32  #: (n,) index into ``rules``; -1 for no rule
+    confidence: F64  #: (n,) confidence in the line type, 0 … 1
+    rules: tuple[Message, ...]  #: reasons for line types, such as ``layer "FOLDS"``
+    #: for each of ``rules`` the other possible line types, most likely first
     alternatives: tuple[tuple[LineType, ...], ...] = ()
     #: (n, 2) faces on the left and on the right of the longest piece of each edge, -1 for the
     #: outside of all contours; -1 on both sides if the edge is in no part or has no length

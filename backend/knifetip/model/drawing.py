@@ -1,4 +1,4 @@
-"""Drawing: the contents of a file as edges in millimetres, with the entity of each."""
+"""Records of a drawing: its edges in millimetres, its annotations and its import report."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from knifetip.model.unit import UnitHint
 
 
 class ImportOutcome(IntEnum):
-    """What became of an entity of the file."""
+    """The outcome of import for an entity of the file, or of cleaning for an edge."""
 
     KEPT = 0
     MERGED = 1
@@ -24,9 +24,9 @@ class ImportOutcome(IntEnum):
 
 
 class LocationBoxes(NamedTuple):
-    """Bounding boxes of k entities that gave no segments and whose location is known."""
+    """Bounding boxes of k entities without edges whose location is known."""
 
-    rows: I32  #: (k,) of the import report, rising
+    rows: I32  #: (k,) row of each entity in the import report, ascending
     box: F64  #: (k, 4) x min, y min, x max, y max (mm; file units while the unit is unknown)
 
 
@@ -35,26 +35,26 @@ NO_BOXES: Final = LocationBoxes(
 )
 
 
-#: Reason of entities that were kept as they are.
+#: Reason for entities that were kept unchanged.
 KEPT: Final = Message("import.kept")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ImportReport:
-    """The import report: one row for every entity of the file, with its outcome and the reason.
+    """The import report of a file: outcome and reason for each of m entities.
 
-    An entity inside a block has one row for each INSERT of the block: its handle is
-    ``INSERT/CHILD``, its kind that of the child.
+    An entity in a block has one row for each INSERT of the block; its handle is ``INSERT/CHILD``
+    and its kind is that of the entity in the block.
     """
 
-    handle: Sequence[str]  #: (m,) the file's handle, or ``#17`` (17th entity) where it has none
+    handle: Sequence[str]  #: (m,) handle in the file, or ``#17`` for the 17th entity
     kind: Sequence[str]  #: (m,) LINE, ARC, INSERT …
-    layer: Sequence[str]  #: (m,) layer name as the file writes it
+    layer: Sequence[str]  #: (m,) layer name as in the file
     outcome: U8  #: (m,) ImportOutcome
-    reason: Sequence[Message]  #: (m,) why it was kept, merged or dropped
-    length: F64  #: (m,) length of its segments (mm; file units while the unit is unknown)
-    block: Sequence[str] = ()  #: (m,) the block that holds it, "" for none; or () where unknown
-    location_boxes: LocationBoxes = NO_BOXES  #: of entities without segments
+    reason: Sequence[Message]  #: (m,) reason for the outcome
+    length: F64  #: (m,) length of its edges (mm; file units if the unit is unknown)
+    block: Sequence[str] = ()  #: (m,) name of its block, "" for none; () if unknown
+    location_boxes: LocationBoxes = NO_BOXES  #: of entities without edges
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
@@ -74,18 +74,18 @@ class ImportReport:
 
 
 class Annotation(NamedTuple):
-    """A text or a dimension of the drawing.  Annotations are never worked."""
+    """A text or a dimension of the drawing; annotations are never machined."""
 
-    text: str  #: without codes for fonts and colours; of a dimension, its text override
-    x: float  #: insertion point (mm; file units while the unit is unknown)
+    text: str  #: without format codes; for a dimension its text override
+    x: float  #: insertion point (mm; file units if the unit is unknown)
     y: float
-    height: float  #: of the letters, 0 where the file does not give it
-    measure: float  #: the length that a dimension measures; NaN for angles and all other kinds
+    height: float  #: height of the letters, 0 if the file does not state it
+    measure: float  #: length that a dimension measures; NaN for other kinds
     kind: str  #: TEXT, MTEXT, ATTRIB, DIMENSION …
     layer: str
 
     def scaled(self, divisor: float, factor: float) -> Annotation:
-        """Return the annotation in another unit: all lengths are divided, then multiplied."""
+        """Return the annotation with all lengths divided by ``divisor``, then times ``factor``."""
         if divisor == factor == 1.0:
             return self
         return Annotation(
@@ -101,23 +101,23 @@ class Annotation(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawing:
-    """n edges in the order of the file: lines, and arcs of at most half a turn."""
+    """A drawing of n edges in the order of the file: lines, and arcs of at most 180°."""
 
     ends: F64  #: (n, 2, 2) mm; in file units while ``unit`` is empty
     bulge: F64  #: (n,) tan(sweep / 4), |bulge| ≤ 1
-    entity: I32  #: (n,) row in ``import_report``
+    entity: I32  #: (n,) row of its entity in ``import_report``
     layer: I32  #: (n,) index into ``layers``
-    colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved; 7 by default
-    true_colour: I32  #: (n,) 0xRRGGBB, -1 where there is none
+    colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved
+    true_colour: I32  #: (n,) 0xRRGGBB, -1 if the entity has none
     linetype: I32  #: (n,) index into ``linetypes``, BYLAYER resolved
     layers: tuple[str, ...]
     linetypes: tuple[str, ...]
     import_report: ImportReport
-    unit: str  #: "mm", "cm", "m", "in", "ft"; empty while it is unknown
-    evidence: Message  #: source of the unit: "$INSUNITS = 4", "given", or why it is unknown
-    stated: str = ""  #: the unit in the file's header, even if another one is used
-    annotations: tuple[Annotation, ...] = ()  #: those of model space, in file order
-    hints: tuple[UnitHint, ...] = ()  #: other entries of the header that concern the unit
+    unit: str  #: "mm", "cm", "m", "in", "ft"; empty if unknown
+    evidence: Message  #: source of the unit, or the reason why it is unknown
+    stated: str = ""  #: unit in the header of the file, used or not
+    annotations: tuple[Annotation, ...] = ()  #: annotations of model space, in file order
+    hints: tuple[UnitHint, ...] = ()  #: further header entries about the unit
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -132,23 +132,31 @@ class Drawing:
 
     @property
     def handles(self) -> list[str]:
-        """(n,) The handle of each edge's entity."""
+        """Handle of the entity of each edge, n strings."""
         every = list(self.import_report.handle)
         return [every[row] for row in self.entity.tolist()]
 
     @property
     def lengths(self) -> F64:
-        """(n,) Length of each edge (mm)."""
+        """Length of each edge, shape (n,) (mm)."""
         return arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
 
     @property
     def bounds(self) -> F64:
-        """(4,) x min, y min, x max, y max of all edges; zeros for an empty drawing."""
+        """Bounding box of all edges, (4,): x min, y min, x max, y max (mm); zeros for no edges."""
         return extents(self.ends, self.bulge)
 
 
 def extents(ends: F64, bulge: F64) -> F64:
-    """Return the bounding box of edges, (4,): x min, y min, x max, y max; zeros for none."""
+    """Return the bounding box of edges, (4,): x min, y min, x max, y max; zeros for no edges.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end point of each edge (mm).
+    bulge : (n,)
+        tan(sweep / 4) of each edge.
+    """
     if len(ends) == 0:
         return np.zeros(4)
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)

@@ -16,9 +16,9 @@ NO_OVERRIDE: Final = 255
 
 @dataclass(frozen=True, slots=True)
 class Interpretation:
-    """The decisions that turn the bytes of a file into a dieline for a job.
+    """The user's decisions about a drawing: unit, profile, overrides and corner types.
 
-    It holds plain values only, so that it can be stored and sent to another process.
+    All fields are plain values, so that it can be stored and sent to another process.
     """
 
     unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" leaves it to the file
@@ -30,5 +30,5 @@ class Interpretation:
 
     @property
     def override_column(self) -> U8 | None:
-        """(n,) ``NO_OVERRIDE`` or LineType; None where no edge is overridden."""
+        """Override of each edge, (n,): ``NO_OVERRIDE`` or a LineType; None for no overrides."""
         return np.frombuffer(self.overrides, np.uint8) if self.overrides else None

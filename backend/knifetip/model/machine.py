@@ -1,4 +1,4 @@
-"""Machine: its axes, and its tool stations with their datums."""
+"""Records of a machine: its axes, its tool stations and its settings."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One axis: its travel and its limits of speed (mm or degrees, and seconds)."""
+    """Travel, maximum velocity and acceleration of one axis of a machine (mm or degrees, s)."""
 
-    low: float  #: least joint position
-    high: float  #: greatest joint position
-    velocity: float  #: per second
-    acceleration: float  #: per second squared
+    low: float  #: minimum joint position
+    high: float  #: maximum joint position
+    velocity: float  #: maximum velocity (per second)
+    acceleration: float  #: maximum acceleration (per second squared)
 
 
 @dataclass(frozen=True, slots=True)
 class Station:
-    """A place on the head that holds one tool.
+    """A mount on the head of the machine, with the tool that it holds.
 
-    Joint position = programmed position + datum.
+    The joint position of the machine is the programmed position plus the datum of the station.
     """
 
-    number: int  #: the T word
+    number: int  #: number in the T word of programs
     name: str
     tool: Tool
     x: float  #: datum (mm)
@@ -36,29 +36,29 @@ class Station:
 
     @property
     def beams(self) -> bool:
-        """Whether its tool is switched on only while it cuts, like a laser."""
+        """Whether the tool is switched on only while it cuts, like a laser."""
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return the planner for a line type that its tool makes."""
+        """Return the planner for a line type that the tool of the station makes."""
         return kind_of(self.tool).planners[line_type]
 
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """A flatbed sample-maker.  Z0 is the top of the cutting mat, up is positive."""
+    """A flatbed sample-maker; Z is 0 on the top face of the cutting mat and positive upwards."""
 
     name: str
     title: str
-    width: float  #: of the table, along X (mm)
-    height: float  #: of the table, along Y (mm)
+    width: float  #: width of the table along X (mm)
+    height: float  #: height of the table along Y (mm)
     x: Axis
     y: Axis
     z: Axis
     c: Axis
     stations: tuple[Station, ...]
-    dialect: str  #: name of its controller's language
-    origin: tuple[float, float]  #: position of a drawing's lower left corner (mm)
+    dialect: str  #: name of the controller language
+    origin: tuple[float, float]  #: position of the lower left corner of a drawing (mm)
     travel_z: float  #: height of the tip above the mat in air moves (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     into_mat: float  #: depth of a through cut in the mat (mm)
@@ -68,27 +68,30 @@ class Machine:
 
     @property
     def outputs(self) -> tuple[int, ...]:
-        """All digital outputs of the pistons and of the tools, ascending."""
+        """Numbers of all digital outputs of the pistons and the tools, ascending."""
         pistons = {station.output for station in self.stations if station.output >= 0}
         others = {output for station in self.stations for output in station.tool.outputs}
         return tuple(sorted(pistons | others))
 
     @property
     def has_beam(self) -> bool:
-        """Whether a station holds a beam, which must be off in all air moves."""
+        """Whether a station holds a laser, which must be off in all air moves."""
         return any(station.beams for station in self.stations)
 
     @property
     def offset_cuts(self) -> bool:
-        """Whether cuts are offset from their line, so that corner types apply."""
+        """Whether cuts are offset from the drawn line, so that corner types apply."""
         station = self.station_for(LineType.CUT)
         return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
 
     def station_for(self, line_type: LineType, caliper: float | None = None) -> Station | None:
-        """Return the station for a line type, None if there is none.
+        """Return the station whose tool makes a line type, or None if the machine has none.
 
-        Of several stations with one kind of tool, the tool that suits the board is chosen if the
-        board's caliper (mm) is given, and otherwise the first.
+        Parameters
+        ----------
+        caliper
+            Thickness of the board (mm): of several tools of one kind the tool that suits it is
+            chosen. None chooses the first tool.
         """
         for kind in KINDS:
             held = [station for station in self.stations if type(station.tool) is kind.tool]
@@ -98,12 +101,12 @@ class Machine:
         return None
 
     def station(self, number: int) -> Station:
-        """Return the station with this T number.
+        """Return the station with a T number.
 
         Raises
         ------
         KeyError
-            The machine has no such station.
+            The machine has no station with the number.
         """
         for station in self.stations:
             if station.number == number:

@@ -1,4 +1,4 @@
-"""Operation: paths that one tool works with one line type."""
+"""Records of an operation: paths that one tool machines with one line type."""
 
 from __future__ import annotations
 
@@ -16,50 +16,50 @@ from knifetip.model.tool import Tool
 
 
 class End(IntEnum):
-    """What lies at the end of a path, which decides where the tool must stop."""
+    """The surroundings of an end of a path, which determine where the tool must stop."""
 
-    FREE = 0  #: nothing: the tool must not work beyond it
+    FREE = 0  #: no other path; the tool must not cut beyond the end
     CONTINUED = 1  #: another path of the same tool that continues in the same direction
-    MEETS = 2  #: another cut: the tool may work beyond the end
+    MEETS = 2  #: another cut; the tool may cut beyond the end
     CLOSED = 3  #: the other end of the same path
-    BRIDGE = 4  #: a bridge that holds the part: the tool must not work it
+    BRIDGE = 4  #: a bridge that holds the part; the tool must not cut it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """One tool on p paths, in sheet coordinates."""
+    """Parameters for one tool on p paths with n segments, in coordinates of the sheet."""
 
-    paths: Paths  #: p paths of n segments: the line that the tip must follow
+    paths: Paths  #: p paths of n segments, which the tip must follow
     line_type: LineType
     tool: Tool
-    station: int  #: T number
-    depth: F64  #: (n, passes) below the board's top face (mm)
+    station: int  #: number of the station in the T word
+    depth: F64  #: (n, passes) depth of each pass below the top face of the board (mm)
     caliper: float  #: of the board (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     feed: float  #: mm/min
     plunge: float  #: mm/min
-    swivel: float  #: degrees/min of C while the tool is in the board
-    end_clearance: float  #: mm, for creases
-    overcut: float  #: greatest overcut of a V-groove's blade at its ends (mm)
+    swivel: float  #: rotation of C while the tool is in the board (degrees/min)
+    end_clearance: float  #: setback of a crease at a free end (mm)
+    overcut: float  #: maximum overcut of the blade at the ends of a V-groove (mm)
     short_crease: str  #: "press" or "refuse"
-    start: U8  #: (p,) End, where each path begins
-    finish: U8  #: (p,) End, where it ends
-    source: I32  #: (n,) row in Dieline
+    start: U8  #: (p,) End at the start of each path
+    finish: U8  #: (p,) End at the end of each path
+    source: I32  #: (n,) row of the edge in the dieline
     #: (p, 2) length beyond start and end, past the edge of the board (mm); default 0
     run_out: F64 = field(default_factory=lambda: np.zeros((0, 2)))
-    side: int = 0  #: of the tool: +1 left of travel, -1 right, 0 on the line
+    side: int = 0  #: side of the tool: +1 left of travel, -1 right, 0 on the line
     corner: str = "B"  #: type of convex corners: B, C, D or auto
     k: float = 0.5  #: parameter of type D
     #: (n,) parameter of type D at the start of each segment; NaN for ``k``; default NaN
     k_at: F64 = field(default_factory=lambda: np.zeros(0))
     #: (n,) corner type at the start of each segment: index into ``corners.TYPES``, or ``AS_OTHERS``
     corner_at: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
-    acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corners "auto"
-    interference: str = "trim"  #: "trim" leaves uncut what a cutter cannot reach, or "refuse"
+    acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corner type auto
+    interference: str = "trim"  #: "trim": leave unreachable areas uncut; or "refuse" the job
     deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
     #: (k, 2) segment, and position along it (mm), of the middle of each bridge
     bridges: F64 = field(default_factory=lambda: np.zeros((0, 2)))
-    bridge_width: float = 0.0  #: of each of them (mm)
+    bridge_width: float = 0.0  #: width of each bridge (mm)
 
     def __post_init__(self) -> None:
         put = object.__setattr__

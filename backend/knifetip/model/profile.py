@@ -1,4 +1,4 @@
-"""LineRules: a classification profile, a customer's rules from styles to line types."""
+"""Records of a classification profile: rules that assign line types to edges by their style."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from knifetip.model.dieline import LineType
 
 @dataclass(frozen=True, slots=True)
 class LineRule:
-    """A rule: edges that match all its conditions have its line type.
+    """A rule of a profile: an edge that matches all conditions gets the line type of the rule.
 
-    Patterns are shell globs that ignore case; an empty tuple matches all edges.  The condition on
-    colour matches by colour index or by true colour.
+    Conditions on names are shell patterns that ignore case; an empty tuple matches every edge.  The
+    condition on colour is met by the colour index or by the true colour.
     """
 
     line_type: LineType
@@ -21,11 +21,11 @@ class LineRule:
     linetype: tuple[str, ...] = ()
     entity: tuple[str, ...] = ()  #: LINE, ARC, TEXT …
     true_colour: tuple[int, ...] = ()  #: 0xRRGGBB
-    block: tuple[str, ...] = ()  #: the block that holds the entity
+    block: tuple[str, ...] = ()  #: names of blocks that contain the entity
 
     @property
     def words(self) -> str:
-        """The conditions as text: ``layer "FOLDS", colour 3``."""
+        """The conditions of the rule as text, such as ``layer "FOLDS", colour 3``."""
         parts = []
         if self.layer:
             parts.append("layer " + " or ".join(f'"{name}"' for name in self.layer))
@@ -44,7 +44,7 @@ class LineRule:
 
 @dataclass(frozen=True, slots=True)
 class LineRules:
-    """The rules of a profile, in order: the first rule that matches an edge applies."""
+    """The rules of a profile in order; the first rule that matches an edge is used."""
 
     name: str
     title: str
@@ -53,8 +53,8 @@ class LineRules:
 
 @dataclass(frozen=True, slots=True)
 class ProposedRule:
-    """A rule that gives the user's overrides and contradicts no other edge."""
+    """A rule proposed from the user's overrides, which contradicts no other edge of the drawing."""
 
     rule: LineRule
-    explains: tuple[int, ...]  #: overridden rows that it covers
-    changes: tuple[int, ...]  #: undecided rows that it would decide
+    explains: tuple[int, ...]  #: rows of overridden edges that the rule matches
+    changes: tuple[int, ...]  #: rows of undecided edges that the rule would change

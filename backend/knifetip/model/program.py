@@ -1,4 +1,4 @@
-"""Program: the bytes for a controller, and the row of the toolpath for each line."""
+"""Record of a program: its bytes, and the tool path row of each program line."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from knifetip.geometry.columns import I32, freeze
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """Bytes for one controller; line i of ``lines()`` came from Toolpath row ``source[i]``."""
+    """A program for one controller, with the row of the tool path for each program line."""
 
-    text: bytes  #: all lines, each ended by a newline
+    text: bytes  #: all program lines, each with a newline at its end
     dialect: str
-    source: I32  #: (lines,) row in Toolpath, -1 for lines without a move
+    source: I32  #: (lines,) row in the tool path, -1 for program lines without a move
 
     def __post_init__(self) -> None:
         count = self.text.count(b"\n")
@@ -25,5 +25,5 @@ class Program:
         return len(self.source)
 
     def lines(self) -> list[bytes]:
-        """Return the lines without their newlines."""
+        """Return the program lines as bytes without newlines."""
         return self.text.split(b"\n")[:-1]

@@ -1,4 +1,4 @@
-"""Question: a decision that the user must make."""
+"""Record of a question: a decision about a drawing that only the user can make."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from knifetip.messages import Message, printable
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """A decision that the user must make before a drawing can be compiled."""
+    """A question that the user must answer before a drawing can be compiled."""
 
     kind: str  #: "unit", "line-type" or "tool"
-    message: Message  #: the question, with measures that help to answer it
+    message: Message  #: the question, with measured values that help to answer it
     choices: tuple[str, ...]  #: possible answers
-    edges: tuple[int, ...] = ()  #: rows of the drawing that it concerns
-    layer: str = ""  #: the layer that it concerns, "" for none
-    colour: int = 0  #: the colour index that it concerns, 0 for none
+    edges: tuple[int, ...] = ()  #: rows of the edges that the question concerns
+    layer: str = ""  #: layer that the question concerns, "" for none
+    colour: int = 0  #: colour index that the question concerns, 0 for none
 
     @property
     def text(self) -> str:
@@ -24,7 +24,7 @@ class Question:
         return str(self.message)
 
     def as_json(self) -> dict[str, object]:
-        """Return the question as plain data, with the code and arguments of its message."""
+        """Return the question as JSON data, with the code and the arguments of its message."""
         return {
             **self.message.as_json(),
             "kind": self.kind,

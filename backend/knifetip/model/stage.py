@@ -1,4 +1,4 @@
-"""Stage: the steps from a file to a verified program, as progress reports name them."""
+"""Names of the stages from a file to a verified program, as used in progress reports."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from typing import TypeAlias
 
 
 class Stage(StrEnum):
-    """A step of reading or compiling a drawing, in the order in which they happen."""
+    """A stage of reading or compiling a drawing; the members are in the order of execution."""
 
-    PREPARE = "prepare"  #: kernels are compiled, once after an installation
-    READ = "read"  #: the file becomes a Drawing
-    CLASSIFY = "classify"  #: each edge gets its line type
-    STORE = "store"  #: the reading is packed for the store
+    PREPARE = "prepare"  #: compile kernels, once after an installation
+    READ = "read"  #: convert the file to a Drawing
+    CLASSIFY = "classify"  #: determine the line type of each edge
+    STORE = "store"  #: pack the classified drawing for the store
     CLEAN = "clean"
     PLAN = "plan"
     COMPENSATE = "compensate"
     SEQUENCE = "sequence"
-    PROCESS = "process"  #: the tool path becomes a program
+    PROCESS = "process"  #: write the tool path as a program
     VERIFY = "verify"
     DONE = "done"
 
 
-#: Called with the stage that begins and the completed share of the whole, 0 … 1.
+#: Callback that receives the stage that begins and the completed fraction of the task, 0 … 1.
 Progress: TypeAlias = Callable[[Stage, float], None]
 
 
 def no_progress(_stage: Stage, _share: float) -> None:
-    """Ignore progress."""
+    """Do nothing: a progress callback for callers that show no progress."""

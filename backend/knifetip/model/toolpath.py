@@ -1,4 +1,4 @@
-"""Toolpath: moves of the head's axis after compensation."""
+"""Records of a tool path: moves of the head's axis after compensation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.geometry.columns import F64, I32, U8, freeze
 
 
 class Motion(IntEnum):
-    """The purpose of a move."""
+    """The purpose of a move of the head."""
 
     RAPID = 0  #: air move at full speed
     PLUNGE = 1  #: down into the board
@@ -26,16 +26,16 @@ class Motion(IntEnum):
 class Toolpath:
     """n moves between n + 1 poses of the head's axis (x, y, c) and the tool's tip (z).
 
-    Moves with the same ``track`` ≥ 0 form one track and keep their order; RAPIDs with ``track`` -1
-    connect the tracks.  Before sequencing the tracks are in drawing order, and these RAPIDs are
-    placeholders, which ``sequence`` replaces.
+    Moves with the same ``track`` ≥ 0 form one track and keep their order.  Rapids with ``track`` -1
+    connect the tracks.  Before sequencing, the tracks are in the order of the drawing and the
+    rapids are placeholders, which ``sequence`` replaces.
     """
 
     pose: F64  #: (n + 1, 4) x y z in mm, c in degrees, unwrapped
     bulge: F64  #: (n,) tan(sweep / 4) of the move in XY
     motion: U8  #: (n,) Motion
     feed: F64  #: (n,) mm/min along XYZ; degrees/min for a SWIVEL; 0 for RAPID
-    source: I32  #: (n,) row in Dieline, -1 between edges
+    source: I32  #: (n,) row of the edge in the dieline, -1 between edges
     tool: U8  #: (n,) station number
     track: I32  #: (n,) number of the track, -1 between tracks
 

@@ -1,4 +1,4 @@
-"""Units of length, and the evidence that a drawing is in one of them."""
+"""Units of length, and records of the evidence for the unit of a drawing."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MILLIMETRES: Final[Mapping[str, float]] = {
     "pt": 25.4 / 72.0,
     "px": 25.4 / 96.0,
 }
-#: Units that cartons are designed in; points and pixels come from conversion only.
+#: Units in which cartons are designed; points and pixels result from file conversion only.
 DRAWN_IN: Final = ("mm", "cm", "m", "in", "ft")
 #: Names of the units in a sentence.
 NAMES: Final[Mapping[str, str]] = {
@@ -34,12 +34,12 @@ NAMES: Final[Mapping[str, str]] = {
 
 
 def factor(unit: str) -> float:
-    """Return the millimetres in one unit; 1 for the empty unit, that of the file.
+    """Return the number of millimetres in a unit; 1 for the empty name, the unit of the file.
 
     Raises
     ------
     NoSuchUnit
-        No unit has this name.
+        No unit has the name.
     """
     if unit == "":
         return 1.0
@@ -51,7 +51,7 @@ def factor(unit: str) -> float:
 
 @dataclass(frozen=True, slots=True)
 class UnitHint:
-    """A setting of a file that depends on its unit but does not state it."""
+    """A setting of a file that depends on the unit of the file without stating it."""
 
     #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": the factor between
     #: lengths and the values that dimensions show
@@ -61,10 +61,10 @@ class UnitHint:
 
 @dataclass(frozen=True, slots=True)
 class UnitEvidence:
-    """One piece of evidence for a unit."""
+    """One observation that supports a unit for a drawing."""
 
     unit: str
-    text: str  #: the observation, with its measure
+    text: str  #: the observation, with its measured value
     weight: (
         float  #: log-likelihood of the observation in this unit, relative to the least likely unit
     )
@@ -73,11 +73,11 @@ class UnitEvidence:
 
 @dataclass(frozen=True, slots=True)
 class UnitFinding:
-    """The unit that all evidence together supports."""
+    """The unit that the evidence supports, and the evidence for all units."""
 
     unit: str  #: empty if the user must choose
     conclusive: bool
-    evidence: tuple[UnitEvidence, ...]  #: the heaviest first
-    ranking: tuple[str, ...]  #: all units, the likeliest first
-    margin: float  #: weight of the first in the ranking minus that of the second
+    evidence: tuple[UnitEvidence, ...]  #: highest weight first
+    ranking: tuple[str, ...]  #: all units, most likely first
+    margin: float  #: weight of the first unit of the ranking minus the weight of the second
     warnings: tuple[str, ...] = ()  #: possible faults that the user should check

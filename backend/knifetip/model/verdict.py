@@ -1,4 +1,4 @@
-"""Verdict: the verifier's result for a program, edge by edge."""
+"""Records of a verdict: the verifier's findings about a program, and its measurements per edge."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from knifetip.messages import Message, render
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A fault of a program, with its place and measure."""
+    """A fault that the verifier found in a program, with its position and measured value."""
 
     #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
     kind: str
-    message: Message  #: the fault, without its place
-    measure: float  #: mm, or degrees for a heading
-    edge: int = -1  #: row in Dieline, -1 for none
-    line: int = -1  #: 1-based line of the program, -1 for none
+    message: Message  #: the fault, without edge and program line
+    measure: float  #: measured value (mm; degrees for a heading)
+    edge: int = -1  #: row of the edge in the dieline, -1 for none
+    line: int = -1  #: program line, counted from 1; -1 for none
 
     @property
     def located(self) -> Message:
-        """The fault with its edge and line."""
+        """The message of the fault with the numbers of its edge and program line."""
         if self.edge >= 0 and self.line >= 0:
             return Message(
                 "finding.at-edge-and-line", edge=self.edge, line=self.line, fault=self.message
@@ -36,7 +36,7 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """The fault and its place, in English."""
+        """The fault with the numbers of its edge and program line, in English."""
         return render(self.located)
 
 
@@ -46,10 +46,12 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """Deviations at points along the edges, for display: at most 200,000 rows."""
+    """Deviations of the tip at m points along the edges, for the page; m ≤ 200,000."""
 
-    edge: I32 = field(default_factory=lambda: np.zeros(0, np.int32))  #: (m,) row in Dieline
-    place: F64 = field(default_factory=_none)  #: (m,) share of the edge's length, 0 … 1
+    edge: I32 = field(
+        default_factory=lambda: np.zeros(0, np.int32)
+    )  #: (m,) row of the edge in the dieline
+    place: F64 = field(default_factory=_none)  #: (m,) position along the edge, 0 … 1
     deviation: F64 = field(default_factory=_none)  #: (m,) mm to the left of the edge
 
     def __post_init__(self) -> None:
@@ -61,9 +63,9 @@ class Samples:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Unreached:
-    """Areas that the cutter cannot reach: q contours of m lines and arcs, in the waste."""
+    """Areas in the waste that the cutter cannot reach: q contours of m lines and arcs."""
 
-    ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm, in the drawing
+    ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm
     bulge: F64 = field(default_factory=_none)  #: (m,) tan(sweep / 4)
     first: I32 = field(
         default_factory=lambda: np.zeros(1, np.int32)
@@ -83,26 +85,26 @@ class Unreached:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Verdict:
-    """The verifier's result: accepted or refused, with figures for each of n edges."""
+    """The verifier's verdict on a program: accepted or refused, with measurements for n edges."""
 
     accepted: bool
     tolerance: float  #: mm
-    deviation: F64  #: (n,) greatest distance of the tip from the edge while it works it (mm)
-    overcut: F64  #: (n,) length worked beyond the edge's ends (mm)
-    uncut: F64  #: (n,) length not worked, against the plan (mm)
-    setback: F64  #: (n,) length not worked as planned: crease ends, slanted blades (mm)
+    deviation: F64  #: (n,) maximum distance of the tip from the edge (mm)
+    overcut: F64  #: (n,) length machined beyond the ends of the edge (mm)
+    uncut: F64  #: (n,) length not machined by mistake (mm)
+    setback: F64  #: (n,) length not machined by plan, such as crease ends (mm)
     findings: tuple[Finding, ...]
     seconds: float  #: nominal machine time of the program: lengths over feeds
-    width: F64 = field(default_factory=_none)  #: (n,) of a V-groove at the top face (mm), else 0
-    web: F64 = field(default_factory=_none)  #: (n,) of board left below a V-groove (mm), else 0
-    flank: F64 = field(default_factory=_none)  #: (n,) greatest deviation of its flanks (mm)
-    unreached: F64 = field(default_factory=_none)  #: (n,) length that no cutter can reach (mm)
+    width: F64 = field(default_factory=_none)  #: (n,) width of a V-groove (mm), or 0
+    web: F64 = field(default_factory=_none)  #: (n,) board left below a groove (mm), or 0
+    flank: F64 = field(default_factory=_none)  #: (n,) maximum deviation of the flanks (mm)
+    unreached: F64 = field(default_factory=_none)  #: (n,) length no cutter can reach (mm)
     bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
     top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
-    #: (n,) greatest distance by which cleaning moved the edge (mm)
+    #: (n,) maximum distance by which cleaning moved the edge (mm)
     tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())
-    areas: Unreached = field(default_factory=lambda: Unreached())  #: that no cutter can reach
+    areas: Unreached = field(default_factory=lambda: Unreached())  #: areas no cutter can reach
 
     def __post_init__(self) -> None:
         put = object.__setattr__

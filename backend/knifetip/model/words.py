@@ -1,7 +1,4 @@
-"""words: columns of strings or messages without one Python object for each row.
-
-distinct strings and their numbers, or one text and the ends of its parts -> Sequence[str]
-"""
+"""Columns of strings or messages that need no separate Python object for each row."""
 
 from __future__ import annotations
 
@@ -16,7 +13,7 @@ _T = TypeVar("_T")
 
 
 class _Column(Sequence[_T]):
-    """A sequence that compares equal to a tuple or list of the same items."""
+    """Base class of columns; a column equals a tuple or list with equal items."""
 
     @overload
     def __getitem__(self, row: int) -> _T: ...
@@ -47,12 +44,14 @@ class _Column(Sequence[_T]):
 
 
 class Repeated(_Column[_T]):
-    """m strings or messages with few distinct values: each is an index into the distinct ones.
+    """A column of m strings or messages with few distinct values.
 
     Parameters
     ----------
+    names
+        The distinct values.
     number : (m,)
-        Indices into ``names``; -1 is the last.
+        Index into ``names`` for each row; -1 is the last value.
     """
 
     def __init__(self, names: Sequence[_T], number: I32) -> None:
@@ -75,7 +74,7 @@ class Repeated(_Column[_T]):
 
 
 def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
-    """Return the distinct strings, and the index of each string among them, (m,)."""
+    """Return the distinct strings, and for each string its index among the distinct ones, (m,)."""
     number: dict[str, int] = {}
     if isinstance(words, Repeated):
         names = [number.setdefault(name, len(number)) for name in words.names]
@@ -85,14 +84,14 @@ def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
 
 
 class Spelled(_Column[str]):
-    """m mostly distinct strings, as slices of one text.
+    """A column of m mostly distinct strings, stored as slices of one text.
 
     Parameters
     ----------
     text
-        UTF-8.
+        All strings one after the other, in UTF-8.
     end : (m,)
-        End of each string, which is the start of the next.
+        End of each string in ``text`` (bytes), which is the start of the next string.
     """
 
     def __init__(self, text: bytes, end: I64) -> None:

@@ -13,13 +13,13 @@ export interface paths {
         };
         /**
          * List Drawings
-         * @description List drawings, newest first; the Link header contains the next page.
+         * @description List the drawings, newest first; the header ``Link`` contains the URL of the next page.
          */
         get: operations["list_drawings"];
         put?: never;
         /**
          * Upload Drawing
-         * @description Upload a drawing (DXF, CF2, SVG or PDF, detected by content); read and classify it.
+         * @description Upload a DXF, CF2, SVG or PDF file, detected by content; read and classify it.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -37,21 +37,21 @@ export interface paths {
         };
         /**
          * Get Drawing
-         * @description Get a drawing.
+         * @description Get a drawing with its questions and its import report.
          */
         get: operations["get_drawing"];
         put?: never;
         post?: never;
         /**
          * Delete Drawing
-         * @description Delete a drawing without jobs.
+         * @description Delete a drawing that no job uses; 409 otherwise.
          */
         delete: operations["delete_drawing"];
         options?: never;
         head?: never;
         /**
          * Change Drawing
-         * @description Set the unit of a drawing, or classify it with another profile or an earlier version.
+         * @description Set the unit of a drawing, or classify it with another profile or profile version.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -65,7 +65,7 @@ export interface paths {
         };
         /**
          * Get Edges
-         * @description List the edges, as JSON or as binary columns (``format=columns``).
+         * @description List the edges of a drawing, as JSON or as binary columns (``format=columns``).
          */
         get: operations["get_edges"];
         put?: never;
@@ -75,7 +75,7 @@ export interface paths {
         head?: never;
         /**
          * Override Edges
-         * @description Set line types of edges; later overrides replace earlier ones.
+         * @description Set line types of edges; an override replaces earlier overrides of the same edges.
          */
         patch: operations["override_edges"];
         trace?: never;
@@ -89,7 +89,7 @@ export interface paths {
         };
         /**
          * Get Import Report
-         * @description Get the import report: all entities of the file, or only those with one outcome.
+         * @description Get the import report: all entities of the file, or only the entities with one outcome.
          */
         get: operations["get_import_report"];
         put?: never;
@@ -129,7 +129,7 @@ export interface paths {
         };
         /**
          * Get File
-         * @description Download the uploaded file.
+         * @description Download the uploaded file of a drawing.
          */
         get: operations["get_file"];
         put?: never;
@@ -149,13 +149,13 @@ export interface paths {
         };
         /**
          * List Jobs
-         * @description List jobs, newest first; the Link header contains the next page.
+         * @description List the jobs, newest first; the header ``Link`` contains the URL of the next page.
          */
         get: operations["list_jobs"];
         put?: never;
         /**
          * Order Job
-         * @description Create a job; 409 with ``questions`` if decisions are missing.
+         * @description Create a job and compile it; 409 with ``questions`` if the drawing has open questions.
          */
         post: operations["order_job"];
         delete?: never;
@@ -173,7 +173,7 @@ export interface paths {
         };
         /**
          * Get Job
-         * @description Get a job.
+         * @description Get a job with its state and its progress.
          */
         get: operations["get_job"];
         put?: never;
@@ -193,7 +193,7 @@ export interface paths {
         };
         /**
          * Get Job Events
-         * @description List the transitions of a job with time, cause and reason.
+         * @description List the state changes of a job with time, author and reason.
          */
         get: operations["get_job_events"];
         put?: never;
@@ -213,7 +213,7 @@ export interface paths {
         };
         /**
          * Get Program
-         * @description Download the program, byte for byte as sent to the machine.
+         * @description Download the program of a job, byte for byte as it is sent to the machine.
          */
         get: operations["get_program"];
         put?: never;
@@ -233,7 +233,7 @@ export interface paths {
         };
         /**
          * Get Verdict
-         * @description Get the verdict for each edge, as JSON or as binary columns (``format=columns``).
+         * @description Get the verdict with measurements for each edge, as JSON or as binary columns.
          */
         get: operations["get_verdict"];
         put?: never;
@@ -253,7 +253,7 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Get the head's path as binary columns: pose, bulge, motion, feed, source, tool, line.
+         * @description Get the path of the head as binary columns: pose, bulge, motion, feed, source, tool, line.
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -275,7 +275,7 @@ export interface paths {
         put?: never;
         /**
          * Release Job
-         * @description Queue a ready job.
+         * @description Queue a job that is ready.
          */
         post: operations["release_job"];
         delete?: never;
@@ -295,10 +295,11 @@ export interface paths {
         put?: never;
         /**
          * Confirm Job
-         * @description Confirm that table, board and tools are ready; the machine then starts.
+         * @description Confirm that table, board and tools are ready; then the machine starts.
          *
-         *     Between two copies this confirms the new sheet.  A confirmation is valid for the current claim
-         *     of the gateway; 409 if the job does not wait for one, or if another board is named.
+         *     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
+         *     of the gateway.  The status is 409 if the job does not wait for a confirmation, or if another
+         *     board is named.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -318,7 +319,7 @@ export interface paths {
         put?: never;
         /**
          * Hold Job
-         * @description Request a hold; the job is ``held`` when the machine has stopped.
+         * @description Request to hold a job; its state is ``held`` as soon as the machine has stopped.
          */
         post: operations["hold_job"];
         delete?: never;
@@ -338,7 +339,7 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Request to resume; between two copies this confirms the new sheet.
+         * @description Request to resume a job; between two copies this confirms the new sheet.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -358,7 +359,7 @@ export interface paths {
         put?: never;
         /**
          * Cancel Job
-         * @description Cancel a job: immediately, or when the machine has stopped if the job is running.
+         * @description Cancel a job: a running job when the machine has stopped, any other job immediately.
          */
         post: operations["cancel_job"];
         delete?: never;
@@ -378,7 +379,7 @@ export interface paths {
         put?: never;
         /**
          * Finish Job
-         * @description Declare an interrupted job finished: all its sheets are complete.
+         * @description Declare that all sheets of an interrupted job are complete.
          */
         post: operations["finish_job"];
         delete?: never;
@@ -418,7 +419,7 @@ export interface paths {
         put?: never;
         /**
          * Scrap Job
-         * @description Scrap an interrupted job and free its table.
+         * @description Give up an interrupted job and free the table of its machine.
          */
         post: operations["scrap_job"];
         delete?: never;
@@ -456,7 +457,7 @@ export interface paths {
         };
         /**
          * List Machines
-         * @description List the machines of the library.
+         * @description List the machines of the library with their current jobs.
          */
         get: operations["list_machines"];
         put?: never;
@@ -476,7 +477,7 @@ export interface paths {
         };
         /**
          * Get Machine
-         * @description Get a machine.
+         * @description Get a machine of the library with its current job.
          */
         get: operations["get_machine"];
         put?: never;
@@ -496,7 +497,7 @@ export interface paths {
         };
         /**
          * List Formats
-         * @description List the file formats that drawings are imported from.
+         * @description List the file formats from which drawings are imported.
          */
         get: operations["list_formats"];
         put?: never;
@@ -536,7 +537,7 @@ export interface paths {
         };
         /**
          * Get Board
-         * @description Get a board.
+         * @description Get a board of the library.
          */
         get: operations["get_board"];
         put?: never;
@@ -558,9 +559,9 @@ export interface paths {
         put?: never;
         /**
          * Calibrate
-         * @description Compute the deflection of a cutter in a board from measured points, by least squares.
+         * @description Compute the deflection of a cutter in a board from measured points by least squares.
          *
-         *     Nothing is stored; ``toml`` contains the lines for the board's file.
+         *     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
          */
         post: operations["calibrate"];
         delete?: never;
@@ -578,7 +579,7 @@ export interface paths {
         };
         /**
          * List Tools
-         * @description List the tools of all machines.
+         * @description List the tools of all machines of the library.
          */
         get: operations["list_tools"];
         put?: never;
@@ -598,7 +599,7 @@ export interface paths {
         };
         /**
          * List Profiles
-         * @description List the classification profiles: those of customers, then those of the library.
+         * @description List the classification profiles: first those of customers, then those of the library.
          */
         get: operations["list_profiles"];
         put?: never;
@@ -638,14 +639,14 @@ export interface paths {
         };
         /**
          * Get Profile
-         * @description Get a classification profile; the first rule that matches an edge decides.
+         * @description Get a classification profile; the first rule that matches an edge is used.
          */
         get: operations["get_profile"];
         /**
          * Keep Profile
-         * @description Create or replace a customer's profile, sent as TOML or JSON.
+         * @description Create or replace the profile of a customer, which is sent as TOML or JSON.
          *
-         *     To replace a profile, name the version that the change is based on.
+         *     To replace a profile, send the version on which the change is based in the header ``If-Match``.
          */
         put: operations["keep_profile"];
         post?: never;
@@ -710,9 +711,9 @@ export interface paths {
         put?: never;
         /**
          * Claim
-         * @description Wait for the next job of a machine and claim it; 204 if there is none within ``wait``.
+         * @description Wait for the next job of a machine and claim it; 204 after ``wait`` seconds without one.
          *
-         *     If ``confirm`` is true in the answer, the job stays queued until the operator confirms it.
+         *     If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
          */
         post: operations["claim"];
         delete?: never;
@@ -752,7 +753,7 @@ export interface paths {
         put?: never;
         /**
          * Heartbeat
-         * @description Report progress, renew the lease and get the next command.
+         * @description Report the progress of a job, renew its lease and get the next command for the machine.
          */
         post: operations["heartbeat"];
         delete?: never;
@@ -790,7 +791,7 @@ export interface paths {
         };
         /**
          * Health
-         * @description Report that the process is running.
+         * @description Report that the server process is running.
          */
         get: operations["health"];
         put?: never;
@@ -810,7 +811,7 @@ export interface paths {
         };
         /**
          * Ready
-         * @description Report whether requests can be served; 503 if not.
+         * @description Report whether the server can process requests; the status is 503 if it cannot.
          */
         get: operations["ready"];
         put?: never;
@@ -830,7 +831,7 @@ export interface paths {
         };
         /**
          * Status
-         * @description Return what the server does besides serving: compiling itself after an installation.
+         * @description Get the progress of the compilation of kernels after an installation.
          */
         get: operations["status"];
         put?: never;
@@ -847,7 +848,7 @@ export interface components {
     schemas: {
         /**
          * BoardOut
-         * @description A board of the library (mm, degrees).
+         * @description A board of the library; lengths in mm, angles in degrees.
          */
         BoardOut: {
             /** Name */
@@ -883,7 +884,7 @@ export interface components {
         };
         /**
          * CalibrationIn
-         * @description Points measured on a contour that was cut in a board.
+         * @description Points that were measured on a contour cut in a board.
          */
         CalibrationIn: {
             /** Machine */
@@ -905,7 +906,7 @@ export interface components {
         };
         /**
          * CalibrationOut
-         * @description Deflection of the cutter in the board, and the TOML lines for the board's file.
+         * @description Deflection of the cutter in the board, and the TOML text for the file of the board.
          */
         CalibrationOut: {
             /** Board */
@@ -934,7 +935,7 @@ export interface components {
         };
         /**
          * ChangeOut
-         * @description Edges that would get another line type.
+         * @description Edges whose line type a profile would change.
          */
         ChangeOut: {
             /**
@@ -952,7 +953,7 @@ export interface components {
         };
         /**
          * Claim
-         * @description A job assigned to this gateway until the lease expires.
+         * @description A job that is assigned to the gateway until the lease expires.
          */
         Claim: {
             /** Job */
@@ -1003,7 +1004,7 @@ export interface components {
         };
         /**
          * CleaningCounts
-         * @description Number of edges by outcome.
+         * @description Number of edges by outcome of cleaning.
          */
         CleaningCounts: {
             /** Kept */
@@ -1015,7 +1016,7 @@ export interface components {
         };
         /**
          * CleaningLengths
-         * @description Lengths over all edges (mm): drawn = kept + merged + dropped, worked = kept + added.
+         * @description Total lengths of all edges (mm): drawn = kept + merged + dropped, worked = kept + added.
          */
         CleaningLengths: {
             /** Drawn */
@@ -1035,7 +1036,7 @@ export interface components {
         };
         /**
          * CleaningOut
-         * @description Cleaning report of a drawing.
+         * @description Cleaning report of a drawing: lengths, counts, and a row for each changed edge.
          */
         CleaningOut: {
             lengths: components["schemas"]["CleaningLengths"];
@@ -1049,7 +1050,7 @@ export interface components {
         };
         /**
          * CleaningRow
-         * @description Cleaning outcome of one edge that is not worked exactly as drawn.
+         * @description Outcome of cleaning for one edge that is not machined exactly as drawn.
          */
         CleaningRow: {
             code: components["schemas"]["MessageCode"];
@@ -1104,7 +1105,7 @@ export interface components {
         };
         /**
          * ConfirmIn
-         * @description Confirmation of the operator; all fields are optional.
+         * @description Confirmation of a job by the operator; all fields are optional.
          */
         ConfirmIn: {
             /**
@@ -1121,7 +1122,7 @@ export interface components {
         };
         /**
          * CornerAt
-         * @description Type of one corner, selected by its position.
+         * @description Corner type of one corner, which is selected by its position.
          */
         CornerAt: {
             /**
@@ -1144,10 +1145,11 @@ export interface components {
         };
         /**
          * Corners
-         * @description Path of a router or a laser round outer corners.
+         * @description Path of a cutter or a laser round outer corners.
          *
-         *     B: along an arc; C: along straight lines with a stop at each bend; D: line, arc, line; auto:
-         *     the fastest of them on the machine, for each corner.
+         *     Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
+         *     of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
+         *     machine.
          */
         Corners: {
             /**
@@ -1177,7 +1179,7 @@ export interface components {
         };
         /**
          * DeflectionOut
-         * @description Deflection of a tool in a board (mm).
+         * @description Maximum deflection of a cutter under load in a board (mm).
          */
         DeflectionOut: {
             /** Tool */
@@ -1291,7 +1293,7 @@ export interface components {
         };
         /**
          * DrawingSummary
-         * @description Summary of a drawing, for lists.
+         * @description A drawing in a list of drawings.
          */
         DrawingSummary: {
             /** Id */
@@ -1321,7 +1323,7 @@ export interface components {
         };
         /**
          * EdgeOut
-         * @description One edge with its line type, the deciding rule and its import outcome.
+         * @description One edge with its line type, the deciding rule, and the outcome of import or cleaning.
          */
         EdgeOut: {
             /** Row */
@@ -1375,7 +1377,7 @@ export interface components {
         };
         /**
          * EdgesOut
-         * @description All edges of a drawing; ``format=columns`` returns the same as binary columns.
+         * @description All edges of a drawing; ``format=columns`` returns the same data as binary columns.
          */
         EdgesOut: {
             /** Edges */
@@ -1383,7 +1385,7 @@ export interface components {
         };
         /**
          * EdgesPatch
-         * @description Overrides, applied in order; later ones replace earlier ones.
+         * @description Overrides, which are applied in order; later ones replace earlier ones.
          */
         EdgesPatch: {
             /** Overrides */
@@ -1391,7 +1393,7 @@ export interface components {
         };
         /**
          * FindingOut
-         * @description One finding of the verifier, with its location.
+         * @description One fault that the verifier found, with its edge and program line.
          */
         FindingOut: {
             code: components["schemas"]["MessageCode"];
@@ -1466,10 +1468,11 @@ export interface components {
         };
         /**
          * Footprint
-         * @description Shape of a tool's mark on the board, and position of its tip, for the page to draw.
+         * @description Shape of the mark of a tool on the board, and position of its tip, which the page draws.
          *
-         *     ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
-         *     ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
+         *     The shape is one of four.  ``line``: a line without width.  ``disc``: a disc of ``radius`` about
+         *     the tip.  ``groove``: a flank that widens by ``slope`` per mm of depth along the edge ``blade``.
+         *     ``wheel``: a rim of ``width`` on a wheel of ``radius``.
          */
         Footprint: {
             /**
@@ -1531,7 +1534,7 @@ export interface components {
         };
         /**
          * Health
-         * @description Whether the service runs and is ready for requests.
+         * @description State of the server: whether it runs and can process requests.
          */
         Health: {
             /**
@@ -1588,7 +1591,7 @@ export interface components {
         };
         /**
          * HeartbeatOut
-         * @description Command for the gateway.
+         * @description Response to a heartbeat: the command for the gateway.
          */
         HeartbeatOut: {
             /**
@@ -1601,7 +1604,7 @@ export interface components {
         };
         /**
          * ImportReportOut
-         * @description Import report: number of entities by outcome, and a row for each entity.
+         * @description Import report: the number of entities by outcome, and a row for each entity.
          */
         ImportReportOut: {
             /** Kept */
@@ -1654,7 +1657,7 @@ export interface components {
         };
         /**
          * JobEvent
-         * @description One transition of a job: its time, cause and reason.
+         * @description One state change of a job: its time, author and reason.
          */
         JobEvent: {
             /** Id */
@@ -1862,7 +1865,7 @@ export interface components {
         };
         /**
          * LayerOut
-         * @description Edges of one layer and colour.
+         * @description The edges of one layer that have the same colour.
          */
         LayerOut: {
             /** Name */
@@ -1965,7 +1968,7 @@ export interface components {
         };
         /**
          * MessageIn
-         * @description A message from a gateway; text and hint are used if the server does not have its code.
+         * @description A message from a gateway; text and hint are used if the server does not know the code.
          */
         MessageIn: {
             /** Code */
@@ -1990,7 +1993,7 @@ export interface components {
         };
         /**
          * MessageOut
-         * @description A message: code, arguments, and the text and hint in English.
+         * @description A message: its code and arguments, and its text and hint in English.
          */
         MessageOut: {
             code: components["schemas"]["MessageCode"];
@@ -2020,9 +2023,9 @@ export interface components {
         OperatorAction: "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
         /**
          * Override
-         * @description Set the line type of edges, selected by row, by handle, or by layer (and colour).
+         * @description Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
          *
-         *     ``type`` null removes an earlier override.
+         *     Null as ``type`` removes earlier overrides of the edges.
          */
         Override: {
             /** Type */
@@ -2038,7 +2041,7 @@ export interface components {
         };
         /**
          * PreviewOut
-         * @description Effect of a profile on a drawing.
+         * @description The effect that a profile would have on a drawing.
          */
         PreviewOut: {
             /** Rules */
@@ -2053,7 +2056,7 @@ export interface components {
         };
         /**
          * PreviewRule
-         * @description One rule, with number and length of the edges it matches.
+         * @description A rule with the number and total length of the edges that it matches.
          */
         PreviewRule: {
             /**
@@ -2101,7 +2104,7 @@ export interface components {
         };
         /**
          * ProfileIn
-         * @description A customer's profile; the first rule that an edge meets decides its line type.
+         * @description The profile of a customer; the first rule that matches an edge sets its line type.
          */
         ProfileIn: {
             /** Title */
@@ -2127,7 +2130,7 @@ export interface components {
         };
         /**
          * ProfileOut
-         * @description A classification profile.
+         * @description A classification profile with its rules in order.
          */
         ProfileOut: {
             /** Name */
@@ -2191,7 +2194,7 @@ export interface components {
         };
         /**
          * QuestionOut
-         * @description A decision that the user must make before the drawing can be compiled.
+         * @description A question that the user must answer before the drawing can be compiled.
          */
         QuestionOut: {
             code: components["schemas"]["MessageCode"];
@@ -2228,7 +2231,7 @@ export interface components {
         };
         /**
          * ReportGroup
-         * @description Edges or entities with the same outcome and reason.
+         * @description Edges or entities with the same outcome and the same reason.
          */
         ReportGroup: {
             /**
@@ -2256,7 +2259,7 @@ export interface components {
         };
         /**
          * ReportOut
-         * @description Import and cleaning report by reason: kept + merged + dropped = drawn (mm).
+         * @description Summary of import and cleaning by reason (mm): drawn = kept + merged + dropped.
          */
         ReportOut: {
             /** Drawn */
@@ -2272,9 +2275,9 @@ export interface components {
         };
         /**
          * RuleIn
-         * @description One rule: gives the line type to edges that meet all conditions.
+         * @description A rule that gives its line type to all edges that meet all its conditions.
          *
-         *     Patterns are shell globs, case-insensitive; an empty list is no condition.
+         *     Conditions on names are shell patterns that ignore case; an empty list is no condition.
          */
         RuleIn: {
             /**
@@ -2355,7 +2358,7 @@ export interface components {
         };
         /**
          * ServiceOut
-         * @description The server and how far its preparation is, which takes a minute after an installation.
+         * @description The server, and the progress of its preparation after an installation.
          */
         ServiceOut: {
             /** Version */
@@ -2375,13 +2378,13 @@ export interface components {
         };
         /**
          * Stage
-         * @description A step of reading or compiling a drawing, in the order in which they happen.
+         * @description A stage of reading or compiling a drawing; the members are in the order of execution.
          * @enum {string}
          */
         Stage: "prepare" | "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationOut
-         * @description A station of the head: joint position = programmed position + datum.
+         * @description A station of the head; its joint position is the programmed position plus the datum.
          */
         StationOut: {
             /** Number */
@@ -2398,7 +2401,7 @@ export interface components {
         };
         /**
          * StationTool
-         * @description A tool with its machine and station.
+         * @description A tool with the names of its machine and station.
          */
         StationTool: {
             /** Kind */
@@ -2418,7 +2421,7 @@ export interface components {
         };
         /**
          * ToolOut
-         * @description A tool with its dimensions (mm, degrees).
+         * @description A tool with its dimensions in mm and degrees.
          */
         ToolOut: {
             /** Kind */
@@ -2432,7 +2435,7 @@ export interface components {
         };
         /**
          * UnitEvidenceOut
-         * @description Evidence for one unit of the drawing.
+         * @description One observation that supports a unit for the drawing.
          */
         UnitEvidenceOut: {
             /**
@@ -2450,7 +2453,7 @@ export interface components {
         };
         /**
          * UnitFindingOut
-         * @description Unit in the file's header, and the evidence for each unit.
+         * @description The unit in the header of the file, and the evidence for each unit.
          */
         UnitFindingOut: {
             /**
@@ -2476,7 +2479,7 @@ export interface components {
         };
         /**
          * UnreachedOut
-         * @description An area that no cutter reaches.
+         * @description An area of the drawing that no cutter can reach.
          */
         UnreachedOut: {
             /**
@@ -2494,11 +2497,12 @@ export interface components {
         };
         /**
          * VerdictOut
-         * @description A verdict with a value for each edge; row i belongs to edge i of the drawing.
+         * @description A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
          *
-         *     ``format=columns`` also contains samples of the deviation (``sample_edge``, ``sample_place`` as
-         *     a share of the edge's length, ``sample_deviation`` in mm, positive to the left), and outlines of
-         *     unreached areas (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
+         *     ``format=columns`` also contains samples of the deviation and outlines of unreached areas.  The
+         *     samples are ``sample_edge``, ``sample_place`` (position along the edge, 0 … 1) and
+         *     ``sample_deviation`` (mm, positive to the left).  The outlines are ``area_ends``,
+         *     ``area_bulge``, ``area_first`` and ``area_size``.
          */
         VerdictOut: {
             /** Accepted */
@@ -2602,7 +2606,7 @@ export interface components {
         };
         /**
          * VerdictSummary
-         * @description Figures of a verdict (mm, s).
+         * @description Maximum and total measurements of a verdict (mm, mm², s).
          */
         VerdictSummary: {
             /** Accepted */
@@ -2661,7 +2665,7 @@ export interface components {
         };
         /**
          * Problem
-         * @description An error in the format of RFC 9457, with a hint and the entities it concerns.
+         * @description An error in the format of RFC 9457, with a hint and the entities that the error concerns.
          */
         Problem: {
             code: components["schemas"]["MessageCode"];

@@ -1,4 +1,4 @@
-"""Models that requests and responses of several routes share."""
+"""Models that several routes use in requests and responses."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Count = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
 class Strict(BaseModel):
-    """Base class of requests; unknown fields are refused."""
+    """Base class of request models; unknown fields are refused."""
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
 
 class QuestionOut(MessageOut):
-    """A decision that the user must make before the drawing can be compiled."""
+    """A question that the user must answer before the drawing can be compiled."""
 
     kind: Literal["unit", "line-type", "tool"]
     choices: list[str]
@@ -32,7 +32,7 @@ class QuestionOut(MessageOut):
 
 
 class Problem(MessageOut):
-    """An error in the format of RFC 9457, with a hint and the entities it concerns."""
+    """An error in the format of RFC 9457, with a hint and the entities that the error concerns."""
 
     text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
@@ -50,7 +50,7 @@ class Problem(MessageOut):
 
 
 class ServiceOut(BaseModel):
-    """The server and how far its preparation is, which takes a minute after an installation."""
+    """The server, and the progress of its preparation after an installation."""
 
     version: str
     preparing: bool = Field(
@@ -61,7 +61,7 @@ class ServiceOut(BaseModel):
 
 
 class Health(BaseModel):
-    """Whether the service runs and is ready for requests."""
+    """State of the server: whether it runs and can process requests."""
 
     status: Literal["ok", "starting"]
     version: str

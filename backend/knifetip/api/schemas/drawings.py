@@ -44,7 +44,7 @@ class LineTypeCount(BaseModel):
 
 
 class LayerOut(BaseModel):
-    """Edges of one layer and colour."""
+    """The edges of one layer that have the same colour."""
 
     name: str
     colour: int
@@ -54,7 +54,7 @@ class LayerOut(BaseModel):
 
 
 class ImportReportOut(BaseModel):
-    """Import report: number of entities by outcome, and a row for each entity."""
+    """Import report: the number of entities by outcome, and a row for each entity."""
 
     kept: int
     merged: int
@@ -65,7 +65,7 @@ class ImportReportOut(BaseModel):
 
 
 class CleaningLengths(BaseModel):
-    """Lengths over all edges (mm): drawn = kept + merged + dropped, worked = kept + added."""
+    """Total lengths of all edges (mm): drawn = kept + merged + dropped, worked = kept + added."""
 
     drawn: float
     kept: float
@@ -77,7 +77,7 @@ class CleaningLengths(BaseModel):
 
 
 class CleaningCounts(BaseModel):
-    """Number of edges by outcome."""
+    """Number of edges by outcome of cleaning."""
 
     kept: int
     merged: int
@@ -85,7 +85,7 @@ class CleaningCounts(BaseModel):
 
 
 class CleaningRow(MessageOut):
-    """Cleaning outcome of one edge that is not worked exactly as drawn."""
+    """Outcome of cleaning for one edge that is not machined exactly as drawn."""
 
     row: int
     handle: str
@@ -101,7 +101,7 @@ class CleaningRow(MessageOut):
 
 
 class CleaningOut(BaseModel):
-    """Cleaning report of a drawing."""
+    """Cleaning report of a drawing: lengths, counts, and a row for each changed edge."""
 
     lengths: CleaningLengths
     edges: CleaningCounts
@@ -111,7 +111,7 @@ class CleaningOut(BaseModel):
 
 
 class UnitEvidenceOut(BaseModel):
-    """Evidence for one unit of the drawing."""
+    """One observation that supports a unit for the drawing."""
 
     unit: Unit
     text: str
@@ -119,7 +119,7 @@ class UnitEvidenceOut(BaseModel):
 
 
 class UnitFindingOut(BaseModel):
-    """Unit in the file's header, and the evidence for each unit."""
+    """The unit in the header of the file, and the evidence for each unit."""
 
     stated: Unit | Literal[""] = Field(
         description="Unit in the file's header; empty if there is none"
@@ -130,7 +130,7 @@ class UnitFindingOut(BaseModel):
 
 
 class ReportGroup(BaseModel):
-    """Edges or entities with the same outcome and reason."""
+    """Edges or entities with the same outcome and the same reason."""
 
     outcome: OutcomeWord
     reason: MessageOut = Field(description="Of the first of them: others have their own measures")
@@ -143,7 +143,7 @@ class ReportGroup(BaseModel):
 
 
 class ReportOut(BaseModel):
-    """Import and cleaning report by reason: kept + merged + dropped = drawn (mm)."""
+    """Summary of import and cleaning by reason (mm): drawn = kept + merged + dropped."""
 
     drawn: float
     kept: float
@@ -197,7 +197,7 @@ class DrawingOut(BaseModel):
 
 
 class DrawingSummary(BaseModel):
-    """Summary of a drawing, for lists."""
+    """A drawing in a list of drawings."""
 
     id: str
     revision: Revision
@@ -211,7 +211,7 @@ class DrawingSummary(BaseModel):
 
 
 class EdgeOut(BaseModel):
-    """One edge with its line type, the deciding rule and its import outcome."""
+    """One edge with its line type, the deciding rule, and the outcome of import or cleaning."""
 
     row: int
     handle: str
@@ -233,15 +233,15 @@ class EdgeOut(BaseModel):
 
 
 class EdgesOut(BaseModel):
-    """All edges of a drawing; ``format=columns`` returns the same as binary columns."""
+    """All edges of a drawing; ``format=columns`` returns the same data as binary columns."""
 
     edges: list[EdgeOut]
 
 
 class Override(Strict):
-    """Set the line type of edges, selected by row, by handle, or by layer (and colour).
+    """Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
 
-    ``type`` null removes an earlier override.
+    Null as ``type`` removes earlier overrides of the edges.
     """
 
     type: LineTypeWord | None
@@ -252,7 +252,7 @@ class Override(Strict):
 
 
 class EdgesPatch(Strict):
-    """Overrides, applied in order; later ones replace earlier ones."""
+    """Overrides, which are applied in order; later ones replace earlier ones."""
 
     overrides: list[Override] = Field(min_length=1, max_length=1000)
 

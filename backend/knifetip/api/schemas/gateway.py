@@ -19,7 +19,7 @@ class ClaimIn(Strict):
 
 
 class Claim(BaseModel):
-    """A job assigned to this gateway until the lease expires."""
+    """A job that is assigned to the gateway until the lease expires."""
 
     job: str
     epoch: int = Field(description="Increases with each claim; to be sent with every report")
@@ -52,7 +52,7 @@ class HeartbeatIn(Strict):
 
 
 class HeartbeatOut(BaseModel):
-    """Command for the gateway."""
+    """Response to a heartbeat: the command for the gateway."""
 
     command: Literal["wait", "start", "continue", "hold", "resume", "cancel"]
     lease: float

@@ -32,7 +32,7 @@ CornerParameter = Annotated[
 
 
 class CornerAt(Strict):
-    """Type of one corner, selected by its position."""
+    """Corner type of one corner, which is selected by its position."""
 
     x: float = Field(description="mm in the drawing; within 0.5 mm of the corner")
     y: float
@@ -43,10 +43,11 @@ class CornerAt(Strict):
 
 
 class Corners(Strict):
-    """Path of a router or a laser round outer corners.
+    """Path of a cutter or a laser round outer corners.
 
-    B: along an arc; C: along straight lines with a stop at each bend; D: line, arc, line; auto:
-    the fastest of them on the machine, for each corner.
+    Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
+    of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
+    machine.
     """
 
     type: CornerType = "auto"
@@ -78,7 +79,7 @@ class JobIn(Strict):
 
 
 class ConfirmIn(Strict):
-    """Confirmation of the operator; all fields are optional."""
+    """Confirmation of a job by the operator; all fields are optional."""
 
     board: Name | None = Field(
         default=None, description="Board on the table; refused if it is not the board of the job"
@@ -95,7 +96,7 @@ class JobTool(BaseModel):
 
 
 class VerdictSummary(BaseModel):
-    """Figures of a verdict (mm, s)."""
+    """Maximum and total measurements of a verdict (mm, mm², s)."""
 
     accepted: bool
     tolerance: float
@@ -183,7 +184,7 @@ class JobOut(BaseModel):
 
 
 class JobEvent(BaseModel):
-    """One transition of a job: its time, cause and reason."""
+    """One state change of a job: its time, author and reason."""
 
     id: int
     job: str
@@ -195,7 +196,7 @@ class JobEvent(BaseModel):
 
 
 class FindingOut(MessageOut):
-    """One finding of the verifier, with its location."""
+    """One fault that the verifier found, with its edge and program line."""
 
     kind: str
     measure: float = Field(description="mm, or degrees for a heading")
@@ -205,7 +206,7 @@ class FindingOut(MessageOut):
 
 
 class UnreachedOut(BaseModel):
-    """An area that no cutter reaches."""
+    """An area of the drawing that no cutter can reach."""
 
     area: float = Field(description="mm²")
     x: float = Field(description="Position of its centre in the drawing (mm)")
@@ -213,11 +214,12 @@ class UnreachedOut(BaseModel):
 
 
 class VerdictOut(VerdictSummary):
-    """A verdict with a value for each edge; row i belongs to edge i of the drawing.
+    """A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
 
-    ``format=columns`` also contains samples of the deviation (``sample_edge``, ``sample_place`` as
-    a share of the edge's length, ``sample_deviation`` in mm, positive to the left), and outlines of
-    unreached areas (``area_ends``, ``area_bulge``, ``area_first``, ``area_size``).
+    ``format=columns`` also contains samples of the deviation and outlines of unreached areas.  The
+    samples are ``sample_edge``, ``sample_place`` (position along the edge, 0 … 1) and
+    ``sample_deviation`` (mm, positive to the left).  The outlines are ``area_ends``,
+    ``area_bulge``, ``area_first`` and ``area_size``.
     """
 
     findings: list[FindingOut]

@@ -20,7 +20,7 @@ class FormatOut(BaseModel):
 
 
 class DeflectionOut(BaseModel):
-    """Deflection of a tool in a board (mm)."""
+    """Maximum deflection of a cutter under load in a board (mm)."""
 
     tool: str
     x: float
@@ -28,7 +28,7 @@ class DeflectionOut(BaseModel):
 
 
 class BoardOut(BaseModel):
-    """A board of the library (mm, degrees)."""
+    """A board of the library; lengths in mm, angles in degrees."""
 
     name: str
     title: str
@@ -52,7 +52,7 @@ class MeasuredPoint(Strict):
 
 
 class CalibrationIn(Strict):
-    """Points measured on a contour that was cut in a board."""
+    """Points that were measured on a contour cut in a board."""
 
     machine: Name
     tool: Name = Field(description="Name of the cutter's station")
@@ -64,7 +64,7 @@ class CalibrationIn(Strict):
 
 
 class CalibrationOut(BaseModel):
-    """Deflection of the cutter in the board, and the TOML lines for the board's file."""
+    """Deflection of the cutter in the board, and the TOML text for the file of the board."""
 
     board: str
     machine: str

@@ -10,7 +10,7 @@ from knifetip.model.tool import Footprint
 
 
 class ToolOut(BaseModel):
-    """A tool with its dimensions (mm, degrees)."""
+    """A tool with its dimensions in mm and degrees."""
 
     kind: str
     dimensions: dict[str, float | bool]
@@ -20,7 +20,7 @@ class ToolOut(BaseModel):
 
 
 class StationOut(BaseModel):
-    """A station of the head: joint position = programmed position + datum."""
+    """A station of the head; its joint position is the programmed position plus the datum."""
 
     number: int
     name: str
@@ -54,7 +54,7 @@ class MachineOut(BaseModel):
 
 
 class StationTool(ToolOut):
-    """A tool with its machine and station."""
+    """A tool with the names of its machine and station."""
 
     machine: str
     station: int

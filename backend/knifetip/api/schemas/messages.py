@@ -15,9 +15,9 @@ from knifetip.messages import Message, from_json, with_text
 from knifetip.messages.codes import CODES
 from knifetip.messages.entry import Kind
 
-#: IdempotencyKey that marks schemas whose ``code`` is a MessageCode.
+#: Key that marks schemas whose ``code`` is a MessageCode.
 _MARK: Final = "x-message"
-#: Greatest size of a message in a request, as JSON (characters).
+#: Maximum size of a message in a request, as JSON (characters).
 _LONGEST: Final = 20_000
 _UNION: Final = "#/components/schemas/Message"
 _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
@@ -32,7 +32,7 @@ _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
 
 
 class MessageOut(BaseModel):
-    """A message: code, arguments, and the text and hint in English."""
+    """A message: its code and arguments, and its text and hint in English."""
 
     model_config = ConfigDict(json_schema_extra={_MARK: True})
     #: Names of the fields that contain the text.
@@ -50,13 +50,13 @@ class MessageOut(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _render(cls, given: Any) -> Any:
-        """Accept a message or its JSON data, and add text and hint."""
+        """Return a Message, or the JSON data of one, as JSON data with text and hint."""
         plain = with_text(given)
         return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
 
 
 class MessageIn(BaseModel):
-    """A message from a gateway; text and hint are used if the server does not have its code."""
+    """A message from a gateway; text and hint are used if the server does not know the code."""
 
     model_config = ConfigDict(extra="forbid")
 

@@ -15,9 +15,9 @@ Colours = Annotated[
 
 
 class RuleIn(Strict):
-    """One rule: gives the line type to edges that meet all conditions.
+    """A rule that gives its line type to all edges that meet all its conditions.
 
-    Patterns are shell globs, case-insensitive; an empty list is no condition.
+    Conditions on names are shell patterns that ignore case; an empty list is no condition.
     """
 
     type: LineTypeWord
@@ -29,7 +29,7 @@ class RuleIn(Strict):
 
 
 class ProfileIn(Strict):
-    """A customer's profile; the first rule that an edge meets decides its line type."""
+    """The profile of a customer; the first rule that matches an edge sets its line type."""
 
     title: Name
     extends: Name | None = Field(
@@ -60,7 +60,7 @@ class RuleOut(BaseModel):
 
 
 class ProfileOut(BaseModel):
-    """A classification profile."""
+    """A classification profile with its rules in order."""
 
     name: str
     title: str
@@ -76,7 +76,7 @@ class ProfileOut(BaseModel):
 
 
 class ChangeOut(BaseModel):
-    """Edges that would get another line type."""
+    """Edges whose line type a profile would change."""
 
     before: LineTypeWord
     after: LineTypeWord
@@ -84,14 +84,14 @@ class ChangeOut(BaseModel):
 
 
 class PreviewRule(RuleOut):
-    """One rule, with number and length of the edges it matches."""
+    """A rule with the number and total length of the edges that it matches."""
 
     edges: int
     length: float
 
 
 class PreviewOut(BaseModel):
-    """Effect of a profile on a drawing."""
+    """The effect that a profile would have on a drawing."""
 
     rules: list[PreviewRule]
     open: int = Field(description="Number of edges that no rule matches")

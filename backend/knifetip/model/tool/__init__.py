@@ -1,6 +1,6 @@
-"""tool: the kinds of tools, with their dimensions as manufacturers give them, and behaviour.
+"""Classes of tools, with dimensions as manufacturers state them and with their behaviour.
 
-All tools: ``feed`` and ``plunge`` are mm/min.
+The fields ``feed`` and ``plunge`` of all tools are in mm/min.
 """
 
 from knifetip.model.tool.base import Footprint, Reversal, Switching, TipCircle, Tool

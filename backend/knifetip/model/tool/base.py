@@ -1,4 +1,4 @@
-"""base: the interface of all tools, and the records that it returns."""
+"""The base class of all tools, and the records that its methods return."""
 
 from __future__ import annotations
 
@@ -12,57 +12,58 @@ from annotated_types import Ge, Gt
 
 from knifetip.messages import Message
 
-#: Limits of dimensions; the library checks them when it reads a machine's file.
+#: Types of dimensions with limits, which the library checks when it loads a machine.
 Positive: TypeAlias = Annotated[float, Gt(0)]
 NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
-    """From which of its ends a track may be worked."""
+    """The ends of a track at which a tool may start."""
 
-    ONE = 0  #: only from its start
-    EITHER = 1  #: from either end, with the same poses in reverse order
-    SIDES = 2  #: from either end, with other poses
+    ONE = 0  #: only at the start
+    EITHER = 1  #: at both ends; the reverse direction has the same poses in reverse order
+    SIDES = 2  #: at both ends; the reverse direction has other poses
 
 
 class Switching(StrEnum):
-    """When the spindle word (M3) of a tool is in force."""
+    """The period during which the spindle word (M3) of a tool is active."""
 
-    STATION = "station"  #: from the change to its station until the next change
-    CUT = "cut"  #: only while it cuts: off for every rapid
+    STATION = "station"  #: from the selection of the station until the next selection
+    CUT = "cut"  #: only while the tool cuts; off during rapids
 
 
 @dataclass(frozen=True, slots=True)
 class TipCircle:
-    """Circle about the tool's own axis that contains every point of its tip."""
+    """Circle about the axis of a tool that contains every point of the tool's tip."""
 
     radius: float  #: mm
-    aside: float  #: distance of its centre to the left of the head's axis (mm)
+    aside: float  #: distance of the centre to the left of the head's axis (mm)
     tilt: float  #: b, angle of the tool's axis from the vertical, to the right of travel (degrees)
 
 
 @dataclass(frozen=True, slots=True)
 class Footprint:
-    """Shape of a tool's mark on the board, and position of its tip, for the page to draw.
+    """Shape of the mark of a tool on the board, and position of its tip, which the page draws.
 
-    ``line``: no wider than its line.  ``disc``: ``radius`` about its tip.  ``groove``: sideways by
-    ``slope`` per mm of depth, along ``blade``.  ``wheel``: a rim ``width`` wide on ``radius``.
+    The shape is one of four.  ``line``: a line without width.  ``disc``: a disc of ``radius`` about
+    the tip.  ``groove``: a flank that widens by ``slope`` per mm of depth along the edge ``blade``.
+    ``wheel``: a rim of ``width`` on a wheel of ``radius``.
     """
 
     shape: Literal["line", "disc", "groove", "wheel"] = "line"
     radius: float = 0.0  #: mm
     width: float = 0.0  #: mm
     slope: float = 0.0  #: mm per mm of depth
-    blade: float = 0.0  #: length of the blade's edge, from the tip forward along C (mm)
+    blade: float = 0.0  #: length of the cutting edge, from the tip forward along C (mm)
     left: float = 0.0  #: from the head's axis to the tip, to the left of C (mm)
     behind: float = 0.0  #: from the head's axis to the tip, backwards along C (mm)
-    any_height: bool = False  #: a beam: it cuts wherever its focus is
+    any_height: bool = False  #: whether the tool cuts at any height, like a laser
 
 
 class Tool(ABC):
-    """A tool: its dimensions, and the behaviour on which the stages depend.
+    """Base class of tools: dimensions, and the behaviour on which the stages depend.
 
-    Subclasses are frozen dataclasses of dimensions.  A kind is registered as one row of
+    Subclasses are frozen dataclasses of dimensions.  Each is registered by one row of
     ``knifetip.model.tool.KINDS``.
     """
 
@@ -70,7 +71,7 @@ class Tool(ABC):
 
     #: Period of the tool's symmetry about C (degrees).
     period: ClassVar[float] = 360.0
-    #: Whether it deflects under load, by the values in the board's file.
+    #: Whether the tool deflects under load; the file of the board contains the values.
     yields: ClassVar[bool] = False
 
     # Declared for the type checker only: a dataclass would take a property for a field's default.
@@ -78,76 +79,82 @@ class Tool(ABC):
 
         @property
         def feed(self) -> float:
-            """Feed while it works (mm/min)."""
+            """Feed while the tool cuts or creases (mm/min)."""
 
         @property
         def plunge(self) -> float:
-            """Feed down into the board and up out of it (mm/min)."""
+            """Feed of the tool down into the board and up out of the board (mm/min)."""
 
     @abstractmethod
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the tip circle while the tip is ``depth`` below the board's face (mm)."""
+        """Return the tip circle while the tip is ``depth`` mm below the top face of the board."""
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """From which ends tracks may be worked, and the difference of C there (degrees)."""
+        """The ends at which a track may start, and the change of C in reverse (degrees)."""
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """S word while its spindle, oscillation or beam is on; 0 if it has none."""
+        """S word while spindle, oscillation or laser of the tool is on; 0 for tools without one."""
         return 0
 
     @property
     def fault(self) -> str:
-        """Why its dimensions are inconsistent, or ""."""
+        """Error message if the dimensions are inconsistent, otherwise ""."""
         return ""
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Why it cannot work: it needs a spindle word and its dimensions give none; or None."""
+        """Message if the tool needs a spindle word and its dimensions give none, otherwise None."""
         return None
 
     @property
     def outputs(self) -> tuple[int, ...]:
-        """Digital outputs, besides its station's, that are on while it is in use."""
+        """Numbers of the tool's own digital outputs that are on while it is in use."""
         return ()
 
     @property
     def pierce_time(self) -> float:
-        """Dwell at the start of a cut (s)."""
+        """Dwell of the tool at the start of a cut (s)."""
         return 0.0
 
     @property
     def diameter(self) -> float:
-        """Diameter for the controller's tool table (mm); 0 where there is none."""
+        """Diameter in the tool table of the controller (mm); 0 for tools without one."""
         return 0.0
 
     @property
     def footprint(self) -> Footprint:
-        """Shape of the tool's mark, for the page."""
+        """Shape of the mark of the tool, for the page."""
         return Footprint()
 
     @property
     def dimensions(self) -> dict[str, float | bool]:
-        """The fields of the record, as the machine's file gives them."""
+        """Fields of the tool by name, as in the file of a machine."""
         return {str(name): getattr(self, name) for name in self.__slots__}
 
     @property
     def derived(self) -> dict[str, float]:
-        """Dimensions that follow from the others."""
+        """Dimensions by name that are calculated from the fields of the tool."""
         return {}
 
     def settle(self, usual: float) -> float:
-        """Return the dwell after it is switched on (s); ``usual`` is the machine's."""
+        """Return the dwell after the tool is switched on (s); ``usual`` is the machine's value."""
         return usual
 
     def clearance(self, usual: float) -> float:
-        """Return the tip's height above the board between cuts (mm); ``usual`` is the machine's."""
+        """Return the height of the tip above the board between cuts (mm).
+
+        Parameters
+        ----------
+        usual
+            Value of the machine, which most tools return.
+        """
         return usual
 
     @classmethod
     def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return the index of the tool of this kind that suits a board; ``caliper`` in mm."""
+        """Return the index of the tool in ``held`` that suits a board ``caliper`` mm thick."""
         del held, caliper  # all are equally good
         return 0

@@ -1,4 +1,4 @@
-"""crease_wheel: a wheel that is pressed into the board."""
+"""The crease wheel: a wheel that is pressed into the board."""
 
 from __future__ import annotations
 
@@ -13,47 +13,47 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class CreaseWheel(Tool):
-    """A wheel pressed into the board; the same from both sides."""
+    """A crease wheel, whose two sides are equal."""
 
     period: ClassVar[float] = 180.0
 
-    radius: Positive  #: R (mm)
-    width: Positive  #: of its rim (mm)
+    radius: Positive  #: R, radius of the wheel (mm)
+    width: Positive  #: width of the rim (mm)
     feed: Positive
     plunge: Positive
 
     def contact(self, depth: float) -> float:
-        """Return s, half the length of its contact with the board at a depth (mm).
+        """Return half the length of the contact between wheel and board at a depth (mm).
 
-        Our derivation: s² = δ(2R − δ).
+        Own derivation: s² = δ (2R − δ) for half length s, depth δ and radius R of the wheel.
         """
         return math.sqrt(max(depth * (2.0 * self.radius - depth), 0.0))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return a circle as wide as the wheel's contact with the board."""
+        """Return a circle whose diameter is the length of the contact between wheel and board."""
         return TipCircle(math.hypot(self.contact(max(depth, 0.0)), self.width / 2.0), 0.0, 0.0)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """A wheel rolls both ways."""
+        """The ends at which a track may start: both, because the wheel rolls both ways."""
         return Reversal.EITHER, 0.0
 
     @property
     def diameter(self) -> float:
-        """Of the wheel (mm)."""
+        """Diameter of the wheel (mm)."""
         return 2.0 * self.radius
 
     @property
     def footprint(self) -> Footprint:
-        """The rim, over its contact with the board."""
+        """The rim of the wheel on the length of its contact with the board."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod
     def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return the wheel that suits a board.
+        """Return the index of the wheel in ``held`` that suits a board ``caliper`` mm thick.
 
-        The trade's rule: the narrowest rim that is at least as wide as the board is thick, so that
-        the inside of the fold has room for the board; the widest rim if none is wide enough.
+        This is the narrowest rim that is at least as wide as the board is thick, so that the inside
+        of the fold has room for the board, or the widest rim if none is wide enough.
         """
         rims = [wheel.width for wheel in held if isinstance(wheel, CreaseWheel)]
         enough = [rim for rim in rims if rim >= caliper - POINT]

@@ -1,4 +1,4 @@
-"""cutter: a rotating cutter, as a router holds it."""
+"""The rotating cutter of a router."""
 
 from __future__ import annotations
 
@@ -12,42 +12,42 @@ from knifetip.messages import Message
 from knifetip.model.tool.base import NotNegative, Positive
 from knifetip.model.tool.disc import DiscTool
 
-#: Greatest number of passes; more are an error in the tool's ``step``.
+#: Maximum number of passes; more indicate an error in the ``step`` of the tool.
 _MOST: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Cutter(DiscTool):
-    """A rotating cutter (router)."""
+    """A rotating cutter, as used in routers."""
 
     yields: ClassVar[bool] = True
 
-    radius: Positive  #: r (mm)
+    radius: Positive  #: r, radius of the cutter (mm)
     feed: Positive
     plunge: Positive
-    speed: NotNegative = 0.0  #: of the spindle (rpm)
-    spin_up: NotNegative = 0.0  #: seconds from the spindle's start to its full speed
-    lead: NotNegative = 0.0  #: straight way on which the offset is set up (mm); 0 for 1.5 r
-    approach: float = 90.0  #: of that way to the contour (degrees): 0 in line, −90 round outside
-    step: NotNegative = 0.0  #: deepest cut in one pass (mm); 0 for all at once
-    dwell: NotNegative = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
+    speed: NotNegative = 0.0  #: speed of the spindle (rpm)
+    spin_up: NotNegative = 0.0  #: time until the spindle has its full speed (s)
+    lead: NotNegative = 0.0  #: length of the straight lead-in (mm); 0: 1.5 r
+    approach: float = 90.0  #: angle of the lead-in to the contour (degrees); 0: in line
+    step: NotNegative = 0.0  #: maximum depth of one pass (mm); 0: one pass
+    dwell: NotNegative = 0.0  #: maximum contact with a corner before it burns (s); 0: no limit
 
     @property
     def spindle(self) -> int:
-        """Speed of the spindle (rpm)."""
+        """S word while the spindle is on: its speed (rpm)."""
         return round(self.speed)
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Why it cannot cut: its speed is 0."""
+        """Message if the speed of the spindle is 0, otherwise None."""
         return None if self.spindle >= 1 else Message("tool.without-speed")
 
     def settle(self, usual: float) -> float:
-        """Return the time until the spindle has its full speed, if that is longer."""
+        """Return the longer of ``usual`` and the time until the spindle has its full speed (s)."""
         return max(usual, self.spin_up)
 
     def passes(self, through: float) -> F64:
-        """Return the depths of equal passes (mm), each at most ``step`` deeper than the last."""
+        """Return the depths of equal passes to ``through`` (mm); each adds at most ``step``."""
         count = 1 if self.step == 0.0 else min(_MOST, int(np.ceil(through / self.step - 1e-9)))
         depths: F64 = through * np.arange(1, count + 1) / count
         return depths

@@ -1,4 +1,4 @@
-"""disc: tools that remove a disc about their axis: routers and beams."""
+"""The base class of tools that remove a disc about their axis: cutters and lasers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.model.tool.base import Footprint, TipCircle, Tool
 
 
 class DiscTool(Tool):
-    """A tool that removes a disc of radius r; its path is offset by r, on the waste side."""
+    """Base class of tools that remove a disc; their path is offset by its radius r."""
 
     __slots__ = ()
 
@@ -20,28 +20,28 @@ class DiscTool(Tool):
 
         @property
         def radius(self) -> float:
-            """r (mm)."""
+            """Radius r of the disc (mm)."""
 
         @property
         def lead(self) -> float:
-            """Length of the straight lead-in (mm); 0 for 1.5 r."""
+            """Length of the straight lead-in (mm); 0 means 1.5 r."""
 
         @property
         def approach(self) -> float:
-            """Angle of the lead-in to the contour (degrees): 0 in line, −90 round outside."""
+            """Angle of the lead-in to the contour (degrees): 0 in line, −90 round the outside."""
 
         @property
         def dwell(self) -> float:
-            """Longest contact with one corner before it burns (s); 0 for no limit."""
+            """Maximum contact with one corner before it burns (s); 0 for no limit."""
 
     @property
     def set_up(self) -> float:
-        """Length of the straight lead-in on which the offset starts (mm), greater than r."""
+        """Length of the straight lead-in (mm): ``lead``, or 1.5 r if ``lead`` is 0."""
         return self.lead or 1.5 * self.radius
 
     @property
     def fault(self) -> str:
-        """A lead-in no longer than r has no room for the disc."""
+        """Error message if the lead-in is not longer than r, otherwise ""."""
         if 0.0 < self.lead <= self.radius:
             return f"has a lead of {self.lead}, which must be more than the radius, or 0"
         return ""
@@ -51,16 +51,16 @@ class DiscTool(Tool):
         return np.array([through])
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the disc."""
+        """Return the circle of the disc, which is the same at every depth."""
         del depth  # the same at any depth
         return TipCircle(self.radius, 0.0, 0.0)
 
     @property
     def diameter(self) -> float:
-        """Of the disc (mm)."""
+        """Diameter of the disc (mm)."""
         return 2.0 * self.radius
 
     @property
     def footprint(self) -> Footprint:
-        """The disc."""
+        """The disc, as the shape of the tool's mark."""
         return Footprint("disc", radius=self.radius)

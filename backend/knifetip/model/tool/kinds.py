@@ -1,6 +1,6 @@
-"""kinds: the registry of tools: one row binds a kind to its planners and its engine.
+"""The registry of tools: one row for each kind, with its line types, planners and engine.
 
-To add a kind, write its class and its row here, and its checks in
+To add a kind, write its class, its row in this module, and its checks in
 ``knifetip.verification.tools``.
 """
 
@@ -21,18 +21,18 @@ from knifetip.model.tool.v_cutter import VCutter
 
 
 class Planner(StrEnum):
-    """Which function of ``planning.plan`` turns edges into operations."""
+    """Name of the function of ``planning.plan`` that turns edges into operations."""
 
     CREASES = "creases"
     GROOVES = "grooves"
     HALF_CUTS = "half-cuts"
     PERFORATIONS = "perforations"
-    BLADE_CUTS = "blade cuts"  #: cuts on their line
-    OFFSET_CUTS = "offset cuts"  #: cuts beside their line, in the waste
+    BLADE_CUTS = "blade cuts"  #: cuts on the drawn line
+    OFFSET_CUTS = "offset cuts"  #: cuts beside the drawn line, in the waste
 
 
 class Engine(StrEnum):
-    """Which function of ``compensation`` turns an operation into the path of the head."""
+    """Name of the function of ``compensation`` that turns an operation into a tool path."""
 
     KNIFE = "knife"
     CREASE = "crease"
@@ -42,11 +42,11 @@ class Engine(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """One kind of tool."""
+    """One row of the registry: a kind of tool."""
 
-    name: str  #: name in machines' files and in REST
+    name: str  #: name in files of machines and in REST
     tool: type[Tool]
-    planners: Mapping[LineType, Planner]  #: the line types that it makes
+    planners: Mapping[LineType, Planner]  #: line types that the tool makes, with their planners
     engine: Engine
     switching: Switching = Switching.STATION
 
@@ -73,5 +73,5 @@ _BY_TOOL: Final = {kind.tool: kind for kind in KINDS}
 
 
 def kind_of(tool: Tool) -> Kind:
-    """Return the registry's row for a tool."""
+    """Return the row of the registry for the class of a tool."""
     return _BY_TOOL[type(tool)]

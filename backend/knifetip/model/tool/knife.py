@@ -1,4 +1,4 @@
-"""knife: a tangential blade, still, oscillating or dragged."""
+"""The knife: a tangential blade, static, oscillating or trailing."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class Knife(Tool):
-    """A tangential knife, still or oscillating; with ``trail`` a drag knife."""
+    """A tangential knife, static or oscillating; with ``trail`` > 0 a drag knife."""
 
     #: slant of the leading edge from the vertical (degrees)
     blade_angle: Annotated[float, Ge(0), Lt(80)]
-    blade_width: float  #: along the cut: a wrong heading widens the cut by it (mm)
+    blade_width: float  #: width of the blade along the cut (mm)
     swivel: float  #: swivel angle: corners sharper than this are turned above the board (degrees)
     feed: Positive
     plunge: Positive
     oscillating: bool = False
-    trail: float = 0.0  #: e, tip behind the head's axis (mm): 0 for a tangential knife
-    lead_in: float = 0.0  #: arc by which it comes to an outer contour from the waste (mm)
-    lead_out: float = 0.0  #: arc by which it leaves an outer contour into the waste (mm)
+    trail: float = 0.0  #: e, distance of the tip behind the head's axis (mm)
+    lead_in: float = 0.0  #: length of the arc from the waste to an outer contour (mm)
+    lead_out: float = 0.0  #: length of the arc from an outer contour to the waste (mm)
 
     @property
     def led(self) -> bool:
@@ -32,27 +32,33 @@ class Knife(Tool):
         return self.lead_in > 0.0 or self.lead_out > 0.0
 
     def lead(self, thickness: float) -> float:
-        """Return the lead of the cut at the top over the bottom (mm) for a board thickness (mm)."""
+        """Return how far the cut in the top face is ahead of the cut in the bottom face (mm).
+
+        Parameters
+        ----------
+        thickness
+            Thickness of the board (mm).
+        """
         return thickness * math.tan(math.radians(self.blade_angle))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return a circle as wide as the blade and its trail."""
+        """Return the circle that contains blade and trail, which is the same at every depth."""
         del depth  # the same at any depth
         return TipCircle(self.trail + self.blade_width, 0.0, 0.0)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """A slanted or trailing blade cuts differently in the other direction."""
+        """The ends at which a track may start: one for a slanted or trailing blade, or both."""
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """1 for an oscillating knife, although it has one speed: controllers treat M3 S0 as off."""
+        """S word: 0, or 1 for an oscillating knife, as controllers treat M3 S0 as off."""
         return int(self.oscillating)
 
     @property
     def footprint(self) -> Footprint:
-        """A line; the tip of a drag knife lies behind the head."""
+        """A line; the tip of a drag knife is behind the axis of the head."""
         return Footprint(behind=self.trail)

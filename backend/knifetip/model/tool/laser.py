@@ -1,4 +1,4 @@
-"""laser: a beam that cuts without touching."""
+"""The laser, which cuts without contact."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from knifetip.model.tool.disc import DiscTool
 
 @dataclass(frozen=True, slots=True)
 class Laser(DiscTool):
-    """A laser that cuts through the board in one pass, its focus at one height."""
+    """A laser that cuts through the board in one pass with its focus at one height."""
 
     kerf: Positive  #: width of the cut (mm); half of it is the radius r
     feed: Positive
-    power: Positive  #: S word of full power for this material, in the controller's units ($30)
-    pierce: NotNegative  #: seconds that the beam stays where a cut begins until it is through
+    power: Positive  #: S word of full power, in units of the controller ($30)
+    pierce: NotNegative  #: dwell at the start of a cut until the board is pierced (s)
     focus: float = 0.0  #: height of the focus above the board's top face (mm)
-    lead: NotNegative = 0.0  #: straight way from the pierced hole to the contour (mm); 0 for 1.5 r
-    approach: float = 90.0  #: of that way to the contour (degrees): 0 in line, −90 round outside
-    dwell: NotNegative = 0.0  #: longest touch of one corner before it burns (s); 0 for no limit
-    air: int = -1  #: digital output of the air assist; -1 where it has none
+    lead: NotNegative = 0.0  #: length of the lead-in from the pierced hole (mm); 0: 1.5 r
+    approach: float = 90.0  #: angle of the lead-in to the contour (degrees); 0: in line
+    dwell: NotNegative = 0.0  #: maximum contact with a corner before it burns (s); 0: no limit
+    air: int = -1  #: digital output of the air assist; -1 for none
 
     @property
     def radius(self) -> float:
@@ -33,40 +33,40 @@ class Laser(DiscTool):
 
     @property
     def plunge(self) -> float:
-        """The feed: a laser does not plunge; the head stays at the height of the focus."""
+        """The feed (mm/min); a laser does not plunge, its head stays at the height of the focus."""
         return self.feed
 
     @property
     def spindle(self) -> int:
-        """The power."""
+        """S word while the laser is on: its power."""
         return round(self.power)
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Why it cannot cut: controllers treat M3 S0 as off."""
+        """Message if the power is 0, which controllers treat as off, otherwise None."""
         return None if self.spindle >= 1 else Message("tool.without-power")
 
     @property
     def pierce_time(self) -> float:
-        """Dwell at the start of a cut (s)."""
+        """Dwell of the laser at the start of a cut (s)."""
         return self.pierce
 
     @property
     def outputs(self) -> tuple[int, ...]:
-        """The air assist."""
+        """Number of the digital output of the air assist; empty without air assist."""
         return () if self.air < 0 else (self.air,)
 
     @property
     def footprint(self) -> Footprint:
-        """The kerf, at any height of the focus."""
+        """A disc as wide as the kerf, at any height of the focus."""
         return Footprint("disc", radius=self.radius, any_height=True)
 
     def clearance(self, usual: float) -> float:
-        """Return the height of the focus, at which the tip stays between cuts."""
+        """Return the height of the focus above the board, kept between cuts (mm)."""
         del usual
         return self.focus
 
     def passes(self, through: float) -> F64:
-        """Return the depth of the focus, in one pass."""
+        """Return the depth of the focus for the only pass (mm)."""
         del through
         return np.array([-self.focus])

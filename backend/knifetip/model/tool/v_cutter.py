@@ -1,4 +1,4 @@
-"""v_cutter: a leaning blade for V-grooves."""
+"""The V-cutter: a tilted blade for V-grooves."""
 
 from __future__ import annotations
 
@@ -13,41 +13,41 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class VCutter(Tool):
-    """A leaning blade that cuts one flank of a V-groove on each of two passes.
+    """A tilted blade that cuts one flank of a V-groove in each of two passes.
 
-    From its tip, the head's axis lies ``back`` to the right of travel and ``half_width`` ahead.
-    The other end of the blade's edge is 2 ``half_width`` ahead of the tip.
+    The axis of the head is ``back`` to the right of the tip and ``half_width`` ahead of it, in the
+    direction of travel.  The other end of the cutting edge is 2 ``half_width`` ahead of the tip.
     """
 
-    back: Positive  #: d, tip to head axis, square to the edge (mm)
-    half_width: float  #: r, tip to head axis, along the edge (mm)
-    tilt: Annotated[float, Gt(0), Lt(90)]  #: θ, of the blade from the vertical (degrees)
+    back: Positive  #: d, distance of tip and head axis across the cutting edge (mm)
+    half_width: float  #: r, distance of tip and head axis along the cutting edge (mm)
+    tilt: Annotated[float, Gt(0), Lt(90)]  #: θ, angle of the blade from the vertical (degrees)
     feed: Positive = 12000.0
     plunge: Positive = 3000.0
 
     @property
     def length(self) -> float:
-        """L, pivot to tip along the blade (mm): d = L sin θ."""
+        """Length L of the blade from pivot to tip (mm): d = L sin θ."""
         return self.back / math.sin(math.radians(self.tilt))
 
     @property
     def slope(self) -> float:
-        """tan θ: sideways travel per mm of depth."""
+        """Sideways distance of the flank per mm of depth, tan θ."""
         return math.tan(math.radians(self.tilt))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle about the leaning axis."""
+        """Return the circle about the tilted axis, which is the same at every depth."""
         del depth  # the same at any depth
         return TipCircle(self.half_width, self.back, self.tilt)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The two flanks may be cut in either order, starting at either end of the groove."""
+        """The ends at which a track may start: both, as the flanks have no fixed order."""
         return Reversal.SIDES, 0.0
 
     @property
     def footprint(self) -> Footprint:
-        """One flank of the groove."""
+        """One flank of the groove, as the shape of the tool's mark."""
         return Footprint(
             "groove",
             slope=self.slope,
@@ -58,5 +58,5 @@ class VCutter(Tool):
 
     @property
     def derived(self) -> dict[str, float]:
-        """The blade's length."""
+        """The length of the blade (mm), by its name."""
         return {"length": self.length}
