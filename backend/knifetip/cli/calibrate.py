@@ -81,8 +81,9 @@ def calibrate(
     ] = None,
     json: Json = False,
 ) -> None:
-    """Compute the deflection of a cutter from a test contour cut without compensating it.
+    """Compute the deflection of a cutter from a measured test cut.
 
+    The test contour is cut without compensation of the deflection.
     Each point has the direction of travel AZIMUTH and the measured offset DX, DY of the cut
     contour from the drawn one.  Measure points on edges along X, along Y, and at 45°.
     """

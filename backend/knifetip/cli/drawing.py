@@ -166,10 +166,11 @@ def register(app: typer.Typer) -> None:
         unit: Unit = None,
         json: Json = False,
     ) -> None:
-        """Show line types of edges with the deciding rules; exits with 2 while questions are open.
+        """Show the line type of each edge and the rule that decided it.
 
-        Questions are about the drawing's unit or the line type of some edges. They must be answered
-        before a program can be made: with --unit, --layer or a profile.
+        Exits with 2 while questions are open, about the unit of the drawing or the line types of
+        some edges.  They must be answered with --unit, --layer or a profile before a program can
+        be made.
         """
         result = load_drawing(file, unit, profile, layer)
         open_questions = result.questions()
@@ -196,7 +197,10 @@ def register(app: typer.Typer) -> None:
         unit: Unit = None,
         json: Json = False,
     ) -> None:
-        """Show which edges cleaning merges, shortens, joins or drops before a program is made."""
+        """Show which edges cleaning merges, shortens, joins or drops.
+
+        Every drawing is cleaned before a program is made from it.
+        """
         result = load_drawing(file, unit, profile, layer)
         if not result.drawing.unit:
             report_questions(result.questions())

@@ -96,7 +96,7 @@ def _path(id: str) -> str:
 def register(app: typer.Typer) -> None:
     """Add the commands of this module to an application."""
     job = typer.Typer(
-        help="Jobs of a server: list, show, confirm, hold, resume, cancel, finish, …",
+        help="List and control the jobs of a server.",
         no_args_is_help=True,
     )
     app.add_typer(job, name="job")
@@ -127,7 +127,7 @@ def register(app: typer.Typer) -> None:
 
     @job.command("show")
     def show_job(id: Id, server: Server = SERVER, key: Key = "", json: Json = False) -> None:
-        """Show state and progress of a job, what it waits for, and the allowed actions."""
+        """Show state, progress and allowed actions of a job."""
         row = JobClient(server, key).job(id)
         if json:
             print_json(row)
@@ -146,7 +146,10 @@ def register(app: typer.Typer) -> None:
             str, typer.Option(help="Name of the person who confirms, for the record.")
         ] = "",
     ) -> None:
-        """Confirm that table, board and tools are ready; the machine then starts."""
+        """Confirm that table, board and tools are ready.
+
+        The machine then starts.
+        """
         body = {name: value for name, value in (("board", board), ("by", by)) if value}
         _print_job(JobClient(server, key).command(id, "confirm", body))
 
@@ -162,7 +165,10 @@ def register(app: typer.Typer) -> None:
 
     @job.command()
     def scrap(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
-        """Scrap an interrupted job and free its table; asks for confirmation first."""
+        """Scrap an interrupted job and free its table.
+
+        Asks for confirmation first.
+        """
         client = JobClient(server, key)
         if not yes:
             effect = "The remaining copies will not be made, and the table is freed."

@@ -56,7 +56,7 @@ def register(app: typer.Typer) -> None:
             bool, typer.Option("--tool-table", help="Print a tool table for LinuxCNC.")
         ] = False,
     ) -> None:
-        """Show the stations of a machine with their datums and tool dimensions."""
+        """Show the stations of a machine, with their positions and tools."""
         chosen = load.machine(name)
         if table:
             typer.echo(tool_table(chosen), nl=False)

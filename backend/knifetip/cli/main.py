@@ -1,4 +1,4 @@
-"""Entry point: the list of commands, loading them on demand, and reporting of errors."""
+"""main: entry point of the command line, with the list of commands and the report of errors."""
 
 from __future__ import annotations
 
@@ -14,56 +14,40 @@ from knifetip.errors import KnifetipError
 
 
 class _Command(NamedTuple):
+    """The module and the help text of a command."""
+
     module: str  #: module of this package that registers the command
-    help: str  #: first sentence of the help text
+    help: str  #: first sentence of the help text, at most 63 characters
 
 
 # The module of a command is imported only when that command runs.
 COMMANDS: Final[dict[str, _Command]] = {
     "read": _Command("drawing", "Show unit, size and import report of a drawing."),
     "classify": _Command(
-        "drawing",
-        "Show line types of edges with the deciding rules; exits with 2 while questions are open.",
+        "drawing", "Show the line type of each edge and the rule that decided it."
     ),
-    "clean": _Command(
-        "drawing",
-        "Show which edges cleaning merges, shortens, joins or drops before a program is made.",
-    ),
+    "clean": _Command("drawing", "Show which edges cleaning merges, shortens, joins or drops."),
     "samples": _Command("drawing", "Write the sample cartons as DXF files."),
-    "program": _Command(
-        "program", "Compile a drawing to a program, and write it if the verifier accepts it."
-    ),
-    "verify": _Command("program", "Verify that a program makes a drawing."),
+    "program": _Command("program", "Compile a drawing to a verified machine program."),
+    "verify": _Command("program", "Verify that a program cuts and creases what a drawing shows."),
     "machine": _Command(
-        "machine", "Show the stations of a machine with their datums and tool dimensions."
+        "machine", "Show the stations of a machine, with their positions and tools."
     ),
     "calibrate": _Command(
-        "calibrate",
-        "Compute the deflection of a cutter from a test contour cut without compensating it.",
+        "calibrate", "Compute the deflection of a cutter from a measured test cut."
     ),
-    "job": _Command(
-        "job", "Jobs of a server: list, show, confirm, hold, resume, cancel, finish, …"
-    ),
-    "serve": _Command(
-        "service", "Run the page, the API and all parts of the service in one process until Ctrl-C."
-    ),
+    "job": _Command("job", "List and control the jobs of a server."),
+    "serve": _Command("service", "Run the server with page, workers and a simulated machine."),
     "worker": _Command("service", "Run a compile worker for a database until Ctrl-C."),
-    "gateway": _Command(
-        "service", "Claim the jobs of a machine and stream them to its controller."
-    ),
-    "simulator": _Command(
-        "service", "Simulate a machine: listen like its controller and execute programs."
-    ),
-    "schema": _Command(
-        "schema",
-        "Print the JSON Schema of machine, board or profile files, for editors.",
-    ),
+    "gateway": _Command("service", "Claim the jobs of a machine and send them to its controller."),
+    "simulator": _Command("service", "Run a simulated controller that executes programs."),
+    "schema": _Command("schema", "Print the JSON Schema of machine, board or profile files."),
     "profile": _Command("profile", "Classification profiles: list, show, export, import."),
 }
 
 
 def load_command(name: str) -> Any:
-    """Import the module of a command and return the command with its parameters."""
+    """Import the module of a command and return the command as a Typer object."""
     # Imported objects live until the process ends, so the garbage collector need not scan them,
     # neither now nor later.
     gc.disable()

@@ -1,7 +1,7 @@
-"""options: commands whose options are grouped in dataclasses.
+"""options: group the options of a command in dataclasses.
 
-Typer reads one option from each parameter of a function.  ``expand`` converts a function that takes
-dataclasses to one with a parameter for each field.
+Typer creates one option from each parameter of a function.  ``expand`` converts a function with
+dataclass parameters to a function with one parameter for each field.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ def expand(command: Callable[..., None]) -> Callable[..., None]:
     Parameters
     ----------
     command
-        Its annotations are plain types for Typer, or dataclasses whose fields are annotated like
-        parameters.  It is called with an instance of each dataclass.
+        Function whose parameters have types that Typer supports, or are dataclasses with fields of
+        such types.  It is called with an instance of each dataclass.
     """
     hints = get_type_hints(command, include_extras=True)
     records: dict[str, tuple[Callable[..., Any], list[str]]] = {}

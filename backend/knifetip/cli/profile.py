@@ -70,7 +70,10 @@ def register(app: typer.Typer) -> None:
 
     @profile.command("show")
     def show_profile(name: Name, database: Database = None, json: Json = False) -> None:
-        """Show the rules of a profile; the first rule that matches an edge decides."""
+        """Show the rules of a profile.
+
+        The first rule that matches an edge decides its line type.
+        """
         rules = find_profile(name, database)
         about = profile_json(name, rules)
         if json:
@@ -88,7 +91,10 @@ def register(app: typer.Typer) -> None:
         ] = None,
         database: Database = None,
     ) -> None:
-        """Write a profile as TOML, for editing and for use with --profile FILE.toml."""
+        """Write a profile as a TOML file.
+
+        The file can be edited and used with --profile FILE.toml.
+        """
         text = profile_toml(name, database)
         if output is None:
             typer.echo(text, nl=False)
@@ -106,7 +112,10 @@ def register(app: typer.Typer) -> None:
             bool, typer.Option(help="Replace an existing profile of that name.")
         ] = False,
     ) -> None:
-        """Check a profile file, and store it in a server's database if there is one."""
+        """Check a profile file and store it in a database.
+
+        Without a database the file is only checked.
+        """
         profile_name = custom_profiles.check_name(name or file.stem.lower())
         try:
             text = read_bytes(file).decode("utf-8-sig")

@@ -51,7 +51,7 @@ _CORNER = re.compile(
 
 
 class CornerType(Enum):
-    """Path of a cutter round outer corners: a type of the glossary, or chosen by duration."""
+    """Path of a cutter round outer corners: type B, C or D (see the glossary), or the fastest."""
 
     AUTO = "auto"
     B = "B"
@@ -60,14 +60,16 @@ class CornerType(Enum):
 
 
 class Interference(Enum):
-    """Where a cutter does not fit: leave the places uncut, or refuse the drawing."""
+    """What to do where a cutter does not fit: leave these areas uncut, or refuse the drawing."""
 
     TRIM = "trim"
     REFUSE = "refuse"
 
 
 def parse_corner(text: str) -> CornerAt:
-    """Parse an option for one corner: ``X,Y=C`` or ``X,Y=D:0.3``.
+    """Return the corner that the text of an option ``--corner-at`` describes.
+
+    The text has the form ``X,Y=TYPE`` or ``X,Y=TYPE:K``.
 
     Raises
     ------
@@ -162,7 +164,7 @@ def print_verdict(verdict: Verdict) -> None:
 
 
 def _parse_placement(text: str) -> tuple[float, float]:
-    """Parse a placement of the form "X,Y" (mm)."""
+    """Return x and y (mm) from the text "X,Y" of the option ``--placement``."""
     match = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
     if match is None:
         raise typer.BadParameter(f"{text!r} is not of the form X,Y (mm).", param_hint="--placement")
@@ -188,7 +190,11 @@ def program(
     ] = "",
     report: Annotated[Path | None, typer.Option(help="File to write a JSON report to.")] = None,
 ) -> None:
-    """Compile a drawing to a program, and write it if the verifier accepts it."""
+    """Compile a drawing to a verified machine program.
+
+    The program is written only if the verifier accepts it.  Exits with 1 if it is refused, and with
+    2 while questions about the drawing are open.
+    """
     machine, board = target.load()
     corners = corner_options.corners(machine)
     with progress(file.name) as report_progress:
@@ -260,7 +266,10 @@ def verify(
     ] = "",
     json: Json = False,
 ) -> None:
-    """Verify that a program makes a drawing."""
+    """Verify that a program cuts and creases what a drawing shows.
+
+    Exits with 1 if the program is refused.
+    """
     machine, board = target.load()
     loaded = reading.load(drawing)
     _refuse_questions(loaded, machine)

@@ -26,5 +26,8 @@ def register(app: typer.Typer) -> None:
     def schema(
         file: Annotated[File, typer.Argument(metavar="FILE", help="machine, board or profile.")],
     ) -> None:
-        """Print the JSON Schema of machine, board or profile files, for editors."""
+        """Print the JSON Schema of machine, board or profile files.
+
+        Editors use it to check and complete TOML files.
+        """
         print_json(json_schema(file.value))

@@ -78,7 +78,10 @@ def serve(
     parts: PartOptions,
     access: AccessOptions,
 ) -> None:
-    """Run the page, the API and all parts of the service in one process until Ctrl-C."""
+    """Run the server with page, workers and a simulated machine.
+
+    All parts run until Ctrl-C.
+    """
     from knifetip.api import embedded  # imported here: takes a second
 
     embedded.serve(
@@ -133,7 +136,7 @@ def gateway(
         str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
     ] = "",
 ) -> None:
-    """Claim the jobs of a machine and stream them to its controller."""
+    """Claim the jobs of a machine and send them to its controller."""
     from knifetip.gateway import claim
     from knifetip.languages.registry import find_language
 
@@ -161,7 +164,7 @@ def simulator(
     machine: MachineName = "demo-table",
     speed: Speed = 1.0,
 ) -> None:
-    """Simulate a machine: listen like its controller and execute programs."""
+    """Run a simulated controller that executes programs."""
     from knifetip.gateway import simulator as table
 
     try:
