@@ -32,6 +32,7 @@ from knifetip.api.drawing_requests import add_drawing
 from knifetip.api.service import Service, Settings
 from knifetip.errors import KnifetipError, StoreError
 from knifetip.gateway import claim, simulator
+from knifetip.gateway.job_server import GatewaySettings
 from knifetip.jobs.process_pool import TaskCancelled
 from knifetip.languages.registry import find_language
 from knifetip.library import load
@@ -204,12 +205,9 @@ class _SimulatedMachine(threading.Thread):
         ):
             address = table.address
             await claim.work(
-                self._api,
-                machine,
-                "embedded",
+                GatewaySettings(self._api, machine, "embedded", journal=self._journal),
                 lambda safe, stop_motion: dial(address, safe, stop_motion=stop_motion),
                 client=client,
-                journal=self._journal,
             )
 
     def leave(self) -> None:

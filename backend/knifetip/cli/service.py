@@ -138,6 +138,7 @@ def gateway(
 ) -> None:
     """Claim the jobs of a machine and send them to its controller."""
     from knifetip.gateway import claim
+    from knifetip.gateway.job_server import GatewaySettings
     from knifetip.languages.registry import find_language
 
     table = load.machine(machine)
@@ -146,12 +147,8 @@ def gateway(
     headers = {"Authorization": f"Bearer {key}"} if key else {}
     asyncio.run(
         claim.work(
-            server,
-            table,
-            name,
+            GatewaySettings(server, table, name, headers=headers, journal=journal),
             lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
-            headers=headers,
-            journal=journal,
         )
     )
 

@@ -17,6 +17,7 @@ import pytest
 from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
+from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
@@ -122,22 +123,16 @@ async def gateway(office: Office, server: simulator.Server, **options: Any) -> N
     """Work for one job."""
     async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:
         async with asyncio.timeout(20.0):
-            await work(
-                "http://office",
-                MACHINE,
-                "table-7",
-                options.pop(
-                    "connect",
-                    lambda safe, stop_motion: grbl.dial(
-                        server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
-                    ),
+            connect = options.pop(
+                "connect",
+                lambda safe, stop_motion: grbl.dial(
+                    server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
                 ),
-                client=client,
-                wait=0.1,
-                beat=0.01,
-                jobs=1,
-                **options,
             )
+            settings = GatewaySettings(
+                "http://office", MACHINE, "table-7", wait=0.1, beat=0.01, **options
+            )
+            await work(settings, connect, client=client, jobs=1)
 
 
 async def test_a_job_is_claimed_run_and_finished() -> None:

@@ -1,0 +1,130 @@
+"""job_run: the state of a claimed job while the gateway runs it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from knifetip.gateway.motion import Pose
+from knifetip.messages import Message, with_text
+
+
+@dataclass(frozen=True, slots=True)
+class Lease:
+    """A claimed job, as the server describes it."""
+
+    job: str
+    epoch: int
+    lease: float
+    program: str
+    sha256: str
+    copies: int
+    confirm: bool  #: the operator must confirm before anything is sent to the machine
+
+    @classmethod
+    def of(cls, answer: Mapping[str, Any]) -> Lease:
+        return cls(
+            str(answer["job"]),
+            int(answer["epoch"]),
+            float(answer["lease"]),
+            str(answer["program"]),
+            str(answer["sha256"]),
+            int(answer.get("copies", 1)),
+            bool(answer.get("confirm", False)),
+        )
+
+
+class JobWithdrawn(Exception):
+    """The server has reassigned or withdrawn the job."""
+
+
+class JobCancelled(Exception):
+    """The operator cancelled the job."""
+
+
+class JobReturned(Exception):
+    """The lease is returned: the machine cannot start, and nothing was sent to it."""
+
+    def __init__(self, cause: Message) -> None:
+        super().__init__(cause)
+        self.cause = cause
+
+
+class JobRun:
+    """State of a job for heartbeats, and the requests that they return."""
+
+    def __init__(self, claim: Lease, now: float) -> None:
+        self.claim = claim
+        self.line = 0
+        self.copies_done = 0
+        self.begun = False  #: a copy is running, of which ``line`` lines are executed
+        self.waiting = (
+            claim.confirm
+        )  #: for the operator's confirmation; nothing is sent to the machine yet
+        self.held = False
+        self.position: Pose | None = None
+        self.seconds_left: float | None = None
+        self.requested = ""  #: hold, resume or ""
+        self.cancelled = False
+        self.stale = False
+        self.until = now + claim.lease  #: end of the lease on the local clock
+        self.heard = asyncio.Event()
+
+    def heartbeat(self) -> dict[str, object]:
+        return {
+            "job": self.claim.job,
+            "epoch": self.claim.epoch,
+            "line": self.line,
+            "copies_done": self.copies_done,
+            "held": self.held,
+            "waiting": self.waiting,
+            "position": self.position,
+            "seconds_left": self.seconds_left,
+        }
+
+    def apply_answer(self, command: str, held: bool) -> None:
+        """Apply the answer to a heartbeat that was sent with ``held``."""
+        if command == "cancel":
+            self.cancelled = True
+        elif command == "start":
+            self.waiting = False
+        elif command == "hold" or (command == "resume" and held):
+            self.requested = command
+        self.heard.set()
+
+    def raise_if_withdrawn(self) -> None:
+        """Raise if the server cancelled the job or reassigned it."""
+        if self.stale:
+            raise JobWithdrawn
+        if self.cancelled:
+            raise JobCancelled
+
+
+@dataclass(frozen=True, slots=True)
+class JobEnd:
+    """The result of a job, as reported to the server."""
+
+    job: str
+    epoch: int
+    outcome: str
+    cause: Message | None
+    line: int  #: executed lines of the running copy; 0 between two copies
+    copies_done: int  #: under this lease
+
+    @classmethod
+    def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
+        line = run.line if run.begun or outcome == "done" else 0
+        return cls(run.claim.job, run.claim.epoch, outcome, cause, line, run.copies_done)
+
+    def report(self) -> dict[str, object]:
+        """Return the body of the request that reports the end."""
+        return {
+            "job": self.job,
+            "epoch": self.epoch,
+            "outcome": self.outcome,
+            "why": "" if self.cause is None else with_text(self.cause),
+            "line": self.line,
+            "copies_done": self.copies_done,
+        }

@@ -1,0 +1,155 @@
+"""job_server: requests of a gateway to the server that assigns its jobs.
+
+The requests are POST /api/gateway/claim, /heartbeat and /finish, and GET of the program.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import logging
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from urllib.parse import urljoin
+
+import httpx
+
+from knifetip.errors import ProgramError
+from knifetip.gateway.job_run import JobEnd, JobRun, Lease
+from knifetip.gateway.journal import Journal
+from knifetip.model.machine import Machine
+
+#: Longest pause between two attempts to connect (s).
+LONGEST_PAUSE = 5.0
+#: First pause between two attempts to connect, doubled after each attempt (s).
+FIRST_PAUSE = 0.25
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class GatewaySettings:
+    """Settings of a gateway: its server, its machine, its name and its time limits."""
+
+    api: str  #: URL of the server, for example ``http://127.0.0.1:8080``
+    machine: Machine
+    name: str  #: name of the gateway
+    #: headers of every request, for example an API key; ``X-Knifetip: gateway`` is always sent
+    headers: Mapping[str, str] = field(default_factory=dict)
+    journal: Path | None = None  #: file in which the progress is recorded
+    wait: float = 20.0  #: longest time that the server may delay the answer to a claim (s)
+    beat: float = 0.25  #: time between two heartbeats (s)
+
+
+class JobServer:
+    """The server, as a gateway uses it: claim a job, fetch its program, report its progress."""
+
+    def __init__(
+        self, client: httpx.AsyncClient, settings: GatewaySettings, journal: Journal
+    ) -> None:
+        self._client = client
+        self._settings = settings
+        self._api = settings.api.rstrip("/") + "/"
+        self._journal = journal
+        self._complaint = ""  # the last logged failure of a claim
+
+    def _url(self, path: str) -> str:
+        return urljoin(self._api, path)
+
+    async def claim(self) -> Lease | None:
+        """Claim the next job; return None if there is none or the server does not answer."""
+        body = {
+            "gateway": self._settings.name,
+            "machine": self._settings.machine.name,
+            "wait": self._settings.wait,
+        }
+        try:
+            answer = await self._client.post(
+                self._url("api/gateway/claim"), json=body, timeout=self._settings.wait + 10.0
+            )
+            if answer.status_code == 204:
+                self._complaint = ""
+                return None
+            if answer.status_code == 200:
+                self._complaint = ""
+                return Lease.of(answer.json())
+            reason = f"{answer.status_code} {answer.text[:200]}"
+        except (httpx.HTTPError, ValueError, KeyError, TypeError) as error:
+            reason = repr(error)
+        if reason != self._complaint:
+            self._complaint = reason
+            _log.warning("%s assigns no job: %s", self._api, reason)
+        await asyncio.sleep(min(LONGEST_PAUSE, max(self._settings.wait, FIRST_PAUSE)))
+        return None
+
+    async def program(self, claim: Lease) -> bytes:
+        """Fetch the program of a job and compare its SHA-256 with that of the verified program.
+
+        Raises
+        ------
+        ProgramError
+            The program has another checksum, or the server did not send it.
+        """
+        reason = ""
+        for attempt in range(3):
+            try:
+                answer = await self._client.get(self._url(claim.program), timeout=30.0)
+                answer.raise_for_status()
+            except httpx.HTTPError as error:
+                reason = repr(error)
+                await asyncio.sleep(FIRST_PAUSE * 2.0**attempt)
+                continue
+            digest = hashlib.sha256(answer.content).hexdigest()
+            if digest != claim.sha256:
+                raise ProgramError(
+                    "program.wrong-checksum",
+                    job=claim.job,
+                    arrived=digest[:12],
+                    expected=claim.sha256[:12],
+                )
+            return answer.content
+        raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
+
+    async def send_heartbeats(self, run: JobRun) -> None:
+        """Report the position of the machine and apply the answers until cancelled or withdrawn."""
+        patience = max(min(run.claim.lease / 3.0, 2.0), self._settings.beat)
+        while not run.stale:
+            body, asked = run.heartbeat(), asyncio.get_running_loop().time()
+            with suppress(httpx.HTTPError, ValueError, KeyError, TypeError):
+                answer = await self._client.post(
+                    self._url("api/gateway/heartbeat"), json=body, timeout=patience
+                )
+                if answer.status_code == 409:
+                    run.stale = True
+                    run.heard.set()
+                    return
+                answer.raise_for_status()
+                response = answer.json()
+                run.until = asked + float(response["lease"])
+                run.apply_answer(str(response["command"]), bool(body["held"]))
+            await asyncio.sleep(self._settings.beat)
+
+    async def finish(self, ended: JobEnd, tries: int | None = None) -> None:
+        """Report the end of a job until the server answers, at most ``tries`` times if given."""
+        job, epoch, outcome, cause = ended.job, ended.epoch, ended.outcome, ended.cause
+        self._journal.outcome(job, outcome, cause)
+        body = ended.report()
+        pause = FIRST_PAUSE
+        while True:
+            try:
+                answer = await self._client.post(
+                    self._url("api/gateway/finish"), json=body, timeout=5.0
+                )
+                if answer.status_code < 500:
+                    if answer.is_error:
+                        _log.warning("Job %s: %s %s", job, answer.status_code, answer.text[:200])
+                    break
+            except httpx.HTTPError as error:
+                _log.warning("Job %s is %s; the server does not answer: %r", job, outcome, error)
+            if tries is not None and (tries := tries - 1) <= 0:
+                return
+            await asyncio.sleep(pause)
+            pause = min(2.0 * pause, LONGEST_PAUSE)
+        self._journal.end(job, epoch, outcome, cause)
