@@ -1,8 +1,8 @@
-"""answers: meaning of the responses of grbl 1.1 and grblHAL.
+"""answers: the meaning of the answers of grbl 1.1 and grblHAL.
 
-b"<Run|MPos:1.000,2.000,0.000,90.000|Bf:14,110|FS:500,0>" -> Report      9 -> "it is locked …"
-
-Codes and fields as in grbl's published interface; the texts are our own.
+A status report such as ``<Run|MPos:1.000,2.000,0.000,90.000|Bf:14,110|FS:500,0>`` becomes a
+``Report``; an error or alarm code becomes a message.  Codes and fields are those of grbl's
+published interface; the texts are our own.
 """
 
 from __future__ import annotations
@@ -87,12 +87,12 @@ ALARMS = {
 
 
 def error_meaning(code: int) -> Message:
-    """Return the meaning of ``error:code``."""
+    """Return the meaning of ``error:code`` as a message."""
     return ERRORS.get(code, Message("grbl.unknown-error"))
 
 
 def alarm_meaning(code: int) -> Message:
-    """Return the meaning of ``ALARM:code``."""
+    """Return the meaning of ``ALARM:code`` as a message."""
     return ALARMS.get(code, Message("grbl.unknown-alarm"))
 
 

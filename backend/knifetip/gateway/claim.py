@@ -1,22 +1,18 @@
-"""claim: claim jobs from the server, run them on the machine, and report the result.
+"""claim: claim jobs from the server, run them on the machine, and report their end.
 
-    POST {api}/api/gateway/claim      -> a job with epoch, lease, program and its SHA-256
-    POST {api}/api/gateway/heartbeat  -> wait, start, continue, hold, resume or cancel
-    POST {api}/api/gateway/finish     <- done, interrupted, cancelled or returned
+The gateway only makes outgoing connections.  It decides the following by itself:
 
-The gateway only makes outgoing connections.  What it decides by itself:
-
-- It claims jobs only while the controller is connected and idle: a table that is switched off gets
-  no job.
+- It claims jobs only while the controller is connected and idle: a machine that is switched off
+  gets no job.
 - For a job that must be confirmed nothing is sent to the machine before the server has answered a
-  heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the lease is
-  returned, and the operator must confirm again.
+  heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the job is returned
+  to the queue, and the operator must confirm again.
 - If the server cannot be reached, the machine continues until the lease expires, then holds.  It
   does not continue by itself: the operator resumes, or the server answers that the job was
   reassigned (409), and the machine is stopped and brought into its safe state.
-- ``resume`` is only valid as the answer to a heartbeat with ``held``, so that a late one cannot
+- ``resume`` is only valid as the answer to a heartbeat with ``held``, so that a late answer cannot
   start the next copy.
-- The result of a job is recorded in the journal and reported until the server has answered, also
+- The end of a job is recorded in the journal and reported until the server has answered, also
   after a restart: ``done`` only if the journal contains every copy up to its last line.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
   stopped and brought into its safe state.

@@ -1,4 +1,5 @@
-"""controller: the interface of a controller: lines go in, answers and status reports come out.
+"""controller: the interface of a controller, to which program lines are sent and which reports
+status.
 
 A controller language whose programs can be streamed has a ``Driver``.
 """
@@ -16,7 +17,7 @@ from knifetip.model.machine import Machine
 
 
 class State(StrEnum):
-    """State of the controller."""
+    """State of a controller, as a status report names it."""
 
     IDLE = "idle"
     RUN = "run"
@@ -31,7 +32,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """A status report, with the number of lines answered when it arrived."""
+    """A status report of a controller, with the number of lines answered until it arrived."""
 
     state: State
     position: Pose  #: in work coordinates, as in the program
@@ -50,7 +51,7 @@ class SafeState:
 
     outputs: tuple[int, ...]  #: digital outputs that must be off
     lift: float  #: least Z (program coordinates, mm)
-    #: the controller itself must switch a beam off at every hold and for every rapid
+    #: whether the controller itself must switch a beam off at every hold and every rapid move
     beam: bool = False
 
     @classmethod
@@ -61,23 +62,27 @@ class SafeState:
 
 
 class Observer(Protocol):
-    """Compares every status report with what the machine should do."""
+    """Compares each status report with the state that the program requires."""
 
     @property
     def doubtful(self) -> bool:
-        """Whether the last report contradicts the program, so that another is needed soon."""
+        """Whether the last report contradicts the program, so that a new report is needed soon."""
         ...
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Process a report; a returned error becomes the controller's fault."""
+        """Compare a report with the program; return an error if the machine must stop, else None.
+
+        The returned error becomes the fault of the controller.
+        """
         ...
 
 
 class Controller(Protocol):
-    """One machine's controller.
+    """The controller of one machine.
 
-    The first failure (alarm, reset, silence, lost connection, refused line) makes every later
-    call raise it again, until ``stop`` or ``open`` has brought the machine into its safe state.
+    After the first failure (alarm, reset, silence, lost connection, refused line) every later call
+    raises the error of that failure, until ``stop`` or ``open`` has brought the machine into its
+    safe state.
     """
 
     observer: Observer | None
@@ -104,21 +109,27 @@ class Controller(Protocol):
 
     @property
     def capacity(self) -> int | None:
-        """Blocks that its planner holds, None if unknown."""
+        """Number of blocks that the planner of the controller holds, None if unknown."""
         ...
 
     async def open(self) -> None:
-        """Take the controller over and bring the machine into its safe state.
+        """Take control of the machine and bring it into its safe state.
 
         Raises
         ------
         ControllerError
-            It is busy, in alarm, or silent.
+            The controller is busy, in alarm, or silent.
         """
         ...
 
     async def check(self, lines: Iterable[bytes]) -> None:
-        """Let the controller parse a whole program without motion; raise if it refuses a line."""
+        """Let the controller parse a whole program without motion.
+
+        Raises
+        ------
+        ControllerError
+            The controller refuses a line.
+        """
         ...
 
     async def send(self, line: bytes, number: int) -> None:
@@ -130,12 +141,12 @@ class Controller(Protocol):
         ...
 
     async def settle(self) -> Status:
-        """Wait until the machine is at rest and every answer is accounted for.
+        """Wait until the machine is at rest and each received answer is assigned to a line.
 
         Raises
         ------
         ControllerError
-            Any failure, or an answer that belongs to no line.
+            The controller failed, or sent an answer that belongs to no line.
         """
         ...
 
@@ -154,7 +165,7 @@ class Controller(Protocol):
     async def stop(self) -> Status:
         """Discard the rest of the program and bring the machine into its safe state.
 
-        Works after every failure and clears it; reconnects if the connection is lost.
+        Can be called after every failure and clears it; reconnects if the connection is lost.
 
         Raises
         ------
@@ -169,23 +180,23 @@ class Controller(Protocol):
 
 
 class Driver(Protocol):
-    """Connects to a controller of one language."""
+    """A function that connects to a controller of one controller language."""
 
     async def __call__(
         self, address: str, safe: SafeState | None = None, *, stop_motion: bool = False
     ) -> Controller:
-        """Connect to a controller and take it over, in its safe state.
+        """Connect to a controller, take control of it and bring its machine into the safe state.
 
         Parameters
         ----------
         address
             HOST:PORT.
         stop_motion
-            Stop a machine that moves: its program is ours.
+            Stop a machine that moves, because it executes a program of this gateway.
 
         Raises
         ------
         ControllerError
-            No answer, or it is busy or in alarm.
+            The controller does not answer, is busy or is in alarm.
         """
         ...

@@ -1,10 +1,10 @@
 """corridor: check that the machine is on the path of the program.
 
-program + every status report -> an error if the position is off the path
-
-A line with a digit changed in transmission is answered ``ok``; only the position reveals it.  X, Y
-and Z are compared with the moves that the controller can be executing: those that were sent, and of
-those answered as many as its planner holds.  At rest the position must be the end of the last line.
+Each status report is compared with the program; a position off the path is an error.  A program
+line with a digit changed in transmission is answered ``ok``, and only the position reveals it.  X,
+Y and Z are compared with the moves that the controller can be executing: the moves that were sent
+and not answered, and as many answered moves as the planner holds.  At rest the position must be
+the end of the last line.
 
 The rotary axis is not compared, because it may be reported modulo 360 degrees.
 """
@@ -24,11 +24,11 @@ from knifetip.gateway.motion import Move, Pose
 #: Largest distance of a position from the path (mm).  Reports are rounded to 0.001 mm, and grbl's
 #: chords of an arc deviate by at most 0.01 mm.
 OFF = 0.5
-#: Consecutive reports that must be off: a single one may be damaged.
+#: Consecutive reports that must be off the path: a single report may be damaged.
 REPORTS = 3
 #: Moves that a planner holds if the controller does not report it.
 PLANNER = 128
-#: Surplus answers that may be counted before they are detected.
+#: Surplus answers of the controller that may be counted before they are detected.
 MARGIN = 4
 
 _MACHINE_COORDINATES = re.compile(rb"G53(?!\d)")
@@ -66,7 +66,9 @@ class Corridor:
         return self._off > 0
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Compare a report with the path; return an error if ``REPORTS`` in a row are off it."""
+        """Compare a report with the path; return an error if ``REPORTS`` reports in a row are off
+        it.
+        """
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
         if self._blind or not status.located or status.state not in _STATES:
@@ -84,7 +86,7 @@ class Corridor:
         Raises
         ------
         ControllerError
-            The position is another one.
+            The position differs from the end of the line.
         """
         self._take(status.sent - self._base)
         if self._blind or not status.located:
@@ -95,7 +97,7 @@ class Corridor:
             raise _off_path(status.position, distance, line)
 
     def _take(self, sent: int) -> None:
-        """Interpret the lines up to the last one sent."""
+        """Interpret the program lines up to the last line sent."""
         while self._read < sent and (line := next(self._lines, None)) is not None:
             self._read += 1
             try:
@@ -108,13 +110,17 @@ class Corridor:
                 self._moves.append((self._read, move))
 
     def _forget(self, answered: int) -> None:
-        """Remove moves that must be done, since the planner cannot hold them any more."""
+        """Remove the answered moves that the planner cannot hold any more, because they are
+        executed.
+        """
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return distance and line of a move within ``OFF`` of the position, or of the nearest."""
+        """Return distance (mm) and line of a move within ``OFF`` of the position, or of the nearest
+        move.
+        """
         least, line = math.inf, 0
         count = len(self._moves)
         for step in range(count):

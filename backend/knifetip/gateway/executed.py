@@ -1,16 +1,15 @@
-"""executed: find the line that the machine is executing, from its reports.
-
-program + status reports -> number of executed lines, remaining seconds
+"""executed: find the program line that the machine is executing, from its status reports.
 
 N words are not added, because the program must run exactly as it was verified.  Three facts are
 combined, each of which is reliable by itself:
 
 - a line that waits for all motion (G4, M3, M5, M30) was answered: all lines before it are done;
-- ``Bf``: no more answered moves can be pending than the planner has blocks in use;
+- the field ``Bf`` of a report: at most the planner blocks in use are answered and not executed;
 - the position: the first pending move that passes through it is being executed.
 
-If a program has N words and the controller reports ``Ln``, that is the line.  The search only moves
-forward over the lines between executed and answered, so memory does not grow with the program.
+If a program has N words and the controller reports ``Ln``, ``Ln`` is the line.  The search only
+moves forward over the lines between executed and answered, so memory does not grow with the
+program.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ AHEAD = 1
 
 
 def lines_of(text: bytes) -> Iterator[bytes]:
-    """Yield the lines without newlines, without copying the whole program."""
+    """Yield the lines of a program without newlines, without copying the whole program."""
     at = 0
     while at < len(text):
         end = text.find(b"\n", at)
@@ -50,7 +49,7 @@ class _Line:
 
 
 def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block]:
-    """Yield the block of each line; an empty block for lines that cannot be interpreted here."""
+    """Yield the block of each program line, empty for a line that cannot be interpreted."""
     interpreter = Interpreter(start)
     for line in lines_of(text):
         try:
@@ -65,7 +64,7 @@ def seconds_of(block: Block, limits: Limits) -> float:
 
 
 class Executed:
-    """Tracks the execution of a program."""
+    """The executed lines of a running program, followed from status reports."""
 
     def __init__(self, text: bytes, limits: Limits, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
         self._blocks = blocks_of(text, start)
@@ -81,16 +80,14 @@ class Executed:
         self.output = -1  #: digital output last switched on by an executed line
 
     def update(self, status: Status, acknowledged: int, capacity: int | None) -> int:
-        """Process a report; return the number of executed lines.
+        """Process a status report and return the number of executed lines.
 
         Parameters
         ----------
-        status
-            What the controller reported.
         acknowledged
-            Lines of this program that had been answered by then.
+            Lines of this program that had been answered when the report arrived.
         capacity
-            Number of blocks of the planner, if known.
+            Number of blocks of the planner, None if unknown.
         """
         self._take(acknowledged)
         if capacity is not None and status.free is not None:
@@ -102,7 +99,7 @@ class Executed:
         return self.lines
 
     def finish(self, acknowledged: int) -> int:
-        """Mark all answered lines as executed: the machine is at rest."""
+        """Mark all answered lines as executed (the machine is at rest); return their number."""
         self._take(acknowledged)
         self._drop(len(self._window))
         return self.lines
@@ -114,7 +111,7 @@ class Executed:
         return self.seconds + part
 
     def _find(self, status: Status) -> tuple[int, float]:
-        """Return the row of the window being executed, and the fraction of it that is done."""
+        """Return the window row of the line being executed, and its executed fraction."""
         nearest, found = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
             if status.number > 0 and line.block.number == status.number:
@@ -130,7 +127,9 @@ class Executed:
         return found
 
     def _take(self, acknowledged: int) -> None:
-        """Read up to the last answered line; one that waits for motion completes those before."""
+        """Interpret lines up to the last answered line; a line that waits for motion completes all
+        before it.
+        """
         while self._read < acknowledged and (block := next(self._blocks, None)) is not None:
             self._window.append(_Line(block, seconds_of(block, self._limits)))
             self._moves += _moves(block)
@@ -139,12 +138,12 @@ class Executed:
                 self._drop(len(self._window))
 
     def _release(self, held: int) -> None:
-        """Remove lines until no more moves remain than the planner can hold."""
+        """Remove lines until the window has at most ``held`` moves, which the planner can hold."""
         while self._moves > held:
             self._drop(1)
 
     def _skip(self) -> None:
-        """Remove leading lines without motion: they are done."""
+        """Remove lines without motion from the start of the window: they are executed."""
         while self._window and not _moves(self._window[0].block):
             self._drop(1)
 

@@ -1,18 +1,19 @@
 """grbl: driver for controllers with the protocol of grbl 1.1, such as grblHAL.
 
-Lines of a program and realtime bytes go out over a Transport; ``ok``, ``error``, ``ALARM``,
-status reports and the welcome banner come back.
+Program lines and realtime commands (single bytes that act at once) are sent over a ``Transport``.
+The controller answers with ``ok``, ``error``, ``ALARM``, status reports and its welcome banner.
 
-Bytes in flight are counted against the receive buffer, so that the planner never runs empty and the
-buffer never overflows.  The program is parsed in check mode before anything moves.  Every failure
-ends in one of five errors, none in an endless wait: ``ControllerRejected``, ``ControllerAlarm``,
-``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or a lost ``ok``) and
-``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them ``stop``
-brings the machine into its safe state (``recovery``).
+The bytes of unanswered lines are counted against the receive buffer, so that the planner never runs
+empty and the buffer never overflows.  The controller parses the program in check mode before
+anything moves.  Every failure raises one of five errors and never waits without end:
+``ControllerRejected``, ``ControllerAlarm``, ``ControllerReset`` (an unexpected banner),
+``ControllerSilent`` (no answer, or a lost ``ok``) and ``ControllerError`` (a lost connection, or a
+surplus ``ok``).  After each of them ``stop`` brings the machine into its safe state (``recovery``).
 
-A doubled ``ok`` makes the count of free bytes wrong.  It is detected by an answer with no line in
-flight, by a report of more bytes in the buffer than are unanswered, at the latest in ``settle``.
-Until then room for the longest line is kept free, so that the buffer does not overflow.
+A doubled ``ok`` makes the count of free bytes wrong.  It is detected by an answer without an
+unanswered line, by a report of more bytes in the buffer than are unanswered, at the latest in
+``settle``.  Until then room for the longest line is kept free, so that the buffer does not
+overflow.
 """
 
 from __future__ import annotations
@@ -193,7 +194,7 @@ class Grbl:
             raise self._fail(ControllerError("controller.not-in-laser-mode", name=self.name))
 
     async def close(self) -> None:
-        """Close the transport; the controller still executes its buffer."""
+        """Close the transport; the controller still executes the lines in its buffer."""
         self._closed = True
         await self._hang_up()
         self._fail(ControllerError("controller.closed", name=self.name))
@@ -634,9 +635,10 @@ class Grbl:
                 self._ask_again()
 
     def _count_bytes(self, room: int | None) -> None:
-        """Fail where the controller holds more bytes than are unanswered.
+        """Fail if the controller reports more bytes in its buffer than are unanswered.
 
-        A line leaves the buffer before it is answered, so that it may hold fewer, never more.
+        A line leaves the buffer before it is answered, so the buffer may hold fewer bytes, never
+        more.
         """
         if room is None or self._banner_due:
             return
@@ -713,7 +715,7 @@ async def dial(
 
 
 def _figure(line: str) -> int:
-    """Return the code of ``error:9`` or ``ALARM:2``; -1 where it is damaged."""
+    """Return the number in ``error:9`` or ``ALARM:2``; -1 if it is damaged."""
     code = line.partition(":")[2].strip()
     return int(code) if code.isdecimal() else -1
 

@@ -1,9 +1,9 @@
-"""interpreter: what one line of G-code does, in the dialect that grblHAL understands.
+"""interpreter: the effect of one line of G-code, in the dialect that grblHAL understands.
 
-b"G2 X10 Y0 I5 J0 C-90 F1200" -> Block (a Move, outputs, a dwell …), or Refused with grbl's code
+For example ``b"G2 X10 Y0 I5 J0 C-90 F1200"`` becomes a ``Block`` with a ``Move``.  A line that the
+controller refuses raises ``Refused`` with grbl's error number.
 
-Used on both sides of the cable: the simulated table acts on the blocks, and the gateway follows
-the machine along them.  It keeps grbl's modal state and answers with grbl's error numbers.
+The simulated table executes the blocks, and the gateway follows the machine along them.
 """
 
 from __future__ import annotations
@@ -55,11 +55,11 @@ class Refused(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """What one line does, in the order of execution."""
+    """The effect of one program line; the fields are in the order of execution."""
 
-    number: int = 0  #: of its N word
+    number: int = 0  #: value of the N word
     output: int = -1  #: digital output that it switches
-    on: bool = False  #: to which state
+    on: bool = False  #: whether the output is switched on
     oscillation: bool | None = None  #: M3 and M5
     dwell: float | None = None  #: G4 (s)
     move: Move | None = None
@@ -68,9 +68,9 @@ class Block:
 
     @property
     def waits(self) -> bool:
-        """Whether it is executed, and so answered, only when every earlier move is done.
+        """Whether the block is executed and answered only when every earlier move is done.
 
-        M64 and M65 do not wait: grblHAL switches the output when the line is read.
+        M64 and M65 do not wait: grblHAL switches the output when it reads the line.
         """
         return self.dwell is not None or self.oscillation is not None or self.pause or self.end
 
@@ -84,18 +84,18 @@ def bare(line: bytes) -> bytes:
 
 
 def switches(line: bytes) -> bool:
-    """Whether a line switches an output, which happens when it is read."""
+    """Return whether a line switches a digital output, as soon as grblHAL reads the line."""
     return bool(_OUTPUT.search(bare(line)))
 
 
 class Interpreter:
-    """The modal state of a controller, moved on by one line after another."""
+    """The modal state of a controller, which each interpreted line changes."""
 
     def __init__(self, position: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
         self.reset(position)
 
     def reset(self, position: Pose) -> None:
-        """Return to the modal state after power-up, with the axes here."""
+        """Restore the modal state after power-up, with the axes at ``position``."""
         self.position = position
         self.feed = 0.0
         self._motion = 0.0
@@ -104,12 +104,12 @@ class Interpreter:
         self._inverse = False
 
     def read(self, line: bytes) -> Block:
-        """Return what a line does, and go on to the state after it.
+        """Return the effect of a line, and change the modal state accordingly.
 
         Raises
         ------
         Refused
-            With the number of grbl's error; the state is as before.
+            With the number of grbl's error; the modal state is not changed.
         """
         text = bare(line)
         if not text or text == b"%":
@@ -138,7 +138,7 @@ class Interpreter:
         output, on = _output(groups, words)
         dwell = _dwell(groups, words)
         if inverse != self._inverse and feed is None:
-            kept = 0.0  # a feed of the other mode means nothing
+            kept = 0.0  # G93 and G94 give a feed different meanings, so it is discarded
         else:
             kept = self.feed if feed is None else feed
         move = None
@@ -148,7 +148,7 @@ class Interpreter:
                 raise Refused(24)
             if motion == 80.0:
                 raise Refused(31)
-            # G93 asks for an F on every line that feeds.
+            # G93 requires an F word on every line with a feed move.
             rate = (feed or 0.0) if inverse else kept
             move = self._move(motion, target, words, scale, rate, inverse)
         elif groups.get("motion") in (2.0, 3.0):
@@ -174,7 +174,9 @@ class Interpreter:
         )
 
     def _target(self, words: dict[str, float], scale: float, relative: bool) -> Pose | None:
-        """Take the axis words and return the pose that they name, or None without any."""
+        """Remove the axis words from ``words`` and return the pose that they name, None if there
+        are none.
+        """
         named = [letter for letter in _AXES if letter in words]
         if not named:
             return None

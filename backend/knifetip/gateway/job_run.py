@@ -37,15 +37,17 @@ class Lease:
 
 
 class JobWithdrawn(Exception):
-    """The server has reassigned or withdrawn the job."""
+    """Raised when the server has reassigned or withdrawn the job."""
 
 
 class JobCancelled(Exception):
-    """The operator cancelled the job."""
+    """Raised when the operator has cancelled the job."""
 
 
 class JobReturned(Exception):
-    """The lease is returned: the machine cannot start, and nothing was sent to it."""
+    """Raised when the job is returned to the queue: the machine cannot start, and nothing was sent
+    to it.
+    """
 
     def __init__(self, cause: Message) -> None:
         super().__init__(cause)
@@ -53,7 +55,7 @@ class JobReturned(Exception):
 
 
 class JobRun:
-    """State of a job for heartbeats, and the requests that they return."""
+    """Progress of a claimed job for heartbeats, and the commands that the server answers."""
 
     def __init__(self, claim: Lease, now: float) -> None:
         self.claim = claim
@@ -85,7 +87,7 @@ class JobRun:
         }
 
     def apply_answer(self, command: str, held: bool) -> None:
-        """Apply the answer to a heartbeat that was sent with ``held``."""
+        """Apply the command that answers a heartbeat; ``held`` as it was sent in the heartbeat."""
         if command == "cancel":
             self.cancelled = True
         elif command == "start":
@@ -95,7 +97,9 @@ class JobRun:
         self.heard.set()
 
     def raise_if_withdrawn(self) -> None:
-        """Raise if the server cancelled the job or reassigned it."""
+        """Raise ``JobWithdrawn`` or ``JobCancelled`` if the server has taken the job back or
+        cancelled it.
+        """
         if self.stale:
             raise JobWithdrawn
         if self.cancelled:

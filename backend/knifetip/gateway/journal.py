@@ -1,9 +1,8 @@
-"""journal: a file in which the gateway records what it did.
+"""journal: a file in which the gateway records the progress and the end of each job.
 
-events -> JSON lines, appended and flushed; after a crash: the last job without an end
-
-The journal covers what the server cannot know: what happened while the server was unreachable, or
-when the gateway was switched off during a job or before its report arrived.
+The file has one JSON object per line and is flushed after each.  It contains events that the server
+cannot record: those while the server was unreachable, or while the gateway was switched off during
+a job or before its report arrived.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ class Unfinished:
 
 
 class Journal:
-    """An append-only file of events; without a path nothing is stored."""
+    """A file to which events are only appended; without a path nothing is stored."""
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
@@ -45,7 +44,7 @@ class Journal:
             _end_last_line(path)
 
     def begin(self, job: str, epoch: int, sha256: str, lines: int, copies: int = 1) -> None:
-        """Record that a job starts; nothing has moved yet."""
+        """Record that a job starts, before any line is sent."""
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
         self._append(
@@ -103,7 +102,7 @@ class Journal:
         )
 
     def unfinished(self) -> Unfinished | None:
-        """Return the last job if it has no end."""
+        """Return the last job of the journal if its end is not recorded, else None."""
         if self._path is None or not self._path.exists():
             return None
         found: Unfinished | None = None

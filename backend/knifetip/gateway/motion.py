@@ -1,11 +1,9 @@
 """motion: moves of four axes, and a planner that travels along them in time.
 
-Moves come from the interpreter; poses (x y z in mm, c in degrees) come out.
+A pose is x, y, z in mm and c in degrees.  The simulated table travels with the planner; the gateway
+computes from the same moves the nearest point to a reported position, and nominal durations.
 
-The simulated table travels with the planner; the gateway asks the same moves where on them a
-reported position lies and how long they nominally take.
-
-Length, and so G94 feed, is measured over all four axes, mm and degrees alike, as grblHAL does.
+Length, and so the G94 feed, is measured over all four axes, mm and degrees alike, as in grblHAL.
 """
 
 from __future__ import annotations
@@ -28,7 +26,7 @@ NOTHING = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What the four axes can do: per second, per second squared, and how far."""
+    """Greatest velocity (1/s), acceleration (1/s²) and travel of four axes (mm, degrees)."""
 
     velocity: Pose
     acceleration: Pose
@@ -48,7 +46,7 @@ class Limits:
 
 
 class Move:
-    """A line, or an arc in the XY plane with Z and C linear along it."""
+    """A straight line, or an arc in the XY plane along which Z and C change linearly."""
 
     __slots__ = ("centre", "end", "length", "minutes", "rate", "start", "sweep", "travel")
 
@@ -79,7 +77,7 @@ class Move:
             self.length = math.sqrt(dx * dx + dy * dy + dz * dz + dc * dc)
 
     def at(self, fraction: float) -> Pose:
-        """Return the pose at a fraction of the length."""
+        """Return the pose at a fraction (0 … 1) of the length."""
         if fraction >= 1.0:
             return self.end
         (x, y, z, c), end = self.start, self.end
@@ -109,7 +107,9 @@ class Move:
         return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
 
     def nearest(self, pose: Pose) -> tuple[float, float]:
-        """Return the distance of a pose from the move (mm, degrees), and the nearest fraction."""
+        """Return the distance of a pose from the move (mm, degrees), and the fraction of the
+        nearest point.
+        """
         start, end = self.start, self.end
         if self.centre is None:
             along = [b - a for a, b in zip(start, end, strict=True)]
@@ -243,7 +243,7 @@ class Planner:
         return self._along / self._queue[0].move.length if self._queue else 0.0
 
     def append(self, move: Move, tag: int = 0) -> None:
-        """Queue a move; a move without length is dropped, as in real planners."""
+        """Append a move to the queue; a move of zero length is dropped, as in real planners."""
         if move.length <= NOTHING:
             return
         block = _Block(move, tag, *move.pace(self.limits))
@@ -270,7 +270,7 @@ class Planner:
         self.holding = False
 
     def advance(self, seconds: float) -> float:
-        """Advance in time, at most to the end of the current move; return the time used.
+        """Advance by at most ``seconds``, to the end of the current move; return the time used (s).
 
         The planned motion depends only on position and speed, so that many short steps and one
         long step reach the same pose.

@@ -57,7 +57,7 @@ class Recoverable(Protocol):
         ...
 
     async def reset(self) -> None:
-        """Soft reset; return when the banner has come."""
+        """Reset the controller by software; return when its welcome banner has arrived."""
         ...
 
     async def command(self, text: bytes) -> list[str]:
@@ -138,7 +138,7 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
 
 
 async def _hold(machine: Recoverable, silence: float) -> None:
-    """Feed hold, and wait until no axis moves, or for ``silence`` seconds without reports."""
+    """Send a feed hold; wait until no axis moves, at most ``silence`` seconds."""
     await machine.realtime(b"!")
     still = 0
     with suppress(TimeoutError, ControllerSilent):

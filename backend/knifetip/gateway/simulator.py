@@ -1,7 +1,4 @@
-"""simulator: a simulated table behind a TCP port.
-
-serve(machine, port=0, speed=10.0) -> Server        (bytes in, answers out, the table moves)
-"""
+"""simulator: a simulated sample-maker that listens on a TCP port like a grbl controller."""
 
 from __future__ import annotations
 
@@ -27,7 +24,7 @@ class Server:
 
     @property
     def address(self) -> str:
-        """``host:port``, for ``transport.connect``."""
+        """Address of the server as ``host:port``, for ``transport.connect``."""
         return f"{self.host}:{self.port}"
 
     async def start(self, host: str, port: int) -> None:
@@ -118,7 +115,7 @@ def run(
     speed: float = 1.0,
     ready: Callable[[Server], None] | None = None,
 ) -> None:
-    """Serve a simulated table until interrupted; calls ``ready`` when it listens."""
+    """Serve a simulated table until interrupted; ``ready`` is called when its port is open."""
 
     async def serving() -> None:
         async with await serve(machine, host, port, speed=speed) as server:

@@ -143,6 +143,7 @@ def _check_alarm(controller: Controller, status: Status) -> None:
 
 
 async def _safe(controller: Controller) -> Status:
+    """Bring the machine into its safe state and return its status."""
     controller.observer = None
     return await controller.stop()
 
@@ -167,7 +168,7 @@ async def _stop(
 
 
 def _executed(executed: int, sent: int, lines: int) -> Message:
-    """Return how many lines were executed, and how many more may have been."""
+    """Return the message with the numbers of executed and of possibly executed lines."""
     rest = sent - executed
     if sent == 0:
         return Message("run.nothing-sent")

@@ -1,12 +1,10 @@
 """table: a simulated sample-maker with the protocol of grbl 1.1 and grblHAL.
 
-    bytes -> Table -> answers, and the table moves
-
-It models what a sender must handle: a receive buffer of 128 bytes that overflows, a planner of 15
-blocks, an ``ok`` only when a line leaves the buffer for the planner, soft limits, check mode, holds
-that decelerate within an arc, M64 and M65 that act when they are read, and alarms that lock.
-Time is simulated, ``speed`` times as fast as the clock, and only advances while something moves or
-dwells.
+It models all behaviour that a sender must handle: a receive buffer of 128 bytes that overflows, a
+planner of 15 blocks, an ``ok`` only when a line moves from the buffer to the planner, soft limits,
+check mode, holds that decelerate within an arc, M64 and M65 that act when they are read, and alarms
+that lock.  Simulated time passes ``speed`` times as fast as the clock, and only while an axis moves
+or the table dwells.
 """
 
 from __future__ import annotations
@@ -132,7 +130,7 @@ class Table:
 
     @property
     def position(self) -> Pose:
-        """Positions of the joints."""
+        """Position of the axes: x, y, z (mm) and c (degrees)."""
         return self._planner.position
 
     @property
@@ -148,7 +146,7 @@ class Table:
 
     @property
     def busy(self) -> bool:
-        """Whether something moves or dwells."""
+        """Whether an axis moves or the table dwells."""
         return self._planner.moving or (self._dwell > 0.0 and not self._planner.holding)
 
     # -- what it hears --------------------------------------------------------------------------
@@ -268,7 +266,7 @@ class Table:
         self._waiting = (block, order)
 
     def _settled(self, block: Block, order: int) -> bool:
-        """Execute a block as far as possible; answer it when done."""
+        """Execute a block as far as possible and answer it when done; return whether it is done."""
         if block.waits:
             if len(self._planner) or self._dwell > 0.0:
                 return False
@@ -386,7 +384,7 @@ class Table:
     # -- how it moves ---------------------------------------------------------------------------
 
     def elapse(self, seconds: float) -> None:
-        """Advance simulated time: move, dwell, and read lines as room appears."""
+        """Advance the simulated time: move, dwell, and execute lines when the planner has room."""
         left = seconds
         while left > 0.0:
             self._read()
@@ -405,7 +403,7 @@ class Table:
         self._read()
 
     def _move(self, seconds: float) -> float:
-        """Move along the current block; return the time used."""
+        """Move along the current block for at most ``seconds``; return the time used (s)."""
         move = self._planner.current
         doomed = (
             move is not None

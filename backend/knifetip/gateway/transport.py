@@ -1,9 +1,8 @@
 """transport: byte connections to controllers.
 
-"tcp://192.168.1.20:23" or "192.168.1.20:23" -> Transport
-
-A transport does not interpret the bytes.  Other kinds of connection are classes with the same four
-methods, selected in ``connect`` by the scheme of the address.
+An address is ``tcp://192.168.1.20:23`` or ``192.168.1.20:23``.  A transport does not interpret the
+bytes.  Other kinds of connection are classes with the same four methods, selected in ``connect``
+by the scheme of the address.
 """
 
 from __future__ import annotations
@@ -28,15 +27,17 @@ class Transport(Protocol):
         ...
 
     async def read(self) -> bytes:
-        """Wait for bytes and return them; empty if the other side has closed."""
+        """Wait for bytes and return them; return empty bytes if the controller has closed the
+        connection.
+        """
         ...
 
     async def write(self, data: bytes) -> None:
-        """Send bytes; return when the operating system has room for more."""
+        """Send bytes; return when the operating system has accepted them."""
         ...
 
     async def close(self) -> None:
-        """Close the connection; closing twice is harmless."""
+        """Close the connection; has no effect if it is closed already."""
         ...
 
 
@@ -52,12 +53,12 @@ class Tcp:
 
     @classmethod
     async def open(cls, host: str, port: int, *, timeout: float = 5.0) -> Tcp:
-        """Connect to a host and port.
+        """Return a connection to a host and port.
 
         Raises
         ------
         ControllerError
-            No answer within ``timeout`` seconds.
+            There is no answer within ``timeout`` seconds.
         """
         address = f"{host}:{port}"
         try:
@@ -70,7 +71,9 @@ class Tcp:
         return cls(address, reader, writer)
 
     async def read(self) -> bytes:
-        """Wait for bytes and return them; empty if the other side has closed."""
+        """Wait for bytes and return them; return empty bytes if the controller has closed the
+        connection.
+        """
         try:
             return await self._reader.read(CHUNK)
         except OSError:
@@ -100,7 +103,7 @@ class Tcp:
 
 
 async def connect(address: str) -> Transport:
-    """Connect to an address.
+    """Return an open connection to the controller at an address.
 
     Raises
     ------

@@ -1,8 +1,8 @@
-"""Wake threads and coroutines of this process after a change of a job or a drawing.
+"""Notification of threads and coroutines of this process after a change of a job or a drawing.
 
     with changes.subscribed(event.set): event.wait(1.0)
 
-Other processes on the same database are not notified; they poll it.
+Other processes on the same database are not notified; they query it at intervals.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from contextlib import contextmanager
 
 
 class Changes:
-    """Callbacks that are called after each transaction that wrote an event."""
+    """Callbacks to call after each transaction that wrote an event of a job or a drawing."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -21,7 +21,10 @@ class Changes:
 
     @contextmanager
     def subscribed(self, callback: Callable[[], object]) -> Iterator[None]:
-        """Return a context in which ``callback()`` is called after each change, on its thread."""
+        """Return a context in which ``callback()`` is called after each change.
+
+        The callback is called on the thread that made the change.
+        """
         with self._lock:
             self._callbacks.append(callback)
         try:
@@ -31,7 +34,7 @@ class Changes:
                 self._callbacks.remove(callback)
 
     def notify(self) -> None:
-        """Call the callbacks; they must return immediately and not raise."""
+        """Call all subscribed callbacks, which must return immediately and not raise."""
         with self._lock:
             callbacks = list(self._callbacks)
         for callback in callbacks:

@@ -1,10 +1,8 @@
-"""compile_queue: hands received jobs to the compile service, one by one.
+"""compile_queue: passes received jobs to the compile service, one by one.
 
-    received job -> taken by the UPDATE that makes it ``compiling`` -> compile(job)
-
-On one machine the table of jobs is the queue.  On PostgreSQL, where several processes or machines
-share the work, compiles are durable workflows of DBOS (``durable_queue``).  Both take a job with
-``CompileStore.begin``, and its epoch decides whose result is kept.
+On one machine the database table of the jobs is the queue.  On PostgreSQL, where several processes
+or machines compile, each compile is a durable workflow of DBOS (``durable_queue``).  Both queues
+take a job with ``CompileStore.begin``; only the result for the job's latest epoch is stored.
 """
 
 from __future__ import annotations
@@ -24,7 +22,7 @@ Compile: TypeAlias = Callable[[Job], None]
 #: Returns whether the kernels that a compile for a machine needs are compiled.
 IsReady: TypeAlias = Callable[[str], bool]
 
-_LOOK = 0.1  # seconds between two looks for kernels that jobs wait for
+_LOOK = 0.1  # seconds between two checks of the kernels that jobs wait for
 _PATIENCE = 2.0  # seconds before a job states that it waits: at a start nothing is known yet
 _PAUSE = 1.0  # seconds before the next attempt after the database could not be used
 
@@ -32,17 +30,17 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class CompileQueue(Protocol):
-    """A source of jobs to compile."""
+    """A queue of jobs to compile."""
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with jobs, on threads of the queue."""
+        """Begin to call ``compile`` with each job to compile, on threads of the queue."""
 
     def stop(self) -> None:
-        """Take no further jobs, and return when the calls have ended."""
+        """Take no further jobs, and return when all calls of ``compile`` have ended."""
 
 
 class TableQueue:
-    """The table of jobs as a queue, for the processes of one machine.
+    """A queue that takes received jobs from the database, for the processes of one machine.
 
     Parameters
     ----------
@@ -51,10 +49,10 @@ class TableQueue:
     at_once
         Number of jobs that are compiled at the same time.
     poll
-        Time between two looks for jobs that another process received (s).
+        Time between two queries for jobs that another process received (s).
     is_ready
-        Returns whether the kernels that a compile for a machine needs are compiled.  Jobs for
-        other machines stay ``received``, so that they do not keep ready jobs waiting.
+        Returns whether the kernels that a compile for a machine needs are compiled.  The jobs of a
+        machine without its kernels stay ``received`` while jobs of other machines are compiled.
     """
 
     def __init__(
@@ -77,7 +75,7 @@ class TableQueue:
         self._threads: list[threading.Thread] = []
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with jobs."""
+        """Begin to call ``compile`` with each job to compile, on ``at_once`` threads."""
         for number in range(self._at_once):
             thread = threading.Thread(
                 target=self._take_jobs, args=(compile,), name=f"compile-{number + 1}", daemon=True
@@ -86,7 +84,7 @@ class TableQueue:
             self._threads.append(thread)
 
     def _take_jobs(self, compile: Compile) -> None:
-        """Compile one received job after the other, the oldest first of those that are ready."""
+        """Compile received jobs until stopped, the oldest job with compiled kernels first."""
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
                 self._received.clear()
@@ -114,7 +112,7 @@ class TableQueue:
         return self._store.compiles.begin(self._worker, without=unready) if machines else None
 
     def stop(self) -> None:
-        """Take no further jobs, and return when the calls have ended."""
+        """Take no further jobs, and return when all calls of ``compile`` have ended."""
         self._stopping.set()
         self._received.set()
         for thread in self._threads:
@@ -130,19 +128,23 @@ def queue_of(
     compiles: bool,
     is_ready: IsReady = lambda _machine: True,
 ) -> CompileQueue | None:
-    """Return the queue for a store; None where this process has nothing to do with it.
+    """Return the compile queue for a store, None if this process takes no part in compiling.
 
     Parameters
     ----------
+    worker
+        Name under which jobs are taken.
+    at_once
+        Number of jobs that are compiled at the same time.
     poll
-        Time between two looks of a ``TableQueue`` for jobs of other processes (s).
+        Time between two queries of a ``TableQueue`` for jobs of other processes (s).
     compiles
-        False in a process that only receives jobs.
+        False in a process that receives jobs and does not compile them.
     is_ready
         Returns whether the kernels that a compile for a machine needs are compiled.
     """
     if store.database.url.startswith("postgresql"):
-        # DBOS takes 24 MB and polls, so it is imported only where it is used.
+        # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.
         from knifetip.jobs.durable_queue import DurableQueue
 
         return DurableQueue(store, worker, at_once if compiles else 0)

@@ -10,7 +10,7 @@ from knifetip.messages import Message
 
 @dataclass(frozen=True, slots=True)
 class CompileResult:
-    """Program, tool path, verdict and tools of a compiled job."""
+    """Program, tool path, verdict and tools of a compiled job, as they are stored."""
 
     accepted: bool
     message: Message | None  #: why the job was refused; None if the verdict is accepted
@@ -19,7 +19,9 @@ class CompileResult:
     lines: int
     toolpath: bytes  #: see ``columns``
     verdict: bytes  #: see ``columns``
-    verdict_summary: dict[str, Any]  #: figures of the verdict
+    verdict_summary: dict[
+        str, Any
+    ]  #: greatest deviations and durations, see ``presentation.verdict``
     source: list[str] = field(default_factory=list)
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)

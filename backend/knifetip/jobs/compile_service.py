@@ -1,11 +1,9 @@
-"""compile_service: compiles received jobs in the processes of a pool.
+"""compile_service: compiles received jobs in worker processes, and sweeps expired leases.
 
-    received job -> taken from the compile queue -> worker process -> ready | refused
-
-Whichever queue it is (ADR 28), a job is taken by the UPDATE that makes it ``compiling`` with an
-owner, an epoch and a lease.  What a compile made is saved in the one transaction that moves
-the job, and only while the worker still has the job's epoch, so that a compile that runs twice
-leaves one result.  A job whose worker died is taken back and compiled again.
+A job is taken from the queue by the UPDATE that sets its state to ``compiling`` with an owner, an
+epoch and a lease (ADR 28).  The result of a compile is stored in the transaction that moves the
+job, and only if the job still has the worker's epoch, so that a job that is compiled twice has one
+result.  A job whose worker process ended unexpectedly is compiled again.
 """
 
 from __future__ import annotations
@@ -55,7 +53,7 @@ class CompileService:
 
     store: Store
     pool: ProcessPool
-    name: str = ""  #: the same after a restart: a service takes its own compiles up again
+    name: str = ""  #: must not change at a restart, which repeats the compiles under this name
     compiles: bool = True  #: False in a server whose workers are other processes
     at_once: int = 1
     limit: float = LIMIT
@@ -99,7 +97,7 @@ class CompileService:
         self._threads.append(thread)
 
     def stop(self) -> None:
-        """Stop immediately: a running compile is cancelled and repeated at the next start."""
+        """Stop immediately; a running compile is cancelled and repeated after the next start."""
         self._stopping.set()
         self.warm_up.close()
         self.pool.close()
@@ -122,7 +120,7 @@ class CompileService:
             self._stopping.wait(_SWEEP if leased else _REST)
 
     def compile(self, job: Job) -> None:
-        """Compile a job that ``begin_compile`` returned."""
+        """Compile a job that ``CompileStore.begin`` returned; store the result or the refusal."""
         id, epoch = job.id, job.epoch
         renewed = time.monotonic()
         last: Stage | None = None
@@ -159,7 +157,7 @@ class CompileService:
         except OpenQuestions as reason:
             self._refuse(id, epoch, reason, reason.questions)
         except JobError:
-            # Cancelled, or taken by another worker, while the result was on its way.
+            # The job was cancelled or taken by another worker before its result was stored.
             _log.info("the result of job %s came too late", id)
         except KnifetipError as reason:
             self._refuse(id, epoch, reason)

@@ -1,4 +1,4 @@
-"""Repository operations of compile workers; each checks the epoch of the job."""
+"""Operations of compile workers on the store; each checks the epoch of the job."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial
 
 
 class CompileStore:
-    """Transitions of jobs by compile workers."""
+    """Operations of compile workers: take a job, report progress, store the result."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -41,7 +41,10 @@ class CompileStore:
             return list(session.scalars(query))
 
     def note_waiting(self, machine: str) -> None:
-        """Store in the received jobs of a machine that they wait for kernels, once for each."""
+        """Store in each received job of a machine that the job waits for kernels to be compiled.
+
+        Jobs that have a message already are not changed.
+        """
         message = Message("job.awaits-kernels", machine=machine)
         waiting = sa.select(Job.id).where(
             Job.state == State.RECEIVED, Job.machine == machine, Job.message.is_(None)
@@ -60,12 +63,15 @@ class CompileStore:
         only: tuple[str, int] | None = None,
         without: Collection[str] = (),
     ) -> Job | None:
-        """Take the received job that has waited longest; None if there is none.
+        """Move the oldest received job to ``compiling`` and return it; return None if there is
+        none.
 
         Parameters
         ----------
+        worker
+            Name of the worker that becomes the owner of the job.
         only
-            Id and attempt of the one job that may be taken; any if None.
+            Id and attempt of the one job that may be taken; any job if None.
         without
             Machines whose jobs are not taken.
         """
@@ -97,14 +103,18 @@ class CompileStore:
             return self._transitions.locked(session, id)
 
     def recover(self, worker: str) -> None:
-        """Take back the jobs that an earlier process with this name was compiling when it ended."""
+        """Return the jobs to the queue that an earlier process with this worker name did not
+        finish.
+        """
         with self._db.writing() as session:
             dead = sa.select(Job).where(Job.state == State.COMPILING, Job.owner == worker)
             for row in session.scalars(dead.with_for_update()).all():
                 self.take_back(session, row)
 
     def take_back(self, session: Session, row: Job) -> None:
-        """Return the job of a silent worker to the queue; refuse it after too many attempts."""
+        """Return a job whose worker is silent to the queue, or refuse it after ``ATTEMPTS``
+        attempts.
+        """
         if row.attempt < ATTEMPTS:
             self._transitions.move(
                 session,
@@ -131,7 +141,11 @@ class CompileStore:
         )
 
     def report_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
-        """Store the progress of a compile and renew its lease; return False if the job was lost."""
+        """Store the progress of a compile (0 … 1) and renew the lease of its job.
+
+        Returns False if the job is not compiled under this epoch any more, so that the compile must
+        end.
+        """
         with self._db.writing() as session:
             return bool(
                 rows(
@@ -143,7 +157,7 @@ class CompileStore:
             )
 
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
-        """Store the result of a compile: the job becomes ready, queued or refused."""
+        """Store the result of a compile and move its job to ready, queued or refused."""
         kept: dict[str, Any] = {
             "program": result.program,
             "program_sha256": result.sha256,
@@ -193,7 +207,17 @@ class CompileStore:
         source: Sequence[str] = (),
         questions: Sequence[dict[str, Any]] = (),
     ) -> None:
-        """Refuse a job that could not be compiled."""
+        """Refuse a job that could not be compiled.
+
+        Parameters
+        ----------
+        message
+            Why the job is refused.
+        source
+            Handles of the entities that the message concerns.
+        questions
+            Decisions that the user must make before the job can be compiled.
+        """
         with self._db.writing() as session:
             self._transitions.move(
                 session,

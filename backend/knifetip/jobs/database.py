@@ -1,7 +1,4 @@
-"""Connection to SQLite or PostgreSQL: transactions and migration of the tables.
-
-"sqlite:///knifetip.sqlite" -> Database
-"""
+"""Connection to SQLite or PostgreSQL: transactions, and migration of the tables."""
 
 from __future__ import annotations
 
@@ -29,8 +26,8 @@ _MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
 def _sqlite(engine: sa.Engine) -> None:
     @on.listens_for(engine, "connect")
     def connect(connection: Any, _record: object) -> None:
-        # Transactions are begun below: left to itself the driver begins them only before the
-        # first write, so that what was read may no longer be true when it is acted upon.
+        # ``begin`` below begins transactions.  By default the driver begins them only before the
+        # first write, so that rows could change between reading and writing.
         connection.isolation_level = None
         connection.execute("PRAGMA busy_timeout=30000")
         connection.execute("PRAGMA journal_mode=WAL")
@@ -58,7 +55,7 @@ def _check(url: str) -> None:
 
 
 def dialect_url(url: str) -> str:
-    """Return the URL with the driver that is installed: psycopg for PostgreSQL."""
+    """Return a database URL with the installed driver, which is psycopg for PostgreSQL."""
     for scheme in ("postgresql://", "postgres://"):
         if url.startswith(scheme):
             return "postgresql+psycopg://" + url.removeprefix(scheme)
@@ -66,7 +63,7 @@ def dialect_url(url: str) -> str:
 
 
 class Database:
-    """A database connection; safe to use from several threads and processes."""
+    """Connections to one database; safe to use from several threads and processes."""
 
     def __init__(self, url: str, clock: Callable[[], float] = time.time) -> None:
         self.url = dialect_url(url)
@@ -102,9 +99,10 @@ class Database:
 
     @contextmanager
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
-        """Return a context with a transaction that writes; ``urgent`` ones run before waiting ones.
+        """Return a context with a transaction that writes.
 
-        If it has written events, ``changes`` is notified afterwards.
+        Urgent transactions begin before other waiting transactions of this process.  If the
+        transaction has written events, ``changes`` is notified after it.
         """
         with (
             self._turns.turn(urgent),
@@ -119,12 +117,17 @@ class Database:
     def large_column(
         self, table: type[Drawing] | type[Job], id: str, column: str, word: str
     ) -> bytes:
-        """Return one deferred column of a drawing or a job.
+        """Return the content of one large column of a drawing or a job.
+
+        Parameters
+        ----------
+        word
+            ``drawing`` or ``job``, for error messages.
 
         Raises
         ------
         NoSuchJob
-            There is no such row.
+            There is no drawing or job with this id.
         WrongState
             The column is empty.
         """
@@ -138,13 +141,13 @@ class Database:
         return bytes(found[0])
 
     def alive(self) -> bool:
-        """Return True if the database answers."""
+        """Return whether the database answers."""
         with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
-    """Return the number of rows that a statement changed."""
+    """Execute a statement and return the number of rows that it changed."""
     return cast("sa.CursorResult[Any]", session.execute(statement)).rowcount
 
 

@@ -1,4 +1,4 @@
-"""Repository of drawings with the decisions of the user."""
+"""Repository of drawings and of the overrides that the user has set for their edges."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class NewDrawing:
 
 
 class DrawingStore:
-    """Repository of drawings."""
+    """Repository of drawings: store, find, change and delete them."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -46,12 +46,20 @@ class DrawingStore:
         key: str | None = None,
         fingerprint: str = "",
     ) -> Drawing:
-        """Store a drawing; an Idempotency-Key that was used before returns the earlier drawing.
+        """Store a drawing and return it.
+
+        Parameters
+        ----------
+        key
+            Idempotency-Key of the request, None if it has none.  If a drawing was stored with this
+            key, that drawing is returned and nothing is stored.
+        fingerprint
+            Hash of the request.
 
         Raises
         ------
         KeyReused
-            The key was used for another request.
+            The key was used for a request with another fingerprint.
         """
         row = Drawing(
             id=new_id(),
@@ -85,7 +93,10 @@ class DrawingStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Drawing | None:
-        """Return the drawing with this Idempotency-Key, import report included, or None."""
+        """Return the drawing that was stored with an Idempotency-Key, None if there is none.
+
+        The import report of the drawing is loaded too.
+        """
         with self._db.reading() as session:
             row = session.scalar(
                 sa.select(Drawing).where(Drawing.key == key).options(undefer(Drawing.import_report))
@@ -120,12 +131,19 @@ class DrawingStore:
     def change(self, id: str, version: int, event: Message, **changes: Any) -> Drawing:
         """Change a drawing if its version is still ``version``; return it with its import report.
 
+        Parameters
+        ----------
+        event
+            What changes, for the log of events.
+        changes
+            New values of columns, by name.
+
         Raises
         ------
         NoSuchJob
-            The drawing was deleted in between.
+            The drawing was deleted since it was read.
         StaleRevision
-            The drawing was changed in between.
+            The drawing was changed since it was read.
         """
         with self._db.writing() as session:
             changed = rows(
@@ -140,13 +158,19 @@ class DrawingStore:
                     raise _no_drawing(id)
                 raise StaleRevision(id, now, str(version))
             self._transitions.note(session, "drawing", id, "changed", OPERATOR, event)
-            # As this change left it: another may follow before anything else is read.
+            # Read in this transaction, because another request may change the drawing after it.
             return session.scalars(
                 sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.import_report))
             ).one()
 
     def delete(self, id: str) -> None:
-        """Delete a drawing without jobs."""
+        """Delete a drawing that no job was made from.
+
+        Raises
+        ------
+        WrongState
+            A job was made from the drawing.
+        """
         self.get(id)
         with self._db.writing() as session:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):

@@ -1,9 +1,8 @@
 """durable_queue: compiles as durable workflows of DBOS, for several processes or machines.
 
-    received job -> workflow "compile-JOB-ATTEMPT" on the DBOS queue -> a worker process
-
-A workflow carries the job's id and attempt only.  A job whose worker died gets another attempt, and
-with it another workflow; a workflow of an earlier attempt finds nothing to do.
+Each received job becomes the workflow "compile-JOB-ATTEMPT" on the queue of DBOS, which a worker
+process executes.  The workflow contains only the id and the attempt of the job.  After a worker
+has died, the job gets a new attempt with a new workflow; the earlier workflow then does nothing.
 """
 
 from __future__ import annotations
@@ -18,20 +17,20 @@ from knifetip.jobs.compile_queue import Compile
 from knifetip.jobs.store import Store
 
 QUEUE = "compile"
-_POLL = 1.0  # seconds between two looks of DBOS at its queue, and of this module at the jobs
+_POLL = 1.0  # seconds between two queries of DBOS for workflows, and of this module for jobs
 
 _log = logging.getLogger("knifetip.jobs")
 
 
 class DurableQueue:
-    """A DBOS queue.  A process has at most one, as it has one DBOS.
+    """A queue of compiles in DBOS.  A process can have only one, because DBOS is one per process.
 
     Parameters
     ----------
     worker
-        Name under which jobs are taken; the same after a restart.
+        Name under which jobs are taken; must not change at a restart.
     at_once
-        Number of jobs that are compiled at the same time; 0 in a process that only receives jobs.
+        Number of jobs that are compiled at the same time; 0 in a process that does not compile.
     """
 
     def __init__(self, store: Store, worker: str, at_once: int) -> None:
@@ -44,7 +43,7 @@ class DurableQueue:
         self._compile: Compile = lambda _job: None
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with jobs."""
+        """Begin to call ``compile`` with each job to compile."""
         global _running
         if _running is not None:
             raise RuntimeError("A process can run one DurableQueue. Stop the other one first.")
@@ -66,14 +65,14 @@ class DurableQueue:
             QUEUE,
             worker_concurrency=max(self._at_once, 1),
             polling_interval_sec=_POLL,
-            # A process that compiles decides how many at once.
+            # Only a process that compiles sets the number of compiles at the same time.
             on_conflict="always_update" if self._at_once else "never_update",
         )
         self._submitting = threading.Thread(target=self._submit, name="submit", daemon=True)
         self._submitting.start()
 
     def _submit(self) -> None:
-        """Put received jobs on the queue, at once those of this process."""
+        """Submit received jobs to the queue of DBOS until stopped; jobs of this process at once."""
         submitted: set[tuple[str, int]] = set()
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
@@ -92,19 +91,19 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job, unless this attempt has nothing to do any more."""
+        """Compile a job if it is still received under this attempt."""
         job = self._store.compiles.begin(self._worker, (id, attempt))
         if job is not None:
             self._compile(job)
 
     def stop(self) -> None:
-        """Take no further jobs, and return when the calls have ended."""
+        """Take no further jobs, and return when all compiles have ended."""
         global _running
         self._stopping.set()
         self._received.set()
         if self._submitting is not None:
             self._submitting.join()
-        # Workflows that end now report to a DBOS that is going away.
+        # Workflows that end now log errors, because DBOS is being destroyed.
         logging.getLogger("dbos").setLevel(logging.CRITICAL)
         DBOS.destroy()
         _running = None
@@ -116,7 +115,7 @@ _running: DurableQueue | None = None
 
 @DBOS.workflow(name="compile")
 def compile_job(job: str, attempt: int) -> None:
-    """Compile a job: the workflow that DBOS repeats after its process died."""
+    """Compile a job: the workflow that DBOS repeats if its process has died."""
     _compile(job, attempt)
 
 

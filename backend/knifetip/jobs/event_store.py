@@ -1,4 +1,4 @@
-"""Repository of events, the append-only log of changes to jobs and drawings."""
+"""Repository of events: the log of changes to jobs and drawings, which only grows."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from knifetip.jobs.transitions import no_job
 
 
 class EventStore:
-    """Repository of events, which ``Transitions`` writes."""
+    """Repository for reading events; ``Transitions`` writes them."""
 
     def __init__(self, database: Database) -> None:
         self._db = database
 
     def of_job(self, id: str) -> list[Event]:
-        """Return the events of a job in order."""
+        """Return the events of a job, oldest first."""
         with self._db.reading() as session:
             if session.scalar(sa.select(Job.id).where(Job.id == id)) is None:
                 raise no_job(id)
@@ -25,7 +25,7 @@ class EventStore:
             )
 
     def after(self, last: int, limit: int = 1000) -> list[Event]:
-        """Return the events after an event in order."""
+        """Return at most ``limit`` events with ids above ``last``, oldest first."""
         query = sa.select(Event).where(Event.id > last).order_by(Event.id).limit(limit)
         with self._db.reading() as session:
             return list(session.scalars(query))

@@ -1,4 +1,4 @@
-"""Repository operations of gateways: claim a job, report progress, finish it."""
+"""Operations of gateways on the store: claim a job, report its progress, report its end."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ class GatewayReport:
     """Report of a gateway on the progress of a job."""
 
     line: int  #: executed lines of the current copy
-    copies_done: int = 0  #: since this claim
+    copies_done: int = 0  #: copies completed since this claim
     held: bool = False
-    waiting: bool = False  #: nothing is sent yet: the gateway waits for ``start``
+    waiting: bool = False  #: nothing was sent to the machine; the gateway waits for ``start``
     position: Sequence[float] | None = None
     seconds_left: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """State of a machine's queue: why its jobs wait."""
+    """The first job of a machine's queue, and what keeps it from starting."""
 
     first: str  #: next job to be claimed; empty if none
     ahead: str  #: job on the table, or claimed and not confirmed; empty if none
@@ -57,19 +57,19 @@ class Queue:
 
 
 class GatewayStore:
-    """Transitions of jobs by gateways, and the known gateways."""
+    """Operations of gateways on jobs, and the list of known gateways."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
         self._transitions = transitions
 
     def record_contact(self, machine: str, name: str) -> None:
-        """Record that a gateway has requested a job."""
+        """Store the present time as the time of the gateway's last request."""
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
     def connected(self, within: float) -> set[str]:
-        """Return the machines whose gateway made a request within ``within`` seconds."""
+        """Return the machines whose gateway sent a request in the last ``within`` seconds."""
         now = self._db.clock()
         asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
         working = sa.select(Job.machine).where(
@@ -79,13 +79,13 @@ class GatewayStore:
             return {*session.scalars(asking), *session.scalars(working)}
 
     def jobs_on_tables(self) -> dict[str, str]:
-        """Return the job on the table of each machine."""
+        """Return the id of the job on the table of each machine, by machine."""
         query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
         with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
     def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
-        """Return the state of the queues of some machines.
+        """Return the state of the queue of each machine, by machine.
 
         Parameters
         ----------
@@ -203,7 +203,7 @@ class GatewayStore:
             return self._runs(session, row, report)
 
     def _awaits(self, session: Session, row: Job) -> str:
-        """Return the command for a gateway that has sent nothing to the machine yet."""
+        """Return the command for a gateway that has not sent anything to the machine yet."""
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
             self._change(session, row, renewed)
@@ -429,7 +429,7 @@ def _following(machine: str) -> sa.Select[Job]:
 
 
 def is_claimed(row: Job) -> bool:
-    """Return whether a gateway has claimed the job and waits for the operator."""
+    """Return whether a gateway has claimed the job and waits for the operator's confirmation."""
     return row.state == State.QUEUED and row.confirmation != Confirmation.NONE
 
 

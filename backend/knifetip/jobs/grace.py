@@ -1,7 +1,4 @@
-"""Grace period for gateways after this process could not receive their heartbeats.
-
-Grace().over(now) -> False for the duration of a lease after the start and after every pause
-"""
+"""Grace period for gateways after this process could not receive their heartbeats."""
 
 from __future__ import annotations
 
@@ -19,9 +16,9 @@ class Grace:
         self._began = self._last = float("-inf")
 
     def over(self, now: float) -> bool:
-        """Return True if this process has run without a pause for longer than a lease.
+        """Return whether this process has run without a pause for longer than a lease.
 
-        Must be called several times per lease; ``now`` is in seconds of the wall clock.
+        Must be called several times per lease; ``now`` is the wall-clock time (s).
         """
         if not 0.0 <= now - self._last < LEASE / 2.0:
             self._began = now

@@ -1,6 +1,6 @@
-"""Where an interrupted job stopped, and what the operator can do about it.
+"""Position in the program at which an interrupted job stopped, and the message about it.
 
-The line is the last one that the gateway reported; the machine may have executed more.
+The position is the last line that the gateway reported; the machine may have executed more lines.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Interruption:
 def interruption(
     row: Job, cause: Message, line: int | None = None, copies_done: int | None = None
 ) -> Interruption:
-    """Return where a job stopped.
+    """Return the position at which a job stopped, with the message for the operator.
 
     Parameters
     ----------

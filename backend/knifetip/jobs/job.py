@@ -41,7 +41,7 @@ class State(StrEnum):
 
 
 class Who(StrEnum):
-    """Causes of transitions."""
+    """Kinds of persons and processes that cause transitions."""
 
     OPERATOR = "operator"
     WORKER = "worker"  #: a compile worker
@@ -151,12 +151,12 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, who: Who) -> tuple[State, ...]:
-    """Return the states in which ``who`` may perform an action."""
+    """Return the states in which an actor of the kind ``who`` may perform an action."""
     return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
 
 
 def target(action: Action) -> State:
-    """Return the target state of an action."""
+    """Return the state of a job after an action."""
     return next(row.target for row in TRANSITIONS if row.action is action)
 
 

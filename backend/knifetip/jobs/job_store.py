@@ -1,4 +1,4 @@
-"""Repository of jobs, with the actions of operators."""
+"""Repository of jobs, with the actions of operators on them."""
 
 from __future__ import annotations
 
@@ -62,12 +62,20 @@ class JobStore:
         key: str | None = None,
         fingerprint: str = "",
     ) -> Job:
-        """Store a new job as ``received``; an Idempotency-Key used before returns the earlier job.
+        """Store a new job in the state ``received`` and return it.
+
+        Parameters
+        ----------
+        key
+            Idempotency-Key of the request, None if it has none.  If a job was stored with this key,
+            that job is returned and nothing is stored.
+        fingerprint
+            Hash of the request.
 
         Raises
         ------
         KeyReused
-            The key was used for another request.
+            The key was used for a request with another fingerprint.
         """
         now = self._db.clock()
         row = Job(
@@ -125,7 +133,7 @@ class JobStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Job | None:
-        """Return the job created under this Idempotency-Key, or None."""
+        """Return the job that was stored with an Idempotency-Key, None if there is none."""
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.key == key))
         return None if row is None else same_request(row, key, fingerprint)
@@ -139,12 +147,12 @@ class JobStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return a large column of a job: overrides, program, toolpath or verdict.
+        """Return the content of a large column of a job: overrides, program, toolpath or verdict.
 
         Raises
         ------
         WrongState
-            The job is not compiled yet, or was refused before the column was computed.
+            The column is empty: the job is not compiled yet, or it was refused.
         """
         return self._db.large_column(Job, id, column, "job")
 
@@ -155,7 +163,19 @@ class JobStore:
         limit: int = 100,
         ids: Sequence[str] | None = None,
     ) -> list[Job]:
-        """Return jobs in one of the given states (in any if none is given), newest first."""
+        """Return jobs, newest first.
+
+        Parameters
+        ----------
+        states
+            States of the jobs; all states if empty.
+        before
+            Serial number below which the jobs lie; None for no limit.
+        limit
+            Greatest number of jobs.
+        ids
+            Ids of the jobs; None for all.
+        """
         query = sa.select(Job).order_by(Job.serial.desc()).limit(limit)
         if states:
             query = query.where(Job.state.in_(states))
@@ -180,7 +200,14 @@ class JobStore:
         return self.get(id)
 
     def requeue(self, id: str) -> Job:
-        """Queue an interrupted job again, at its former position; the table must be clear."""
+        """Queue an interrupted job again at its former position in the queue; the table must be
+        clear.
+
+        Raises
+        ------
+        WrongState
+            The job is not interrupted, or was executed to its last line.
+        """
         with self._db.writing() as session:
             row = self._transitions.locked(session, id)
             if is_fully_executed(row):
@@ -209,7 +236,7 @@ class JobStore:
         return self.get(id)
 
     def declare_finished(self, id: str) -> Job:
-        """Mark an interrupted job as done: an operator has found all its sheets complete."""
+        """Move an interrupted job to ``done``: an operator has found all its sheets complete."""
         with self._db.writing() as session:
             row = self._transitions.locked(session, id)
             self._transitions.move(
@@ -228,17 +255,17 @@ class JobStore:
         return self.get(id)
 
     def confirm(self, id: str, board: str = "", by: str = "") -> Job:
-        """Confirm that the table is clear and the job's board and tools are in place.
+        """Confirm that the table is clear and that the board and the tools of the job are in place.
 
-        Starts a claimed job, or the next copy of a job that waits for a sheet, or resumes a job
-        that was started without a confirmation.  Repeating it has no effect.
+        Starts a claimed job or the next copy of a job that waits for a sheet, or resumes a job that
+        was started without a confirmation.  A repeated confirmation has no effect.
 
         Parameters
         ----------
         board
-            The board on the table, if the operator names it.
+            The board on the table; empty if the operator does not name it.
         by
-            Name of the operator, for the record.
+            Name of the operator, for the log of events.
 
         Raises
         ------

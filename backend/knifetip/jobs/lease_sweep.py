@@ -1,4 +1,4 @@
-"""Take jobs back from workers and gateways whose lease has expired."""
+"""Removal of jobs from workers and gateways whose lease has expired."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from knifetip.messages import Message
 
 
 class LeaseSweep:
-    """Expires the leases of silent owners."""
+    """Ends the leases of workers and gateways that have sent no report in time."""
 
     def __init__(
         self,
@@ -30,15 +30,15 @@ class LeaseSweep:
         self._gateways = gateways
 
     def run(self, *, gateways: bool = True) -> bool:
-        """Take jobs back from owners whose lease has expired.
+        """Move all jobs whose lease has expired to the state in which they can continue.
 
-        A job on a table becomes ``interrupted``, never ``queued``; an unconfirmed claim is
-        released; a compile is repeated.
+        A job on a table becomes ``interrupted``, never ``queued``.  A claimed job without a
+        confirmation returns to the queue.  A compile is repeated.
 
         Parameters
         ----------
         gateways
-            Whether leases of gateways expire; False while gateways could not reach this service.
+            Whether leases of gateways expire; False if gateways could not reach this service.
 
         Returns
         -------

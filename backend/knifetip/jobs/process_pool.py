@@ -1,12 +1,12 @@
-"""process_pool: worker processes for tasks that need a lot of CPU, with limits of time and memory.
+"""process_pool: worker processes for tasks that need much CPU time, with limits of time and memory.
 
-    pool.run(task, *arguments, limit=120.0, watch=...) -> what the task returns
+    pool.run(task, *arguments, limit=120.0, watch=...)    returns the result of the task
 
 A task is a function ``task(progress, *arguments)`` of an importable module.  It runs in a process
-of its own, so a drawing that hangs, exhausts memory or crashes the interpreter ends that process
-and nothing else.  ``progress(stage, fraction)`` reaches ``watch`` in the calling thread.
+of its own: a drawing that hangs, exhausts memory or crashes the interpreter ends only that process.
+``progress(stage, fraction)`` calls ``watch`` in the calling thread.
 
-ADR 6 says why this is not pebble or loky.
+ADR 6 gives the reasons for not using pebble or loky.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ T = TypeVar("T")
 
 MEMORY = 6 << 30  #: bytes of address space of a worker
 IDLE = 60.0  #: seconds after which ``trim`` ends an idle worker
-_LOOK = 1.0  # seconds between two calls of ``watch`` without news
+_LOOK = 1.0  # seconds between two calls of ``watch`` without progress
 _REPORT = 0.1  # seconds between two progress reports of one stage
 
 _log = logging.getLogger("knifetip.jobs")
@@ -147,7 +147,7 @@ class ProcessPool:
     def _receive(
         self, worker: _Worker, deadline: float, limit: float, watch: Watch
     ) -> tuple[str, Any]:
-        """Return the kind and value of a worker's answer; passes its progress on."""
+        """Return the kind and value of a worker's answer; report its progress to ``watch``."""
         stage, fraction = Stage.READ, 0.0
         while True:
             left = deadline - time.monotonic()
@@ -171,9 +171,11 @@ class ProcessPool:
         return _Worker(process, ours)
 
     def trim(self, idle: float = IDLE) -> None:
-        """End workers that have been idle for so many seconds, except the last one used."""
+        """End workers that have been idle for ``idle`` seconds, except the worker that was used
+        last.
+        """
         with self._lock:
-            # The last one used is the first to be used again.
+            # The worker that was used last is the first to be used again.
             before = time.monotonic() - idle
             ended = [one for one in self._idle[:-1] if one.idle_since < before]
             self._idle = [one for one in self._idle if one not in ended]
@@ -193,7 +195,7 @@ class ProcessPool:
 
 
 def _serve_tasks(pipe: Connection, memory: int) -> None:
-    """Run in the worker: execute tasks from the pipe until it closes."""
+    """Execute tasks from the pipe in a worker process until the pipe closes."""
     # Ctrl-C is sent to the whole process group; the server decides when its workers end.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     hard = resource.getrlimit(resource.RLIMIT_AS)[1]
@@ -228,7 +230,7 @@ def _outcome(task: Callable[..., Any], progress: Progress, arguments: Any) -> tu
 
 
 def _exit_with_parent() -> None:
-    """Exit at once when the server is gone, even if it was killed."""
+    """End this worker process as soon as the server process is gone, even if it was killed."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         wait([parent.sentinel])

@@ -11,7 +11,7 @@ from knifetip.errors import NoSuchJob, StaleVersion, WrongState
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.tables import Profile
 
-#: Greatest number of profiles; listing them parses each.
+#: Greatest number of profiles; a list of profiles parses all of them.
 MOST = 1000
 
 
@@ -22,7 +22,7 @@ class ProfileStore:
         self._db = database
 
     def get(self, name: str) -> Profile | None:
-        """Return a profile, or None if there is none of that name."""
+        """Return the profile with a name, None if there is none."""
         with self._db.reading() as session:
             return session.scalar(sa.select(Profile).where(Profile.name == name))
 

@@ -1,10 +1,8 @@
 """The store: drawings, profiles, jobs and their events in SQLite or PostgreSQL.
 
-"sqlite:///knifetip.sqlite" -> Store with one repository per aggregate
-
 A transition of a job is one UPDATE … WHERE state IN … in one transaction with its event.  If two
-clients claim the same job, or two jobs the same table, the database refuses one of them: by that
-WHERE clause, by the job's epoch, and by a unique index on the machine of jobs on a table.
+clients claim the same job, or two jobs need the same table, the database refuses one of them: by
+that WHERE clause, by the epoch of the job, and by a unique index on the machine of jobs on a table.
 """
 
 from __future__ import annotations
@@ -48,15 +46,15 @@ class Store:
 
     @property
     def changes(self) -> Changes:
-        """Notified after each transaction that wrote an event."""
+        """Notifier that calls its subscribers after each transaction that wrote an event."""
         return self.database.changes
 
     def migrate(self) -> None:
-        """Create the tables, or bring them up to date."""
+        """Create the tables of the database, or migrate them to the current schema."""
         self.database.migrate()
 
     def alive(self) -> bool:
-        """Return True if the database answers."""
+        """Return whether the database answers."""
         return self.database.alive()
 
     def close(self) -> None:

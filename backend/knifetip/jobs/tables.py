@@ -1,7 +1,7 @@
 """Tables of the store in SQLite or PostgreSQL.
 
-Drawings, their jobs, events of both, profiles of customers, and gateways.  Large columns are
-deferred: they are loaded only when they are named.
+The tables contain drawings, jobs, events of drawings and jobs, profiles of customers, and gateways.
+Large columns are deferred: a query loads them only if it names them.
 """
 
 from __future__ import annotations

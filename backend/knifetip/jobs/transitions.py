@@ -1,7 +1,7 @@
 """Transitions of jobs, each in one transaction with its event.
 
 A transition is one UPDATE … WHERE state IN … (AND epoch = …), so that only one of two concurrent
-ones succeeds.  The table of transitions is in ``job``.
+transitions succeeds.  The table of transitions is in ``job``.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Row = TypeVar("Row", Drawing, Job)
 
 
 class Transitions:
-    """Transitions of jobs and the events that record them; used inside a transaction."""
+    """Transitions of jobs and their events; used inside a transaction of the caller."""
 
     def __init__(self, database: Database) -> None:
         self._db = database
@@ -107,7 +107,13 @@ class Transitions:
         )
 
     def locked(self, session: Session, id: str) -> Job:
-        """Return a job, locked until the transaction ends."""
+        """Return a job, locked until the transaction ends.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no job with this id.
+        """
         row = session.scalar(
             sa.select(Job)
             .where(Job.id == id)
@@ -132,7 +138,7 @@ def no_job(id: str) -> NoSuchJob:
 
 
 def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
-    """Return the error for an owner whose epoch has ended."""
+    """Return the error for a worker or gateway that no longer owns a job."""
     return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
 
 

@@ -12,7 +12,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 
 class Turns:
-    """A lock with two priorities: urgent threads come before all others that wait."""
+    """A lock with two priorities: urgent threads get it before all other waiting threads."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -21,7 +21,7 @@ class Turns:
 
     @contextmanager
     def turn(self, urgent: bool) -> Iterator[None]:
-        """Return a context that waits for the lock and holds it."""
+        """Return a context that waits for the lock, holds it and releases it."""
         with self._changed:
             self._urgent += urgent
             try:
@@ -38,7 +38,7 @@ class Turns:
 
 
 class NoTurns:
-    """Replacement for databases that permit several writers at a time."""
+    """Replacement of ``Turns`` for databases that permit several writers at a time."""
 
     def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002
         """Return a context that does not wait."""

@@ -76,7 +76,7 @@ class WarmUp:
 
     @property
     def progress(self) -> WarmUpProgress:
-        """How far it is."""
+        """The number of kernels that are compiled, and of all kernels that had to be compiled."""
         with self._changed:
             return self._progress()
 
@@ -86,18 +86,18 @@ class WarmUp:
         return WarmUpProgress(not self._running, compiled, sum(one.kernels for one in parts))
 
     def start(self, pool: ProcessPool) -> None:
-        """Begin on a thread of its own.
+        """Begin to compile missing kernels on a thread of the warm-up.
 
         Parameters
         ----------
         pool
-            Where it is found out what is missing: a process that does it can read drawings at once.
+            Pool whose worker finds the missing kernels; that worker can then read drawings at once.
         """
         self._running = True
         threading.Thread(target=self.run, args=(pool,), name="warm-up", daemon=True).start()
 
     def run(self, pool: ProcessPool) -> None:
-        """Compile what is missing; parameters as for ``start``."""
+        """Compile missing kernels on the calling thread; ``pool`` as for ``start``."""
         self._running = True
         try:
             with contextlib.suppress(TaskCancelled):
@@ -165,13 +165,13 @@ class WarmUp:
         self._on_progress(self.progress)
 
     def wait(self, *groups: str, watch: Watch = lambda _stage, _fraction: True) -> None:
-        """Return when the kernels of these groups are compiled.
+        """Return when the kernels of the given groups are compiled.
 
         Parameters
         ----------
         watch
-            Called while it waits, with the stage ``PREPARE`` and the share that is compiled.
-            Returns False to wait no longer.
+            Called while it waits, with the stage ``PREPARE`` and the fraction of kernels compiled.
+            Returns False to stop waiting.
 
         Raises
         ------
@@ -202,7 +202,7 @@ class WarmUp:
         )
 
     def close(self) -> None:
-        """End it; what waits is cancelled."""
+        """Stop compiling; threads in ``wait`` raise ``TaskCancelled``."""
         with self._changed:
             self._closed = True
             compilers = self._compilers
@@ -212,7 +212,7 @@ class WarmUp:
 
 
 def main() -> None:
-    """Compile all kernels with all there is, and print the progress."""
+    """Compile all missing kernels with normal priority, and print the progress."""
     shown = -1
 
     def show(progress: WarmUpProgress) -> None:

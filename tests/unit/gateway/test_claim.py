@@ -17,8 +17,8 @@ import pytest
 from knifetip.errors import ControllerError
 from knifetip.gateway import grbl, simulator
 from knifetip.gateway.claim import work
-from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.controller import Controller, SafeState, State, Status
+from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
 from knifetip.gateway.table import Faults, Table
