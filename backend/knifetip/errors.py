@@ -59,7 +59,7 @@ _SHOWN: Final = 5
 
 
 class KnifetipError(Exception):
-    """Base class: a message with its hint, and the entities that it concerns.
+    """Base class of errors: a message with its hint, and the entities that the error concerns.
 
     Parameters
     ----------
@@ -84,12 +84,12 @@ class KnifetipError(Exception):
 
     @property
     def text(self) -> str:
-        """What is wrong and where, in English."""
+        """The fault and its location, in English."""
         return render(self.message)
 
     @property
     def hint(self) -> str:
-        """What the user can do, in English."""
+        """The action that solves the problem, in English; "" if there is none."""
         return hint(self.message)
 
     def __str__(self) -> str:
@@ -109,39 +109,39 @@ def _rebuild(
 
 
 class ReadError(KnifetipError):
-    """The file is not a usable drawing."""
+    """Raised when a file is not a usable drawing."""
 
 
 class NotADrawing(ReadError):
-    """Not a drawing file, empty, or damaged beyond repair."""
+    """Raised when a file is not a drawing, is empty, or is damaged beyond repair."""
 
 
 class DrawingTooLarge(ReadError):
-    """A limit on size, depth, number of entities or time is exceeded."""
+    """Raised when a drawing exceeds a limit on size, depth, number of entities or time."""
 
 
 class UnitUnknown(ReadError):
-    """The unit is neither in the file nor set by the user."""
+    """Raised when the unit is neither in the file nor set by the user."""
 
 
 class NoSuchUnit(ReadError):
-    """The given name is not a unit of length."""
+    """Raised when a given name is not a unit of length."""
 
 
 class ProfileError(KnifetipError):
-    """A classification profile cannot be read."""
+    """Raised when a classification profile cannot be read."""
 
 
 class LibraryError(KnifetipError):
-    """There is no such machine, board, tool or profile, or its file is invalid."""
+    """Raised when a machine, board, tool or profile does not exist or its file is invalid."""
 
 
 class GeometryError(KnifetipError):
-    """A shape for which there is no valid result."""
+    """Raised for a shape for which there is no valid result."""
 
 
 class ZeroLengthEdge(GeometryError):
-    """An edge of zero length, which has no direction."""
+    """Raised for edges of zero length, which have no direction."""
 
     def __init__(self, rows: Iterable[int]) -> None:
         listed = [str(row) for row in islice(rows, 10)]
@@ -149,15 +149,15 @@ class ZeroLengthEdge(GeometryError):
 
 
 class DegenerateArc(GeometryError):
-    """An arc whose radius or sweep is zero or not a number."""
+    """Raised for an arc whose radius or sweep is zero or not a number."""
 
 
 class PlanError(KnifetipError):
-    """The job cannot be made on this machine."""
+    """Raised when a job cannot be made on a machine."""
 
 
 class OpenQuestions(PlanError):
-    """The user must decide the unit or line types before the drawing can be compiled.
+    """Raised when the user must answer questions before a drawing can be compiled.
 
     Attributes
     ----------
@@ -175,80 +175,80 @@ class OpenQuestions(PlanError):
 
 
 class NoToolForLineType(PlanError):
-    """No station of the machine makes this line type."""
+    """Raised when no station of the machine makes a line type."""
 
 
 class FlankOutside(PlanError):
-    """A V-groove is so close to a cut that its flank would leave the board."""
+    """Raised when a V-groove is so close to a cut that its flank would leave the board."""
 
 
 class NoRoomForBridges(PlanError):
-    """A contour has no room for the bridges that the board requires."""
+    """Raised when a contour has no room for the bridges that the board requires."""
 
 
 class TravelExceeded(PlanError):
-    """A path exceeds the travel of the machine."""
+    """Raised when a path exceeds the travel of the machine."""
 
 
 class CompensationError(KnifetipError):
-    """An edge cannot be compensated for its tool."""
+    """Raised when an edge cannot be compensated for its tool."""
 
 
 class CurvedGroove(CompensationError):
-    """A V-groove along an arc, which a straight blade cannot follow."""
+    """Raised for a V-groove along an arc, which a straight blade cannot follow."""
 
 
 class EdgeTooShort(CompensationError):
-    """An edge is shorter than its tool."""
+    """Raised when an edge is shorter than its tool."""
 
 
 class GrooveTooDeep(CompensationError):
-    """A V-groove deeper than the board."""
+    """Raised when a V-groove is deeper than the board."""
 
 
 class ProgramError(KnifetipError):
-    """The emitted program is wrong."""
+    """Raised when an emitted program is wrong."""
 
 
 class ProgramUnreadable(ProgramError):
-    """A line that the verifier cannot parse."""
+    """Raised when the verifier cannot parse a program line."""
 
 
 class ProgramRefused(ProgramError):
-    """The verdict is outside tolerance."""
+    """Raised when the verifier refuses a program."""
 
 
 class ControllerError(KnifetipError):
-    """The controller or the connection to it failed."""
+    """Raised when a controller or the connection to it fails."""
 
 
 class ControllerAlarm(ControllerError):
-    """The controller reported an alarm."""
+    """Raised when the controller reports an alarm."""
 
 
 class ControllerRejected(ControllerError):
-    """The controller reported an error for a line of the program."""
+    """Raised when the controller reports an error for a program line."""
 
 
 class ControllerReset(ControllerError):
-    """The controller was reset during a job."""
+    """Raised when the controller was reset during a job."""
 
 
 class ControllerSilent(ControllerError):
-    """The controller does not answer."""
+    """Raised when the controller does not answer."""
 
 
 class RequestError(KnifetipError):
-    """A valid request that refers to nothing, such as an edge that does not exist."""
+    """Raised when a valid request refers to something that does not exist, such as an edge."""
 
 
 class ServerBusy(KnifetipError):
-    """Too many requests are waiting for a process; nothing of this one was stored.
+    """Raised when too many requests wait for a process; no data of the request was stored.
 
     Attributes
     ----------
     seconds
-        Time after which the client can try again.
+        Time after which the client can try again (s).
     """
 
     def __init__(self, waiting: int, seconds: int) -> None:
@@ -257,39 +257,39 @@ class ServerBusy(KnifetipError):
 
 
 class SettingsError(KnifetipError):
-    """The server cannot start with these settings."""
+    """Raised when the server cannot start with the given settings."""
 
 
 class JobError(KnifetipError):
-    """The state of the job does not permit the action."""
+    """Raised when the state of a job does not permit an action."""
 
 
 class NoSuchJob(JobError):
-    """There is no job, drawing or other stored object with this name."""
+    """Raised when there is no job, drawing or other stored object with a given name."""
 
 
 class WrongState(JobError):
-    """The transition is not permitted from the present state of the job."""
+    """Raised when a transition is not permitted from the present state of the job."""
 
 
 class StaleEpoch(JobError):
-    """The gateway or worker no longer owns the job."""
+    """Raised when a gateway or worker reports on a job that it no longer owns."""
 
 
 class StoreError(JobError):
-    """The database cannot be used."""
+    """Raised when the database cannot be used."""
 
 
 class KeyReused(JobError):
-    """The Idempotency-Key was used for another request."""
+    """Raised when an Idempotency-Key was already used for another request."""
 
 
 class StaleVersion(JobError):
-    """The object was changed since the client read it."""
+    """Raised when a stored object has been changed since the client read it."""
 
 
 class StaleRevision(StaleVersion):
-    """The drawing was changed since the client read it.
+    """Raised when a drawing has been changed since the client read it.
 
     Attributes
     ----------
@@ -303,4 +303,4 @@ class StaleRevision(StaleVersion):
 
 
 class MachineBusy(JobError):
-    """Another job is on the table of this machine."""
+    """Raised when another job is on the table of the machine."""

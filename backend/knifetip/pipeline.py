@@ -73,7 +73,7 @@ __all__ = [
     "verify",
 ]
 
-#: How far the tool's tip may be from the line (mm).
+#: Maximum distance of the tool's tip from the drawn line (mm).
 TOLERANCE = 0.01
 
 
@@ -85,8 +85,8 @@ class Compiled:
     program: Program
     verdict: Verdict
     placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
-    seconds: float  #: estimated machine time, with accelerations
-    seconds_retracted: float  #: the same with a full retract for every turn
+    seconds: float  #: estimated machine time with accelerations (s)
+    seconds_retracted: float  #: machine time if the tool retracted fully for every turn (s)
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
@@ -127,12 +127,12 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
-    """Return the drawing's edges with their line types, by the user's profile and overrides."""
+    """Return the edges of the drawing with line types from the user's profile and overrides."""
     return classify(drawing, rules_of(interpretation), interpretation.override_column)
 
 
 def rules_of(interpretation: Interpretation) -> LineRules:
-    """Return the profile of an interpretation: a customer's own, or one of the library."""
+    """Return the profile of an interpretation: the customer's profile or one of the library."""
     if interpretation.rules:
         return custom_profiles.parse_text(interpretation.profile, interpretation.rules)
     return load.profile(interpretation.profile, files=False)
@@ -216,18 +216,18 @@ def verify(
     Parameters
     ----------
     text
-        The program, from knifetip or from elsewhere.
+        The program, made by knifetip or by another system.
     dieline
-        The drawing's edges, before cleaning.
+        The edges of the drawing, before cleaning.
     placement : mm
-        Added to the drawing's coordinates on the sheet.
+        Offset that is added to the coordinates of the drawing on the sheet.
     tolerance : mm
-        How far the tool's tip may be from the line.
+        Maximum distance of the tool's tip from the drawn line.
 
     Raises
     ------
     ProgramUnreadable, ProgramError, GeometryError
-        As ``verification.verify`` documents them.
+        See ``verification.verify``.
     """
     return _verdict(text, dieline, clean(dieline), placement, machine, board, tolerance)
 
@@ -240,7 +240,7 @@ def _toolpath(
     corners: Corners | None,
     progress: Progress,
 ) -> Toolpath:
-    """Return the head's path for cleaned edges; its ``source`` are rows of the drawing."""
+    """Return the tool path for cleaned edges; its ``source`` contains rows of the drawing."""
     placed = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(where))
     progress(Stage.PLAN, 0.05)
     chosen = None if corners is None else replace(corners, placement=where)
@@ -274,7 +274,7 @@ def _verdict(
 def _located(
     error: PlanError | CompensationError, drawing: Drawing, source: I32
 ) -> PlanError | CompensationError:
-    """Replace rows of cleaned edges in an error by handles and layer of the drawing."""
+    """Return the error with handles and layer of the drawing instead of rows of cleaned edges."""
     rows = [int(source[int(row)]) for row in error.source]
     if rows:
         layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles

@@ -1,8 +1,6 @@
-"""Assemble a Drawing from the segments and the report rows of a reader.
+"""Assemble a Drawing from the segments, styles and report rows of a reader.
 
-    ReportRows, Columns, Styles -> Drawing
-
-Segments of zero length are dropped, and of duplicate segments one is kept.
+Segments of zero length are dropped.  Of several equal segments, only the first is kept.
 """
 
 from __future__ import annotations
@@ -36,7 +34,7 @@ from knifetip.model.words import Repeated
 
 
 class KnownUnit(NamedTuple):
-    """The unit of a file, if known, and what the header states about it."""
+    """The unit of a file, if known, and the statements of the file header about the unit."""
 
     scale: float  #: millimetres per file unit, 0 if unknown
     unit: str  #: empty if unknown
@@ -64,16 +62,20 @@ def assemble(
     annotations: Iterable[Annotation],
     known: KnownUnit,
 ) -> Drawing:
-    """Return the drawing without duplicate segments and segments of zero length.
+    """Return the drawing without duplicate segments and without segments of zero length.
 
     Parameters
     ----------
+    sheet
+        Report rows of all entities.
     found
         n segments in file units.
     styles
-        Indexed by ``found.style``.
+        Styles of the segments, to which ``found.style`` refers.
     annotations
-        In file units.
+        Texts and dimensions in file units.
+    known
+        The unit of the file.
     """
     scale = known.scale
     point = POINT / scale if scale else POINT / 1000.0
@@ -124,7 +126,7 @@ def assemble(
 
 
 def _owned(column: NDArray[Any]) -> NDArray[Any]:
-    """Make a column read-only, so that the record need not copy it."""
+    """Return a column after making it read-only, so that the record need not copy it."""
     column.flags.writeable = False
     return column
 
@@ -134,9 +136,9 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return layer names, linetype names, and an (s, 5) array of the s styles.
+    """Return layer names, linetype names, and an (s, 5) array of attributes of s styles.
 
-    Its columns are layer, layer regardless of case, colour, true colour and linetype.
+    The columns of the array are layer, layer regardless of case, colour, true colour and linetype.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
@@ -154,7 +156,10 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
-    """Return for each segment its first duplicate, in either direction, (n,)."""
+    """Return for each segment the row of the first equal segment, (n,).
+
+    Segments with exchanged ends are equal, too.
+    """
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
     _find_survivors(ends, bulge, alike, speck, 1.0 / point, slots, first)
@@ -171,7 +176,7 @@ def _find_survivors(
     slots: OutU64_1,
     first: OutI64_1,
 ) -> None:
-    """Write for each segment its first duplicate to ``first``."""
+    """Write for each segment the row of the first equal segment to ``first``, (n,)."""
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
         if speck[row]:
@@ -196,7 +201,7 @@ def _find_survivors(
 
 @kernel
 def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
-    """Return the rounded ends and bulge of a segment, equal for both of its directions."""
+    """Return the rounded ends and bulge of a segment, which are the same for both directions."""
     ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
     bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)
     turn = np.rint(bulge[row] / _TURN)
@@ -209,7 +214,7 @@ def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 def _outcomes(
     sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
 ) -> tuple[U8, Repeated[Message]]:
-    """Return outcome and reason of each row of the report."""
+    """Return the outcome and the reason for each of m rows of the import report, (m,)."""
     rows = len(sheet.handle)
     outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
@@ -257,12 +262,16 @@ def _outcomes(
 def _location_boxes(
     sheet: ReportRows, outcome: U8, specks: tuple[F64, I32], size: float
 ) -> LocationBoxes:
-    """Return the bounding boxes of dropped rows, as far as they are known.
+    """Return the bounding boxes of dropped report rows whose location is known.
 
     Parameters
     ----------
+    outcome : (m,)
+        ImportOutcome of each report row.
     specks
-        Ends (s, 2, 2) and rows (s,) of the segments without length.
+        Ends (s, 2, 2) and report rows (s,) of s segments without length.
+    size
+        Millimetres per file unit.
     """
     ends, row = specks
     around = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
@@ -294,9 +303,9 @@ def _pieces_drawn_twice(pieces: int, total: int, same: list[str], more: int) -> 
 
 
 def _named(row: int, others: Counter[int], handles: Sequence[str]) -> tuple[list[str], int]:
-    """Return up to 5 handles of entities with the same lines, and the number of others.
+    """Return up to 5 handles of entities with equal segments, and the number of further ones.
 
-    Those with most lines are first.
+    Entities with the most equal segments come first.
     """
     names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
     return names[:5], max(len(others) - 5, 0)

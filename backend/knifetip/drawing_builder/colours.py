@@ -1,7 +1,4 @@
-"""Nearest colour of the AutoCAD colour index.
-
-0xFF0000 -> 1          0xE02020 -> 1
-"""
+"""Convert RGB colours to the nearest colour of the AutoCAD colour index (0xE02020 → 1, red)."""
 
 from __future__ import annotations
 

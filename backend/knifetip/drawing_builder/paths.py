@@ -1,13 +1,11 @@
-"""paths: paths of SVG and PDF as columns of lines and arcs.
+"""Convert paths of SVG and PDF files to columns of lines and arcs.
 
-    ReportWriter, Table, Paths, scale -> Columns, in file order
+A circular arc that is rotated, mirrored or evenly scaled remains an arc.  All other arcs and all
+Bézier curves are approximated by arcs, many curves at a time.
 
-A circular arc that is rotated, mirrored or evenly scaled stays an arc.  All other arcs and all
-Bézier curves are approximated by arcs, in batches.
-
-The tolerance of the fit is ``tolerance.CURVE`` mm.  While the unit is unknown it is 1 / 250,000 of
-the drawing's diagonal, which is 0.01 mm or less in every unit in which the drawing is smaller than
-2.5 m.
+The tolerance of the approximation is ``tolerance.CURVE`` (mm).  If the unit is unknown, it is 1 /
+250,000 of the diagonal of the drawing; this is at most 0.01 mm in every unit in which the drawing
+is smaller than 2.5 m.
 """
 
 from __future__ import annotations
@@ -32,7 +30,7 @@ CUBIC: Final = 1
 ARC: Final = 2
 
 _SHARE: Final = 1.0 / 250_000.0
-#: Share of the tolerance within which an arc is a circle, and a curve is its chord.
+#: Fraction of the tolerance within which an arc is a circle, and a curve is its chord.
 _ALIKE: Final = 0.01
 #: Curves that are fitted between two checks of the time limit.
 _BLOCK: Final = 4096
@@ -40,40 +38,40 @@ _BLOCK: Final = 4096
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Table:
-    """n segments of several paths, in the order of the data."""
+    """n segments of several paths, in the order of the file."""
 
     kind: U8  #: (n,) LINE, CUBIC or ARC
     #: (n, 8): x and y of both ends, then of a CUBIC both handles, of an ARC both radii, the turn of
     #: the first in degrees, and 1 for the large one + 2 for the one of increasing angle
     numbers: F64
-    path: I64  #: (n,) which path
+    path: I64  #: (n,) path of each segment
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Paths:
-    """p paths, as a reader passes them on."""
+    """Report row, style and matrix of each of p paths."""
 
-    row: I32  #: (p,) of the import report
-    style: I32  #: (p,) which of the styles
-    matrix: F64  #: (p, 6) from its coordinates to file units: a, b, c, d, e, f
+    row: I32  #: (p,) row in the import report
+    style: I32  #: (p,) index of the style
+    matrix: F64  #: (p, 6) a … f of the matrix from path coordinates to file units
 
 
 def columns(
     sheet: ReportWriter, table: Table, paths: Paths, scale: float, limits: Limits, what: str
 ) -> Columns:
-    """Return all paths of a file as segments; paths that are dropped get their reason.
+    """Return all paths of a file as segments; writes the reasons for dropped paths to ``sheet``.
 
     Parameters
     ----------
     scale
-        Millimetres to a file unit, 0 while it is unknown.
+        Millimetres per file unit, 0 if unknown.
     what
         Name of the format in an error: "SVG", "PDF".
 
     Raises
     ------
     DrawingTooLarge
-        More segments, or more time, than the limits allow.
+        The number of segments or the time exceeds its limit.
     """
     rows, matrix = paths.row, paths.matrix
     with np.errstate(all="ignore"):
@@ -108,12 +106,12 @@ def too_many(limits: Limits, what: str) -> DrawingTooLarge:
 
 
 def boxes(table: Table, matrix: F64) -> F64:
-    """Return the box around the ends and control points of each path, (p, 4), NaN for none.
+    """Return the bounding box of the ends and control points of each path, (p, 4), NaN for none.
 
     Parameters
     ----------
     matrix : (p, 6)
-        From the coordinates of each path to those of the file.
+        Matrix from the coordinates of each path to file units.
     """
     by, numbers = matrix[table.path], table.numbers
     low = np.full((len(by), 2), np.inf)
@@ -132,7 +130,7 @@ def boxes(table: Table, matrix: F64) -> F64:
 
 
 def _farthest(table: Table, matrix: F64, paths: int) -> F64:
-    """Return an upper bound of the distance from the origin of each path, (paths,), or NaN."""
+    """Return an upper bound of the distance of each path from the origin, (p,); NaN for none."""
     far = np.zeros(paths)
     if not len(table.kind):
         return far
@@ -155,7 +153,7 @@ def _farthest(table: Table, matrix: F64, paths: int) -> F64:
 
 
 def _relative(start: F64, end: F64) -> float:
-    """Return the tolerance while the unit is unknown."""
+    """Return the tolerance for a drawing whose unit is unknown (file units)."""
     if not len(start):
         return CURVE
     both = np.concatenate([start, end])
@@ -164,7 +162,7 @@ def _relative(start: F64, end: F64) -> float:
 
 
 def _linear(by: F64, vectors: F64) -> F64:
-    """Return vectors (n, 2) through matrices (n, 6), without the shift."""
+    """Return vectors (n, 2) multiplied by matrices (n, 6), without translation."""
     x, y = vectors[:, 0], vectors[:, 1]
     return np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
 
@@ -174,7 +172,7 @@ class _Placed:
 
     def __init__(self, table: Table, by: F64) -> None:
         numbers = table.numbers
-        self.failed: dict[int, Message] = {}  #: segment that cannot be fitted -> why
+        self.failed: dict[int, Message] = {}  #: reason by segment that cannot be fitted
         self.kind = table.kind.copy()
         self.start = _linear(by, numbers[:, :2]) + by[:, 4:]
         self.end = _linear(by, numbers[:, 2:4]) + by[:, 4:]
@@ -201,9 +199,10 @@ class _Placed:
 
 
 def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
-    """Return centre, u, v (n, 2), first angle and turn (n,) of arcs given by their ends.
+    """Return centre, u, v (n, 2) each, first angle and sweep (n,) each of arcs between points.
 
-    A point of the arc is centre + u cos t + v sin t, for t from first to first + turn.
+    A point of an arc is centre + u cos t + v sin t, for t from the first angle to first angle +
+    sweep.
 
     Source: SVG 1.1, appendix F.6.5 and F.6.6.
     """
@@ -218,7 +217,7 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     x = (cosine * half[:, 0] + sine * half[:, 1]) / rx
     y = (cosine * half[:, 1] - sine * half[:, 0]) / ry
     chord = x * x + y * y
-    # Radii that are too small grow until they just reach.
+    # Radii that are too small are increased until the arc reaches both ends.
     grown = np.sqrt(np.maximum(chord, 1.0))
     x, y, rx, ry = x / grown, y / grown, rx * grown, ry * grown
     chord = np.where(chord > 1.0, 1.0, chord)
@@ -283,7 +282,7 @@ def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
 
 
 def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
-    """Return which curves are straight: control points on the chord, between its ends."""
+    """Return the mask of curves that are straight, (n,): all control points are on the chord."""
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
     straight: Bool = size > 0.0
@@ -297,7 +296,7 @@ def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
 
 
 def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs as segments of at most half a turn."""
+    """Return circular arcs as segments of at most 180°: ends, bulge and table row of each."""
     rows = placed.arc[which]
     u, v, first, turn = placed.u[which], placed.v[which], placed.first[which], placed.turn[which]
     side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
@@ -316,7 +315,13 @@ def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
 
 
 def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return point and derivative of cubic Bézier curves, control (n, 4, 2)."""
+    """Return functions for point and derivative of cubic Bézier curves.
+
+    Parameters
+    ----------
+    control : (n, 4, 2)
+        Control points of n curves.
+    """
     step = np.diff(control, axis=1)
     # The tangent at the start points to the first control point that differs from the start.
     leaving = control[:, 1:] - control[:, :1]
@@ -336,7 +341,7 @@ def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
 
 
 def _elliptic(placed: _Placed) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return point and derivative of the elliptic arcs."""
+    """Return functions for point and derivative of the elliptic arcs of a table."""
 
     def point(k: I64, s: F64) -> F64:
         t = placed.first[k] + s * placed.turn[k]
@@ -360,7 +365,10 @@ def _fitted(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit curves; where one fails, bisect until it is found, and record its error."""
+    """Fit arcs to curves; return ends, bulge and table row of each arc.
+
+    If a batch fails, it is bisected until the faulty curve is found, whose error is recorded.
+    """
     try:
         start, end, bulge, of = fit_many(
             lambda k, s: point(which[k], s),

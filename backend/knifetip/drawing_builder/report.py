@@ -1,6 +1,6 @@
-"""report: the import report while a reader writes it.
+"""Report rows of the entities of a file, which a reader writes.
 
-One row per entity of the file; ``assemble`` makes the ImportReport of a Drawing from it.
+``assemble`` makes the ImportReport of a Drawing from them.
 """
 
 from __future__ import annotations
@@ -17,33 +17,35 @@ from knifetip.model.drawing import LocationBoxes
 
 
 class SharedOutcome(NamedTuple):
-    """The outcome that many rows have in common."""
+    """An outcome with its reason that applies to many report rows."""
 
     rows: I64
-    dropped: Message | None  #: why the rows are left out; None for rows that are drawn
-    notes: Sequence[Message] = ()  #: what was changed
+    dropped: Message | None  #: reason for dropping the rows; None if they are drawn
+    notes: Sequence[Message] = ()  #: changes made to the entities
 
 
 @dataclass(slots=True)
 class ReportRows:
-    """Columns with a row for every entity, and the outcomes of some rows.
+    """Columns with one row per entity, and reasons and notes for some of the rows.
 
-    A row in ``shared`` may have notes of its own, which follow the shared ones.
+    A row in ``shared`` may also have notes of its own, which follow the shared notes.
     """
 
     handle: Sequence[str] = field(default_factory=list)
     kind: Sequence[str] = field(default_factory=list)
     layer: Sequence[str] = field(default_factory=list)
-    dropped: dict[int, Message] = field(default_factory=dict)  #: row -> why it is left out
-    notes: dict[int, list[Message]] = field(default_factory=dict)  #: row -> what was changed
-    shared: list[SharedOutcome] = field(default_factory=list)  #: no row is in two of them
+    dropped: dict[int, Message] = field(default_factory=dict)  #: reason for dropping, by row
+    notes: dict[int, list[Message]] = field(
+        default_factory=dict
+    )  #: changes made to the entity, by row
+    shared: list[SharedOutcome] = field(default_factory=list)  #: each row is in at most one
     #: in file units, NaN where the location is unknown
     location_boxes: list[LocationBoxes] = field(default_factory=list)
 
 
 @dataclass(slots=True)
 class ReportWriter(ReportRows):
-    """An import report that is written row by row."""
+    """Report rows that are added one by one."""
 
     handle: list[str] = field(default_factory=list)
     kind: list[str] = field(default_factory=list)
@@ -69,7 +71,7 @@ class ReportWriter(ReportRows):
         return number
 
     def set_location(self, row: int, box: Sequence[float] | F64) -> None:
-        """Record the location box of a row without segments: x min, y min, x max, y max."""
+        """Record the bounding box of a row without segments: x min, y min, x max, y max."""
         boxes = np.array([box], np.float64)
         self.location_boxes.append(LocationBoxes(np.array([row], np.int32), boxes))
 
@@ -82,12 +84,16 @@ def too_far(coordinate: float, limit: float) -> Message:
 
 
 def curves_fitted(pieces: int, tolerance: float, *, relative: bool) -> Message:
-    """Return the note for curves that became lines and arcs.
+    """Return the note for curves that were approximated by lines and arcs.
 
     Parameters
     ----------
+    pieces
+        Number of lines and arcs.
     tolerance
-        File units; ``relative`` to the size of the drawing while the unit is unknown.
+        Tolerance in file units.
+    relative
+        Whether the tolerance depends on the size of the drawing, because its unit is unknown.
     """
     code = "import.curves-fitted-relative" if relative else "import.curves-fitted"
     return Message(code, pieces=pieces, tolerance=tolerance)

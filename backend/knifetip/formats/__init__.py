@@ -1,4 +1,4 @@
-"""Import formats: detection by content, names and readers."""
+"""Import formats: detection by content, and the table of formats with their readers."""
 
 from __future__ import annotations
 

@@ -1,9 +1,4 @@
-"""Detect the format of a file by its content; the file name is not used.
-
-    bytes -> Beginning -> SVG, PDF, CF2, or the name of a foreign format
-
-Only the first bytes of the file are examined.
-"""
+"""Detect the format of a file by its first bytes; the file name is not used."""
 
 from __future__ import annotations
 

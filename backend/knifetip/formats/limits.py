@@ -13,17 +13,15 @@ REACH: Final = 1e7
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits for one drawing; a reader raises DrawingTooLarge if one is exceeded."""
+    """Limits for one drawing; a reader raises DrawingTooLarge if a limit is exceeded."""
 
-    bytes: int = 64 * 2**20  #: of the file
-    slow_bytes: int = (
-        24 * 2**20
-    )  #: of a DXF that needs ezdxf, which uses forty times as much memory
-    entities: int = 500_000  #: in the file, those of its blocks included
+    bytes: int = 64 * 2**20  #: size of the file
+    slow_bytes: int = 24 * 2**20  #: size of a DXF that needs ezdxf, which uses 40 times the memory
+    entities: int = 500_000  #: entities in the file, including those in blocks
     expanded: int = 1_000_000  #: entities after block references are expanded
     insert_depth: int = 16  #: depth of nested blocks
     segments: int = 1_000_000  #: lines and arcs of the drawing
-    seconds: float = 120.0  #: for expanding and fitting
+    seconds: float = 120.0  #: time for expanding blocks and fitting curves (s)
 
     def admit(self, size: int) -> None:
         """Raise DrawingTooLarge if a file exceeds the size limit."""

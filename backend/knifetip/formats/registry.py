@@ -1,7 +1,5 @@
 """The table of import formats.
 
-    bytes -> Format -> Drawing
-
 A format is one row of ``FORMATS`` and a package with a module ``read``.  Detection, media type,
 file name extensions and the file dialog of the page all use this row.
 """
@@ -24,7 +22,7 @@ _BYTES: Final = "application/octet-stream"
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """An import format."""
+    """An import format: one row of the table."""
 
     name: str  #: "dxf", "svg" …
     title: str  #: name in messages: "DXF (text or binary, any version)"

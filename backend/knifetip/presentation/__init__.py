@@ -1,1 +1,1 @@
-"""Plain data that the API, the command line and the store show of records."""
+"""Presentation of records as JSON data and as columns, for REST, the command line and the store."""
