@@ -327,7 +327,7 @@ def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page:
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("short.dxf")
     expect(report).to_contain_text(re.compile(r"in section ENTITIES, after \d+ entities"))
-    expect(report).to_contain_text("Send or export it again.")
+    expect(report).to_contain_text("Send the complete file, or export the drawing again.")
     report.get_by_role("button", name="Close this message").click()
     expect(report).to_be_hidden()
 

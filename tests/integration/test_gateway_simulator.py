@@ -323,7 +323,7 @@ async def test_a_broken_connection_ends_the_job_at_once() -> None:
 async def test_a_program_with_realtime_bytes_in_a_comment_is_never_sent() -> None:
     program = b"(is this the box?)\n" + slots(1)
     async with joined() as (table, controller):
-        with pytest.raises(ProgramError, match="Line 1 has the byte 0x3f"):
+        with pytest.raises(ProgramError, match="Line 1 of the program contains the byte 0x3f"):
             await finished(program, controller, check=False)
         assert table.time == 0.0
 

@@ -60,7 +60,13 @@ PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), 
         (PLUS, ((220, 280), (300, 200))),
         (OUTLINE, ((400, 300), (300, 180))),
     ],
-    ids=["notch", "notch, slanted", "almost along", "inner corner", "outer corner"],
+    ids=[
+        "notch",
+        "notch, slanted",
+        "meets the edge of the board at only",
+        "inner corner",
+        "outer corner",
+    ],
 )
 def test_a_groove_that_ends_at_a_corner_of_the_board(
     outline: tuple[LineType, F64], groove: tuple[tuple[int, int], tuple[int, int]]

@@ -25,6 +25,7 @@ from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
 from knifetip.library import custom_profiles, load
+from knifetip.library.files import field_message
 
 router = APIRouter(tags=["profiles"])
 
@@ -180,10 +181,10 @@ def _profile_in(body: bytes) -> ProfileIn:
     try:
         return ProfileIn.model_validate_json(body)
     except ValidationError as reason:
-        fault = reason.errors(include_url=False, include_context=False, include_input=False)[0]
+        fault = reason.errors(include_url=False)[0]
         place = _place(fault["loc"])
         raise ProfileError(
-            "profile.invalid-field", place=" ".join(place), fault=fault["msg"], source=place
+            "profile.invalid-field", fault=field_message(ProfileIn, fault), source=place
         ) from reason
 
 

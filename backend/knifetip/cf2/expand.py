@@ -3,7 +3,7 @@
     Cf2File, tolerance -> ExpandedFile: ReportWriter, Columns, annotations
 
 The copies are counted before they are made.  Bridges appear only in the import report: they are
-gaps of the rule in the die board, not of the carton (decision 9).
+gaps of the steel rule in the die board, not of the carton (decision 9).
 """
 
 from __future__ import annotations
@@ -27,14 +27,16 @@ from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 
-#: Relative difference of the radii at both ends of an arc above which a note is written.
+#: Relative difference of the radii at the ends of an arc above which the report has a note.
 _RADIUS_TOLERANCE: Final = 1e-3
+#: Largest number of characters of a field in a message.
+_SHOWN: Final = 20
 _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call)"}
 
 
 @dataclass(slots=True)
 class ExpandedFile:
-    """The lines, arcs and texts of a file, in file units."""
+    """The lines, arcs and texts of a CF2 with all copies, in file units."""
 
     report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
@@ -45,12 +47,12 @@ class ExpandedFile:
     style: list[I64] = field(default_factory=list)
 
     def columns(self, reach: float) -> Columns:
-        """Return the segments in the order of the report.
+        """Return all segments, in the order of the import report.
 
         Parameters
         ----------
         reach
-            Largest coordinate (file units).  Entities beyond it are dropped.
+            Largest coordinate (file units).  Entities with larger coordinates are dropped.
         """
         if not self.ends:
             none = np.zeros(0, np.int32)
@@ -72,13 +74,13 @@ class ExpandedFile:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Shape:
-    """The lines and arcs of a section, in its own coordinates."""
+    """The lines and arcs of a section, in the coordinates of the section."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
     row: I64  #: (n,) of the section
     style: I64  #: (n,)
-    dropped: dict[int, Message]  #: row -> why it is dropped
+    dropped: dict[int, Message]  #: row -> reason why the record is dropped
     notes: dict[int, list[Message]]  #: row -> notes in the import report
 
 
@@ -112,7 +114,7 @@ def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> Ex
 
 
 class _Expander:
-    """Expands the sections of one file."""
+    """Copies the sections of one CF2 to where they are called."""
 
     def __init__(self, source: Cf2File, tolerance: float, limits: Limits) -> None:
         self.found = ExpandedFile()
@@ -126,7 +128,7 @@ class _Expander:
         self._check_size()
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if the expanded file exceeds the limits."""
+        """Raise DrawingTooLarge if the copies of subroutines would exceed the limits."""
         known: dict[str, tuple[int, int]] = {}
         open_: set[str] = set()
 
@@ -166,12 +168,12 @@ class _Expander:
     def add_section(
         self, section: Section, linear: F64, shift: F64, path: str, above: tuple[str, ...]
     ) -> None:
-        """Add a section with all its calls.
+        """Add a copy of a section, with copies of all subroutines that it calls.
 
         Parameters
         ----------
         linear, shift
-            Matrix (2, 2) and translation (2,) from the section to file units.
+            Matrix (2, 2) and translation (2,) from section coordinates to file units.
         path
             Handles of the calls that lead to the section, each followed by a slash.
         above
@@ -234,7 +236,7 @@ class _Expander:
                 )
 
     def report_unused(self) -> None:
-        """Add a row to the report for each subroutine that is never called."""
+        """Add a row to the import report for each subroutine that is never called."""
         for name, section in self._source.subs.items():
             if name not in self._used and section.kind:
                 self.found.report.row(
@@ -249,7 +251,10 @@ class _Expander:
                 )
 
     def _add_shape(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
-        """Add a transformed copy of a shape; ``row_of`` maps its rows to those of the report."""
+        """Add a transformed copy of the lines and arcs of a section.
+
+        ``row_of`` maps the rows of the section to the rows of the import report.
+        """
         if not len(shape.bulge):
             return
         u, v = linear[:, 0], linear[:, 1]
@@ -314,7 +319,7 @@ class _Expander:
         return found
 
     def _style(self, layer: str, point: str, kind: str, aux: str) -> int:
-        """Return the index of a style, which is added if it is new."""
+        """Return the index of a style; a new style is added."""
         words = ["CF2", _normalise_number(kind)]
         if _normalise_number(aux) != "0":
             words += ["aux", _normalise_number(aux)]
@@ -327,7 +332,7 @@ class _Expander:
 
 
 def _normalise_number(text: str) -> str:
-    """Return a number in its shortest form: 1 for 1.0 and 01."""
+    """Return a number in its shortest form: "1" for "1.0" and "01"."""
     try:
         return f"{float(text):g}"
     except ValueError:
@@ -335,7 +340,7 @@ def _normalise_number(text: str) -> str:
 
 
 def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
-    """Add a note on the bridges of a rule in the die board."""
+    """Add a note about the bridges of the steel rule in the die board to ``notes``."""
     try:
         count = float(fields[0])
         width = float(fields[1]) if len(fields) > 1 else 0.0
@@ -350,7 +355,7 @@ def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
 
 
 def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
-    """Return the matrix that scales first and rotates then, (2, 2)."""
+    """Return the matrix, (2, 2), that first scales and then rotates by ``angle`` degrees."""
     quarter, rest = divmod(angle % 360.0, 90.0)
     cosine, sine = (
         ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
@@ -363,7 +368,15 @@ def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
 def _coordinates(
     records: Sequence[Sequence[str]], rows: Sequence[int], where: slice, dropped: dict[int, Message]
 ) -> tuple[F64, I64]:
-    """Return the coordinates of valid records, (n, k), and their rows, (n,)."""
+    """Return the coordinates of the valid records, (n, k), and the rows of these records, (n,).
+
+    Parameters
+    ----------
+    where
+        Fields of a record that are coordinates.
+    dropped
+        Reason for each row with invalid coordinates; is extended.
+    """
     wide = where.stop - where.start
     row = np.array(rows, np.int64)
     try:
@@ -375,22 +388,25 @@ def _coordinates(
     for at, record in enumerate(records):
         try:
             values[at] = [float(text) for text in record[where]]
-        except ValueError as reason:
-            dropped[rows[at]] = Message("import.unreadable-record", reason=str(reason)[:80])
+        except ValueError:
+            shown = [text[:_SHOWN] for text in record[where]]
+            dropped[rows[at]] = Message("import.not-numbers", values=shown)
     good = np.array([one not in dropped for one in rows], bool)
     return values[good], row[good]
 
 
 def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:
-    """Split a arcs into segments of at most half a turn.
+    """Split arcs into segments of at most half a turn.
 
-    The ends are those of the record.  If its centre is not equally distant from both, the arc
-    through the ends has the sweep that they have as seen from the centre.
+    The ends are those that the record states.  If its centre is not equally far from both ends,
+    the arc through the ends gets the sweep angle of the ends about the stated centre.
 
     Returns
     -------
     ends : (n, 2, 2)
+        Start and end points of the segments.
     bulge : (n,)
+        Bulges of the segments.
     which : (n,)
         Index of the arc of each segment.
     """
@@ -436,14 +452,23 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
 def _fit_ellipses(
     shape: _Shape, arcs: I64, linear: F64, shift: F64, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Approximate arcs that a non-uniform scale makes elliptic.
+    """Approximate arcs that a non-uniform scale makes elliptic by lines and arcs.
+
+    Parameters
+    ----------
+    arcs
+        Indices of the elliptic arcs in ``shape``.
+    linear, shift
+        Matrix (2, 2) and translation (2,) from section coordinates to file units.
 
     Returns
     -------
     start, end : (n, 2)
+        Start and end points of the approximating segments.
     bulge : (n,)
+        Bulges of the segments.
     which : (n,)
-        Index in ``arcs``.
+        Index in ``arcs`` of the arc of each segment.
     """
     start, end, bulge = shape.ends[arcs, 0], shape.ends[arcs, 1], shape.bulge[arcs]
     chord = end - start

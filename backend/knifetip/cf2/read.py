@@ -28,6 +28,8 @@ from knifetip.model.unit import factor
 
 #: The unit of each unit record.
 _UNITS = {"UM": "mm", "UI": "in"}
+#: The message for each unit record, and for a file without one.
+_EVIDENCE = {"UM": "unit.cf2-millimetres", "UI": "unit.cf2-inches", "": "unit.cf2-none"}
 #: Relative tolerance of sizes that are compared.
 _SIZE_TOLERANCE = 0.01
 
@@ -91,31 +93,29 @@ def _build_drawing(found: Cf2File, unit: str, given: float, limits: Limits) -> D
     reach = REACH / (scale or 1.0)
     drawn = expand(found, np.eye(2), tolerance, limits)
     columns = drawn.columns(reach)
-    evidence = found.unit or "the file has neither UM nor UI"
+    evidence = Message(_EVIDENCE[found.unit])
     if found.scale != (1.0, 1.0):
         applies, why = _scale_applies(found, extents(columns.ends, columns.bulge))
-        evidence = f"{evidence}; {why}"
+        evidence = Message("unit.cf2-scaled", unit=evidence, scale=why)
         if applies is None:
             chosen, scale = unit, given
         elif applies:
             drawn = expand(found, np.diag(found.scale), tolerance, limits)
             columns = drawn.columns(reach)
-    source = Message("unit.in-file", statement=evidence)
-    if unit:
-        source = Message("unit.given")
+    source = Message("unit.given") if unit else evidence
     known = KnownUnit(scale, chosen, source, stated)
     return assemble(drawn.report, columns, drawn.styles, drawn.annotations, known)
 
 
-def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, str]:
-    """Return whether coordinates must be multiplied by SCALE, and the reason; None if unknown.
+def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, Message]:
+    """Return whether coordinates must be multiplied by the record SCALE, and the reason.
 
-    Programs differ: the size that the corners LL and UR state decides.
+    Programs differ.  The size that the records LL and UR state decides; None means undecided.
+    ``box`` is min x, min y, max x and max y of the coordinates without the scale.
     """
     x, y = found.scale
-    record = f"SCALE,{x:g},{y:g}"
     if not all(math.isfinite(one) and one != 0.0 for one in (x, y)):
-        return False, f"{record} has no meaning and is ignored"
+        return False, Message("unit.cf2-scale-invalid", x=x, y=y)
     size = box[2:] - box[:2]
     if found.low is not None and found.high is not None:
         wanted = np.abs(np.array(found.high) - np.array(found.low))
@@ -123,6 +123,6 @@ def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, str]:
             if (
                 np.abs(size * factors - wanted) <= _SIZE_TOLERANCE * np.maximum(wanted, 1e-9)
             ).all():
-                how = "applied" if applied else "not applied"
-                return applied, f"{record} {how}: this gives the size that LL and UR state"
-    return None, f"{record} is not applied: LL and UR do not show whether it should be"
+                code = "unit.cf2-scale-applied" if applied else "unit.cf2-scale-not-applied"
+                return applied, Message(code, x=x, y=y)
+    return None, Message("unit.cf2-scale-undecided", x=x, y=y)

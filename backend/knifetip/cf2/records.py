@@ -31,7 +31,7 @@ _SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A copy of a subroutine, which is scaled, then rotated, then moved."""
+    """A call of a subroutine, whose copy is scaled, then rotated, then moved."""
 
     row: int  #: of the section
     name: str
@@ -55,7 +55,9 @@ class Section:
         default_factory=list
     )  #: (m,) number of the record in the file, from 1
     kind: list[str] = field(default_factory=list)  #: (m,) L, A, T, C, or an unknown first field
-    dropped: dict[int, Message] = field(default_factory=dict)  #: row -> why it is dropped
+    dropped: dict[int, Message] = field(
+        default_factory=dict
+    )  #: row -> reason why the record is dropped
     line_row: list[int] = field(default_factory=list)
     line: list[list[str]] = field(default_factory=list)  #: fields of each L
     arc_row: list[int] = field(default_factory=list)
@@ -64,7 +66,10 @@ class Section:
     texts: list[TextRecord] = field(default_factory=list)
 
     def row(self, entity: int, kind: str, dropped: Message | None = None) -> int:
-        """Add a row and return its number."""
+        """Add a row for a record and return the number of the row.
+
+        ``dropped`` is the reason if the record gives no line.
+        """
         self.entity.append(entity)
         self.kind.append(kind)
         if dropped:
@@ -108,19 +113,20 @@ def parse_records(text: str, limits: Limits) -> Cf2File:
 
 
 class _Parser:
-    """Parses the lines of one file."""
+    """Parses the text lines of one CF2."""
 
     def __init__(self, text: str, limits: Limits) -> None:
         self.source = Cf2File()
         self.number = 0  # of the line
-        self.open: list[str] = []  # names of the sections that have not ended
+        #: Sections that have not ended; None for records without a section.
+        self.open: list[Message | None] = []
         self._limits = limits
         self._lines = iter(text.split("\n"))
         self._sections: list[Section | None] = []
         self._commas = 0
 
     def _next(self) -> Iterator[str]:
-        """Yield the lines that are not blank."""
+        """Yield the text lines that are not blank."""
         for line in self._lines:
             self.number += 1
             stripped = line.strip(" \t\r\f\x00\x1a")
@@ -128,7 +134,7 @@ class _Parser:
                 yield stripped
 
     def parse_all(self) -> None:
-        """Parse to the end of the file, or to its end mark."""
+        """Parse the file to its end, or to its end mark ($EOF)."""
         for line in self._next():
             section = self._sections[-1] if self._sections else None
             if section is not None and line[:2] in ("L,", "A,", "l,", "a,"):
@@ -153,21 +159,21 @@ class _Parser:
                     # The file has no header: records follow to its end.
                     section = self._main("")
                     self._sections.append(section)
-                    self.open.append("")
+                    self.open.append(None)
                     self._record(section, word, line)
                 else:
                     self._sections.append(None)
-                    self.open.append(f"section {word[:20]}")
+                    self.open.append(Message("cf2.section", name=word[:20]))
             elif section is not None:
                 self._record(section, word, line)
 
     def _begin_section(self, word: str, name: str) -> None:
         if word == "MAIN":
             self._sections.append(self._main(name))
-            self.open.append("MAIN")
+            self.open.append(Message("cf2.main"))
         else:
             self._sections.append(self.source.subs.setdefault(name.upper(), Section(name)))
-            self.open.append(f"subroutine {name[:40]}")
+            self.open.append(Message("cf2.subroutine", name=name[:40]))
 
     def _main(self, name: str) -> Section:
         if self.source.main is None:
@@ -175,7 +181,13 @@ class _Parser:
         return self.source.main
 
     def _next_number(self) -> int:
-        """Return the number of the next record; raise DrawingTooLarge beyond the limit."""
+        """Return the number of the next record, from 1.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The file has more records than the limit.
+        """
         self.source.records += 1
         if self.source.records > self._limits.entities:
             raise DrawingTooLarge(
@@ -184,7 +196,7 @@ class _Parser:
         return self.source.records
 
     def _line(self, section: Section, line: str) -> None:
-        """Parse a line (L) or an arc (A)."""
+        """Parse a record of a line (L) or an arc (A), and add it to a section."""
         kind = line[0].upper()
         fields = line.split(",")
         while not fields[-1].strip():
@@ -247,9 +259,10 @@ class _Parser:
         entity = self._next_number()
         try:
             values = [float(number) for number in fields[2:7] if number]
-        except ValueError as reason:
+        except ValueError:
+            shown = [text[:20] for text in fields[2:7]]
             section.row(
-                entity, "C", Message("import.unreadable-line", line=self.number, reason=reason)
+                entity, "C", Message("import.line-not-numbers", line=self.number, values=shown)
             )
             return
         x, y, angle, x_scale, y_scale = values + [0.0, 0.0, 0.0, 1.0, 1.0][len(values) :]
@@ -261,7 +274,7 @@ class _Parser:
         row = section.row(self._next_number(), "T", Message("import.text"))
         text = next(self._next(), "")
         if text.upper() == "END":
-            # The text is missing: this END is that of the section.
+            # The text is missing, so this END is the end of the section.
             self._sections.pop()
             self.open.pop()
             return

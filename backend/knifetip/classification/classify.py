@@ -168,8 +168,8 @@ def _restore_folds_on_cuts(
     rows = rows[edges.line_type[on_edge[rows]] == LineType.CUT]
     for row in rows.tolist():
         style = styles.row[row]
-        name, words = classifier.profile.name, matches.words[style]
-        rule = Message("classification.rule", profile=name, rule=words)
+        name, conditions = classifier.profile.name, matches.conditions[style]
+        rule = Message("classification.rule", profile=name, rule=conditions)
         message = Message("classification.on-cut", rule=rule)
         edges.line_type[row] = edges.guess[row]
         edges.confidence[row] = matches.confidence[style]

@@ -54,7 +54,10 @@ def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, 
             azimuth, dx, dy = (float(row[column]) for column in _COLUMNS)
         except ValueError as reason:
             raise LibraryError(
-                "calibration.not-a-number", file=name, line=line, reason=reason
+                "calibration.not-a-number",
+                file=name,
+                line=line,
+                values=[row[column] for column in _COLUMNS],
             ) from reason
         azimuths.append(azimuth)
         offsets.append((dx, dy))

@@ -103,7 +103,9 @@ def load_drawing(
         try:
             kind = LineType.of(word)
         except ValueError as reason:
-            raise LibraryError("command.bad-line-type", pair=pair, reason=reason) from reason
+            raise LibraryError(
+                "command.bad-line-type", pair=pair, known=[kind.word for kind in LineType]
+            ) from reason
         rows = [i for i, layer in enumerate(drawing.layers) if layer.casefold() == name.casefold()]
         if not rows:
             raise LibraryError(
@@ -152,8 +154,8 @@ def register(app: typer.Typer) -> None:
             print_json({"drawing": about})
             return
         typer.echo(f"{file.name}: {_size(drawing)}, {len(drawing)} segments; {drawing.evidence}")
-        for text in about["warnings"]:
-            typer.echo(f"  ! {text}")
+        for warning in about["warnings"]:
+            typer.echo(f"  ! {warning['text']}")
         for text in _evidence_lines(about["unit_finding"]):
             typer.echo(f"  {text}")
         _print_lines(_report_lines(about["import_report"]["rows"]))

@@ -23,6 +23,7 @@ from knifetip.cli.rules import (
 from knifetip.cli.terminal import print_json, read_bytes, write_bytes
 from knifetip.errors import LibraryError, ProfileError
 from knifetip.library import custom_profiles, load
+from knifetip.messages import with_text
 from knifetip.model.profile import LineRules
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of a profile, or its TOML file.")]
@@ -36,7 +37,10 @@ Database = Annotated[
 
 def profile_json(name: str, rules: LineRules) -> dict[str, Any]:
     """Return a profile as JSON data."""
-    listed = [{"type": rule.line_type.word, "words": rule.words} for rule in rules.rules]
+    listed = [
+        {"type": rule.line_type.word, "conditions": with_text(rule.conditions)}
+        for rule in rules.rules
+    ]
     return {"name": name, "title": rules.title, "rules": listed}
 
 
@@ -81,7 +85,7 @@ def register(app: typer.Typer) -> None:
             return
         typer.echo(rules.title)
         for number, rule in enumerate(about["rules"], 1):
-            typer.echo(f"{number:4} {rule['type']:12} {rule['words']}")
+            typer.echo(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
 
     @profile.command("export")
     def export(

@@ -17,30 +17,30 @@ _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 
 #: $INSUNITS of units that are not read.
 _OTHERS: Final = {
-    3: "miles",
-    7: "kilometres",
-    8: "microinches",
-    9: "mils",
-    10: "yards",
-    11: "ångströms",
-    12: "nanometres",
-    13: "microns",
-    14: "decimetres",
-    15: "decametres",
-    16: "hectometres",
-    17: "gigametres",
-    18: "astronomical units",
-    19: "light years",
-    20: "parsecs",
-    21: "US survey feet",
-    22: "US survey inches",
-    23: "US survey yards",
-    24: "US survey miles",
+    3: "mi",
+    7: "km",
+    8: "uin",
+    9: "mil",
+    10: "yd",
+    11: "angstrom",
+    12: "nm",
+    13: "um",
+    14: "dm",
+    15: "dam",
+    16: "hm",
+    17: "Gm",
+    18: "au",
+    19: "ly",
+    20: "pc",
+    21: "survey-ft",
+    22: "survey-in",
+    23: "survey-yd",
+    24: "survey-mi",
 }
 
 
 #: $LUNITS that write lengths as feet and inches.
-_INCHES: Final = {"3": "feet and decimal inches", "4": "feet and fractions of inches"}
+_INCHES: Final = {"3": "unit.header-decimal-inches", "4": "unit.header-fractions"}
 
 #: Factors by which programs multiply dimensions for display.
 _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0, "1000"))
@@ -70,10 +70,10 @@ def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
         kind = "metric" if measurement == "1" else "imperial"
-        found.append(UnitHint(kind, f"$MEASUREMENT = {measurement}"))
-    notation = _INCHES.get(variables.get("$LUNITS", ""))
-    if notation:
-        found.append(UnitHint("inches", f"$LUNITS = {variables['$LUNITS']}: {notation}"))
+        code = "unit.header-metric" if measurement == "1" else "unit.header-imperial"
+        found.append(UnitHint(kind, Message(code)))
+    if notation := _INCHES.get(variables.get("$LUNITS", "")):
+        found.append(UnitHint("inches", Message(notation)))
     shown = ["$DIMLFAC"] + ["$DIMALTF"] * (variables.get("$DIMALT", "") == "1")
     for name in shown:
         try:
@@ -82,7 +82,8 @@ def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
             continue
         for ratio, said in _SHOWN:
             if abs(times - ratio) < 1e-3 * ratio:
-                found.append(UnitHint(f"shown × {said}", f"{name} = {times:g}"))
+                message = Message("unit.header-factor", variable=name, factor=times)
+                found.append(UnitHint(f"shown × {said}", message))
     return tuple(found)
 
 

@@ -151,7 +151,7 @@ def plain(rule: LineRule) -> dict[str, Any]:
         "linetype": list(rule.linetype),
         "entity": list(rule.entity),
         "block": list(rule.block),
-        "words": rule.words,
+        "conditions": rule.conditions.as_json(),
     }
 
 

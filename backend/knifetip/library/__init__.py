@@ -1,1 +1,1 @@
-"""library: machines, boards and classification profiles, each a TOML file."""
+"""library: load machines, boards and classification profiles from TOML files."""

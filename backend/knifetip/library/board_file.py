@@ -1,4 +1,4 @@
-"""board_file: the fields of a board in TOML."""
+"""board_file: the pydantic model of the TOML file of a board."""
 
 from __future__ import annotations
 
@@ -6,25 +6,25 @@ from typing import Final, Literal
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from knifetip.library.files import Table
+from knifetip.library.files import Table, field_error
 from knifetip.model.board import Board, Deflection
 from knifetip.model.tool.base import NotNegative, Positive
 
-#: Largest number of passes along one groove, and least spacing of bridges (mm); other values are
-#: refused as typing errors.
+#: Largest number of passes along one groove, and least spacing of bridges (mm).  Values beyond them
+#: are refused, because they are probably typing errors.
 _MOST_PASSES: Final = 50
 _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """The deflection of a tool in this board."""
+    """The greatest deflection of one tool in this board."""
 
     x: NotNegative = Field(description="greatest deflection in X (mm)")
     y: NotNegative = Field(description="greatest deflection in Y (mm)")
 
 
 class BoardFile(Table):
-    """One material in one thickness."""
+    """The TOML file of a board: one material in one thickness."""
 
     title: str
     material: str = Field(description="greyboard, corrugated or folding boxboard")
@@ -67,25 +67,25 @@ class BoardFile(Table):
     def _below_caliper(cls, value: float, info: ValidationInfo) -> float:
         caliper = info.data.get("caliper")
         if caliper is not None and value >= caliper:
-            raise ValueError(f"is {value}, but must be less than the caliper {caliper}")
+            raise field_error("field.not-less-than-caliper", value=value, caliper=caliper)
         return value
 
     @field_validator("groove_pass")
     @classmethod
     def _limit_passes(cls, value: float, info: ValidationInfo) -> float:
         if value and info.data.get("groove_depth", 0.0) / value > _MOST_PASSES:
-            raise ValueError(f"is {value}, which needs more than {_MOST_PASSES} passes")
+            raise field_error("field.too-many-passes", value=value, most=_MOST_PASSES)
         return value
 
     @field_validator("bridge_spacing")
     @classmethod
     def _check_spacing(cls, value: float) -> float:
         if 0.0 < value < _LEAST_SPACING:
-            raise ValueError(f"is {value}, but must be 0, or at least {_LEAST_SPACING:g}")
+            raise field_error("field.spacing", value=value, least=_LEAST_SPACING)
         return value
 
     def record(self, name: str) -> Board:
-        """Return the board."""
+        """Return the board that the file describes."""
         given = self.model_dump(exclude={"perforation", "deflection"})
         cut, gap = self.perforation
         return Board(

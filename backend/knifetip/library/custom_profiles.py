@@ -26,7 +26,7 @@ _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
 
 
 def check_name(name: str) -> str:
-    """Return the name of a profile if it is valid.
+    """Return the name of a profile unchanged if it is valid.
 
     Raises
     ------
@@ -70,13 +70,13 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
     Parameters
     ----------
     fields
-        ``title``, ``extends`` (a shipped profile or None), ``overrules``, and ``rule``: a list of
-        tables, each with ``type`` and its conditions.
+        ``title``, ``extends`` (a profile of the library or None), ``overrules``, and ``rule``: a
+        list of tables, each with ``type`` and its conditions.
 
     Raises
     ------
     ProfileError
-        The fields are not a profile; ``source`` is the path of the wrong one.
+        The fields are not a valid profile; ``source`` is the path of the wrong field.
     """
     return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
 
@@ -87,12 +87,12 @@ def library_text(name: str) -> str:
 
 
 def parse_fields(text: str) -> dict[str, Any]:
-    """Return the fields of a TOML text, as ``profile_text`` expects them."""
+    """Return the fields of a TOML text, in the form that ``profile_text`` accepts."""
     return tomllib.loads(text)
 
 
 def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
-    """Return for each rule of a profile whether it comes from the profile that it extends."""
+    """Return for each rule of a profile whether it comes from the extended profile."""
     own = [False] * len(fields["rule"])
     base = [True] * (len(rules.rules) - len(own))
     return own + base if fields.get("overrules") else base + own

@@ -12,7 +12,7 @@ from knifetip.model.board import Deflection
 
 
 def deflection_toml(deflection: Deflection) -> str:
-    """Return the TOML table of a deflection.
+    """Return the TOML table with the deflection of one tool.
 
     Examples
     --------

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Mapping
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic_core import ErrorDetails, PydanticCustomError
 
 from knifetip.errors import KnifetipError, LibraryError
 from knifetip.messages import Message
+from knifetip.messages.codes import CODES
 
 Model = TypeVar("Model", bound="Table")
 
@@ -24,7 +25,7 @@ _MOST = 5
 
 
 class Table(BaseModel):
-    """Base class of the models of TOML tables."""
+    """Base class of the pydantic models of TOML tables."""
 
     model_config = ConfigDict(
         strict=True, extra="forbid", frozen=True, allow_inf_nan=False, hide_input_in_errors=True
@@ -38,19 +39,20 @@ def validate_fields(
     name: str,
     error: type[KnifetipError] = LibraryError,
 ) -> Model:
-    """Return the validated model of a TOML document.
+    """Return the fields of a TOML document as a validated model.
 
     Parameters
     ----------
     shelf, name
-        Kind and name of the file, for the error.
+        Kind of the file ("machine", "board" or "profile") and its name, for the error.
     error
         Class of the error.
 
     Raises
     ------
     LibraryError
-        A field is missing, wrong or unknown; ``source`` is the path of the first of them.
+        A field is missing, invalid or unknown; ``source`` is the path of the first such field.
+        ``error`` replaces this class.
     """
     try:
         return model.model_validate(fields)
@@ -63,13 +65,13 @@ def validate_fields(
             "library.invalid",
             shelf=shelf,
             name=name[:200],
-            faults=[_message(model, fault) for fault in faults[:_MOST]],
+            faults=[field_message(model, fault) for fault in faults[:_MOST]],
             source=_field(faults[0]),
         ) from None
 
 
 def _path(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the wrong field: ("station 2", "tool", "tilt")."""
+    """Return the path of the invalid field, such as ("station 2", "tool", "tilt")."""
     path: list[str] = []
     before: int | str = ""
     for key in fault["loc"]:
@@ -83,62 +85,71 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def _field(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the wrong field without the number of a value in a list of values."""
+    """Return the path of the invalid field, without the index of a value in a list of values."""
     path = _path(fault)
     if len(path) > 1 and isinstance(fault["loc"][-1], int):
         return (*path[:-1], path[-1].rpartition(" ")[0])
     return path
 
 
-def _message(model: type[Table], fault: ErrorDetails) -> Message:
-    """Return the message for a fault of a field."""
-    path = " → ".join(_path(fault))[:200] or "the file"
-    if fault["type"] == "missing":
-        return Message("field.missing", path=path)
-    if fault["type"] == "extra_forbidden":
+def field_error(code: str, **arguments: Any) -> PydanticCustomError:
+    """Return an error that a pydantic validator raises for a field.
+
+    Parameters
+    ----------
+    code, arguments
+        Code of the message, and its arguments except ``path``, which is added later.
+    """
+    return PydanticCustomError(code, code, arguments)
+
+
+def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:
+    """Return the message for an error that pydantic reports for a field of a model."""
+    path = " → ".join(_path(fault))[:200] or "the document"
+    kind, context = fault["type"], fault.get("ctx", {})
+    if kind in CODES:
+        return Message(kind, path=path, **context)
+    if kind == "extra_forbidden":
         near = difflib.get_close_matches(str(fault["loc"][-1]), sorted(set(_names(model))), 1)
         return (
             Message("field.misspelt", path=path, near=near[0])
             if near
             else Message("field.unknown", path=path)
         )
-    return Message("field.invalid", path=path, fault=_text(fault))
+    if kind not in _CODES:
+        return Message("field.other", path=path, reason=fault["msg"])
+    given = {**context, "value": repr(fault.get("input"))[:80]}
+    code, named = _CODES[kind]
+    return Message(code, path=path, **{name: given[key] for name, key in named.items()})
 
 
-#: Text of each error type of pydantic, formatted with the input and the context of the error.
-_TEXTS = {
-    "float_type": "is {input}, not a number",
-    "int_type": "is {input}, not a whole number",
-    "int_from_float": "is {input}, not a whole number",
-    "finite_number": "is {input}, not a number",
-    "bool_type": "is {input}, not true or false",
-    "string_type": "is {input}, not text",
-    "list_type": "is {input}, not a list",
-    "tuple_type": "is {input}, not a list",
-    "dict_type": "is {input}, not a table",
-    "model_type": "is {input}, not a table",
-    "model_attributes_type": "is {input}, not a table",
-    "greater_than": "is {input}, but must be greater than {gt:g}",
-    "greater_than_equal": "is {input}, but must be at least {ge:g}",
-    "less_than": "is {input}, but must be less than {lt:g}",
-    "less_than_equal": "is {input}, but must be at most {le:g}",
-    "literal_error": "is {input}, but must be {expected}",
-    "union_tag_not_found": "has no {discriminator}",
-    "union_tag_invalid": "has the unknown kind {tag!r}; known kinds are {expected_tags}",
-    "too_short": "has {actual_length} values, but needs at least {min_length}",
-    "too_long": "has more than {max_length} values",
-    "string_pattern_mismatch": "is {input}, but must contain visible characters",
-    "string_too_long": "is longer than {max_length} characters",
-    "value_error": "{error}",
+_VALUE: Final = {"value": "value"}
+#: The code of each error type of pydantic, and the key of its context for each argument.
+_CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
+    "missing": ("field.missing", {}),
+    "float_type": ("field.not-a-number", _VALUE),
+    "finite_number": ("field.not-a-number", _VALUE),
+    "int_type": ("field.not-whole", _VALUE),
+    "int_from_float": ("field.not-whole", _VALUE),
+    "bool_type": ("field.not-boolean", _VALUE),
+    "string_type": ("field.not-text", _VALUE),
+    "list_type": ("field.not-a-list", _VALUE),
+    "tuple_type": ("field.not-a-list", _VALUE),
+    "dict_type": ("field.not-a-table", _VALUE),
+    "model_type": ("field.not-a-table", _VALUE),
+    "model_attributes_type": ("field.not-a-table", _VALUE),
+    "greater_than": ("field.not-above", {**_VALUE, "limit": "gt"}),
+    "greater_than_equal": ("field.below", {**_VALUE, "limit": "ge"}),
+    "less_than": ("field.not-below", {**_VALUE, "limit": "lt"}),
+    "less_than_equal": ("field.above", {**_VALUE, "limit": "le"}),
+    "literal_error": ("field.not-allowed", {**_VALUE, "allowed": "expected"}),
+    "union_tag_not_found": ("field.no-kind", {"field": "discriminator"}),
+    "union_tag_invalid": ("field.unknown-kind", {"value": "tag", "known": "expected_tags"}),
+    "too_short": ("field.too-few", {"count": "actual_length", "least": "min_length"}),
+    "too_long": ("field.too-many", {"most": "max_length"}),
+    "string_pattern_mismatch": ("field.blank", {}),
+    "string_too_long": ("field.too-long", {"most": "max_length"}),
 }
-
-
-def _text(fault: ErrorDetails) -> str:
-    """Return the text of a fault, that of pydantic for unlisted error types."""
-    text = _TEXTS.get(fault["type"])
-    if text is None:
-        return fault["msg"]
-    return text.format(**{"input": repr(fault["input"])[:80], **fault.get("ctx", {})})
 
 
 def _names(model: type[BaseModel]) -> Iterator[str]:

@@ -27,7 +27,13 @@ Record = TypeVar("Record")
 
 
 def names(shelf: str) -> list[str]:
-    """Return the names in a folder of the library: ``machines``, ``boards`` or ``profiles``."""
+    """Return the names of all files of one kind in the library.
+
+    Parameters
+    ----------
+    shelf
+        "machines", "boards" or "profiles".
+    """
     return list(_names(shelf))
 
 
@@ -39,7 +45,12 @@ def _names(shelf: str) -> tuple[str, ...]:
 
 
 def machine(name: str, files: bool = True) -> Machine:
-    """Return a machine from the library or from a TOML file; see ``profile`` for ``files``.
+    """Return a machine from the library or from a TOML file.
+
+    Parameters
+    ----------
+    files
+        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
 
     Raises
     ------
@@ -54,7 +65,12 @@ def machine(name: str, files: bool = True) -> Machine:
 
 
 def board(name: str, files: bool = True) -> Board:
-    """Return a board from the library or from a TOML file; see ``profile`` for ``files``.
+    """Return a board from the library or from a TOML file.
+
+    Parameters
+    ----------
+    files
+        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
 
     Raises
     ------
@@ -124,7 +140,13 @@ def _library_file(shelf: str, name: str) -> Traversable:
 def _load_file(
     shelf: str, name: str, files: bool, parse: Callable[[str, Mapping[str, Any], str], Record]
 ) -> Record:
-    """Return the record in a TOML file of the user."""
+    """Return the machine, board or profile that ``parse`` makes of a TOML file of the user.
+
+    Raises
+    ------
+    LibraryError
+        ``files`` is False, or ``name`` is not the path of a TOML file.
+    """
     if files and name.endswith(".toml"):
         return _parse_file(shelf, Path(name), name, parse)
     raise LibraryError(
@@ -158,12 +180,12 @@ def _parse_file(
 
 
 def find_cutter(machine: Machine, tool: str) -> Station:
-    """Return the station of a cutter or beam by its name.
+    """Return the station with a rotating cutter or a laser that has the name ``tool``.
 
     Raises
     ------
     LibraryError
-        The machine has no station of this name with such a tool.
+        No station has this name, or its tool is neither a rotating cutter nor a laser.
     """
     cutters = [station for station in machine.stations if station.tool.yields]
     for station in cutters:
@@ -208,7 +230,7 @@ def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machi
     try:
         settings = find_language(machine.dialect).read_settings(table.controller, machine)
     except ValueError as reason:
-        fault = Message("field.invalid", path="controller", fault=f"is invalid: {reason}")
+        fault = Message("field.other", path="controller", reason=reason)
         raise LibraryError(
             "library.invalid",
             shelf="machine",
@@ -250,12 +272,18 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
 
     table = validate_fields(ProfileFile, fields, "profile", file or name, ProfileError)
     if table.extends is not None and table.extends not in names("profiles"):
-        text = f"is {table.extends[:80]!r}, which is not a profile of the library"
         raise ProfileError(
             "library.invalid",
             shelf="profile",
             name=(file or name)[:200],
-            faults=[Message("field.invalid", path="extends", fault=text)],
+            faults=[
+                Message(
+                    "field.not-a-profile",
+                    path="extends",
+                    value=table.extends[:80],
+                    known=names("profiles"),
+                )
+            ],
             source=("extends",),
         )
     inherited = profile(table.extends, files=False).rules if table.extends is not None else ()
@@ -265,20 +293,20 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
 
 
 def profile_toml(rules: LineRules, extends: str | None = None) -> str:
-    """Return the TOML of a profile, from which ``parse_profile`` returns the same rules.
+    """Return the TOML text of a profile, which ``parse_profile`` parses to the same rules.
 
     Parameters
     ----------
     extends
-        A profile of the library whose rules these rules begin or end with, and which are not
-        written; None writes all rules.
+        A profile of the library whose rules are the first or the last of ``rules``; they are not
+        written.  None writes all rules.
 
     Raises
     ------
     LibraryError
         The profile ``extends`` does not exist.
     ProfileError
-        The rules neither begin nor end with those of ``extends``.
+        ``rules`` neither begins nor ends with the rules of ``extends``.
     """
     own = rules.rules
     lines = [f"title = {_quoted(rules.title)}"]

@@ -15,7 +15,7 @@ from pydantic import Field, ValidationInfo, create_model, field_validator, model
 
 from knifetip.errors import LibraryError
 from knifetip.languages.registry import find_language, language_names
-from knifetip.library.files import Table
+from knifetip.library.files import Table, field_error
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
@@ -34,7 +34,7 @@ class AxisTable(Table):
     def _above_low(cls, value: float, info: ValidationInfo) -> float:
         low = info.data.get("low")
         if low is not None and value <= low:
-            raise ValueError(f"is {value}, but must be greater than low, {low}")
+            raise field_error("field.not-above-low", value=value, low=low)
         return value
 
 
@@ -62,7 +62,7 @@ class ToolTable(Table):
     @model_validator(mode="after")
     def _consistent(self) -> ToolTable:
         if fault := self.record().fault:
-            raise ValueError(fault)
+            raise field_error("field.inconsistent", fault=fault)
         return self
 
     def record(self) -> Tool:
@@ -136,8 +136,8 @@ class MachineFile(Table):
         try:
             return find_language(value).name
         except LibraryError:
-            raise ValueError(
-                f"is {value[:80]!r}, but must be one of {', '.join(language_names())}"
+            raise field_error(
+                "field.not-one-of", value=value[:80], known=language_names()
             ) from None
 
     @field_validator("station")
@@ -145,7 +145,7 @@ class MachineFile(Table):
     def _check_numbers(cls, value: list[StationTable]) -> list[StationTable]:
         numbers = [station.number for station in value]
         if len(set(numbers)) != len(numbers):
-            raise ValueError(f"numbers {numbers} must differ")
+            raise field_error("field.repeated-numbers", numbers=numbers)
         return value
 
     def record(self, name: str) -> Machine:

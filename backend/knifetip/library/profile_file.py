@@ -17,7 +17,7 @@ from pydantic import (
     WithJsonSchema,
 )
 
-from knifetip.library.files import Table
+from knifetip.library.files import Table, field_error
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
@@ -32,22 +32,23 @@ def _as_list(value: Any) -> Any:
 
 
 def _colour(value: Any) -> int | str:
-    """Return a colour: an index, or a true colour as text."""
+    """Return a valid colour: an AutoCAD colour index, or a true colour as "#rrggbb"."""
     if isinstance(value, str) and re.fullmatch("#[0-9a-fA-F]{6}", value):
         return value
     if isinstance(value, bool) or not isinstance(value, int):
-        # pydantic collects only ValueErrors.
-        raise ValueError(f'is {repr(value)[:80]}, not a whole number or "#rrggbb"')  # noqa: TRY004
+        raise field_error("field.not-a-colour", value=repr(value)[:80])
     if not 0 < value < 256:
-        raise ValueError(f"is {value}, but must lie in 1 … 255")
+        raise field_error("field.not-a-colour", value=value)
     return value
 
 
 def _line_type(value: str) -> str:
     try:
         return LineType.of(value).word
-    except ValueError as reason:
-        raise ValueError(f"is {value[:80]!r}: {reason}") from None
+    except ValueError:
+        raise field_error(
+            "field.not-a-line-type", value=value[:80], known=[kind.word for kind in LineType]
+        ) from None
 
 
 _COLOUR_SCHEMA: Final = {
@@ -84,7 +85,7 @@ class RuleTable(Table):
     block: Patterns = Field([], description="name of the block that contains the entity")
 
     def record(self) -> LineRule:
-        """Return the rule."""
+        """Return the rule that the table describes."""
         return LineRule(
             line_type=LineType.of(self.type),
             layer=tuple(self.layer),

@@ -38,7 +38,7 @@ def json_schema(file: str) -> dict[str, Any]:
 
 
 def _comments(tool: type[Tool]) -> dict[str, str]:
-    """Return the comments that describe the fields of a kind of tool."""
+    """Return the comment in the source code of each field of a kind of tool, by field name."""
     source = inspect.getsource(tool)
     same_line = dict(_SAME_LINE.findall(source))
     return {name: text for text, name in _LINE_BEFORE.findall(source)} | same_line

@@ -1,8 +1,8 @@
-"""Messages as records: a code with typed arguments, which a catalogue renders in a language.
+"""messages: records of a code and typed arguments, which a catalogue renders in a language.
 
-``catalogue`` has all messages, one module per area: code, English text, hint and the types of the
-arguments.  ``codes`` and ``english`` are tables of it.  Another language is another module like
-``english``.
+``catalogue`` has one module per area with all its messages: code, English text, hint and types of
+the arguments.  ``codes`` and ``english`` are tables made from it.  Another language is another
+module with the tables of ``english``.
 """
 
 from knifetip.messages.message import Argument, Message, from_json, printable

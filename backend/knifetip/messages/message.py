@@ -1,4 +1,4 @@
-"""message: a code with its arguments, as it is raised, stored and sent."""
+"""message: the record of one message: a code with its arguments, without a sentence."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 from knifetip.messages.codes import CODES, STORED
 from knifetip.messages.entry import Kind
 
-#: Stands for a measure that is infinite or not a number, which JSON cannot contain.
+#: Value in JSON for numbers that are infinite or not a number, which JSON cannot represent.
 _FAR: Final = 1e9
 
 
 @runtime_checkable
 class _Number(Protocol):
-    """A number of Python or NumPy."""
+    """Type of Python and NumPy numbers."""
 
     def __float__(self) -> float: ...
 
@@ -29,14 +29,14 @@ Argument: TypeAlias = (
 
 
 class Message:
-    """One thing to report: what it is and its measures, but no sentence.
+    """One message for the user: a code and its arguments, but no sentence.
 
     Parameters
     ----------
     code
         One of ``codes.CODES``.
     arguments
-        By name, as the code lists them; numbers of NumPy become Python's.
+        Values by name, as ``codes.CODES`` lists them; NumPy numbers become Python numbers.
 
     Raises
     ------
@@ -77,16 +77,16 @@ class Message:
         return (_rebuild, (self.code, self.arguments))
 
     def as_json(self) -> dict[str, Any]:
-        """Return the code and its arguments as plain data that any JSON can contain."""
+        """Return the code and the arguments as data that JSON can represent."""
         arguments = {name: _plain(value) for name, value in self.arguments.items()}
         return {"code": self.code, "arguments": arguments}
 
 
 def from_json(plain: Mapping[str, Any] | str) -> Message:
-    """Return a message from plain data.
+    """Return the message that ``Message.as_json`` wrote.
 
-    Sentences that were stored before there were codes, and messages of another version with codes
-    or arguments that this one does not have, become ``stored.text``.
+    Sentences from versions without codes, and messages from other versions whose code or arguments
+    are unknown, become ``stored.text``.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")
@@ -134,12 +134,20 @@ def _texts(value: Iterable[object]) -> tuple[str, ...]:
     return tuple(str(item) for item in value)
 
 
+def _message(value: object) -> Message:
+    """Return a message as it is, and a text as the message ``stored.text``.
+
+    Older versions stored texts where this version has a message.
+    """
+    return value if isinstance(value, Message) else Message(STORED, text=str(value), hint="")
+
+
 _CAST: Final[Mapping[Kind, Any]] = {
     "text": str,
     "count": int,
     "number": float,
     "texts": _texts,
-    "message": lambda value: value,
-    "message?": lambda value: value,
-    "messages": tuple,
+    "message": _message,
+    "message?": lambda value: None if value is None else _message(value),
+    "messages": lambda value: tuple(map(_message, value)),
 }

@@ -1,19 +1,19 @@
-"""render: the text and the hint of a message, from the catalogue of a language.
+"""render: render the text and the hint of a message with the templates of a catalogue.
 
-Templates are those of ``str.format``, with these formats beside Python's own:
+Templates are those of ``str.format``, with these additional formats:
 
 =================  ==================================================================
 ``{n:# edge|# edges}``  the first form for 1, else the second; ``#`` is the number
-``{names:, }``     the items of a list, joined with what follows the colon
+``{names:, }``     the items of a list, separated by the text after the colon
 ``{names:or}``     the items of a list: A, B or C
-``{size:MB}``      bytes as mebibytes
-``{size:mm}``      a length with as many places as are of use
+``{size:MB}``      a number of bytes in mebibytes
+``{size:mm}``      a length (mm) with a suitable number of decimals
 ``{unit:unit}``    the name of a unit of length
 ``{tool:tool}``    the name of a tool
 =================  ==================================================================
 
-A message among the arguments is rendered in its place, or with ``{error:hint}`` its hint; one that
-is absent is left out.
+An argument that is a message is replaced by its text, or with ``{error:hint}`` by its hint.  An
+argument that is None is replaced by an empty text.
 """
 
 from __future__ import annotations
@@ -32,13 +32,19 @@ def render(message: Message) -> str:
 
 
 def hint(message: Message) -> str:
-    """Return what the user can do about it, empty where there is nothing to add."""
+    """Return what the user can do about a message, in English; empty if the user can do nothing."""
     text = _FORMATTER.vformat(english.HINTS.get(message.code, ""), (), message.arguments)
     return text.strip()  # a hint may begin or end with the empty hint of an argument
 
 
 def with_text(given: Message | Mapping[str, Any] | str) -> dict[str, Any]:
-    """Return a message, or plain data that has one, as plain data with its text and hint."""
+    """Return a message as JSON data together with its English text and hint.
+
+    Parameters
+    ----------
+    given
+        A message, its JSON data (other keys are kept), or a sentence of an older version.
+    """
     message = given if isinstance(given, Message) else from_json(given)
     return {
         **(given if isinstance(given, Mapping) else {}),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 
 
@@ -24,22 +25,24 @@ class LineRule:
     block: tuple[str, ...] = ()  #: names of blocks that contain the entity
 
     @property
-    def words(self) -> str:
-        """The conditions of the rule as text, such as ``layer "FOLDS", colour 3``."""
-        parts = []
+    def conditions(self) -> Message:
+        """The conditions of the rule, such as ``layer "FOLDS", colour 3``."""
+        conditions = []
         if self.layer:
-            parts.append("layer " + " or ".join(f'"{name}"' for name in self.layer))
+            conditions.append(Message("rule.layer", patterns=map(_quoted, self.layer)))
         if self.colour or self.true_colour:
             colours = [str(index) for index in self.colour]
             colours += [f"#{colour:06x}" for colour in self.true_colour]
-            parts.append("colour " + " or ".join(colours))
+            conditions.append(Message("rule.colour", colours=colours))
         if self.linetype:
-            parts.append("linetype " + " or ".join(f'"{name}"' for name in self.linetype))
+            conditions.append(Message("rule.linetype", patterns=map(_quoted, self.linetype)))
         if self.entity:
-            parts.append("entity " + " or ".join(self.entity))
+            conditions.append(Message("rule.entity", kinds=self.entity))
         if self.block:
-            parts.append("block " + " or ".join(f'"{name}"' for name in self.block))
-        return ", ".join(parts) or "everything"
+            conditions.append(Message("rule.block", patterns=map(_quoted, self.block)))
+        if not conditions:
+            return Message("rule.everything")
+        return Message("rule.conditions", conditions=conditions)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +52,10 @@ class LineRules:
     name: str
     title: str
     rules: tuple[LineRule, ...]
+
+
+def _quoted(pattern: str) -> str:
+    return f'"{pattern}"'
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from knifetip.errors import NoSuchUnit
+from knifetip.messages import Message
 
 #: Millimetres in one unit: the five that headers state, then points and pixels, which programs for
 #: page layout write without stating it.
@@ -21,16 +22,6 @@ MILLIMETRES: Final[Mapping[str, float]] = {
 }
 #: Units in which cartons are designed; points and pixels result from file conversion only.
 DRAWN_IN: Final = ("mm", "cm", "m", "in", "ft")
-#: Names of the units in a sentence.
-NAMES: Final[Mapping[str, str]] = {
-    "mm": "mm",
-    "cm": "cm",
-    "m": "metres",
-    "in": "inches",
-    "ft": "feet",
-    "pt": "points",
-    "px": "pixels",
-}
 
 
 def factor(unit: str) -> float:
@@ -56,7 +47,7 @@ class UnitHint:
     #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": the factor between
     #: lengths and the values that dimensions show
     kind: str
-    text: str  #: as it is in the file: "$MEASUREMENT = 1"
+    message: Message  #: the setting, as it is in the file
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +55,7 @@ class UnitEvidence:
     """One observation that supports a unit for a drawing."""
 
     unit: str
-    text: str  #: the observation, with its measured value
+    message: Message  #: the observation, with its measured value
     weight: (
         float  #: log-likelihood of the observation in this unit, relative to the least likely unit
     )
@@ -80,4 +71,4 @@ class UnitFinding:
     evidence: tuple[UnitEvidence, ...]  #: highest weight first
     ranking: tuple[str, ...]  #: all units, most likely first
     margin: float  #: weight of the first unit of the ranking minus the weight of the second
-    warnings: tuple[str, ...] = ()  #: possible faults that the user should check
+    warnings: tuple[Message, ...] = ()  #: possible faults that the user should check

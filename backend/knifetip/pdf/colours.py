@@ -3,7 +3,7 @@
     [/Separation /CutContour /DeviceCMYK {…}] and tint 1 -> Paint(0xFF00FF, "CutContour")
 
 A spot colour is a separate ink.  Carton designers name it after the operation on the line, such as
-"CutContour".  Its true colour is that in which it is displayed.
+"CutContour".  Its true colour is the colour in which programs display it.
 
 Source: ISO 32000-1, chapter 8.6.
 """
@@ -29,7 +29,7 @@ class Paint(NamedTuple):
 
 
 class ColourSpace(NamedTuple):
-    """A colour space."""
+    """A colour space of a PDF."""
 
     kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty if unknown
     components: int
@@ -59,7 +59,7 @@ _MAX_DEPTH: Final = 4
 
 
 def parse_colour_space(file: PdfFile, given: object, deep: int = 0) -> ColourSpace:
-    """Return the colour space that an object defines."""
+    """Return the colour space that a PDF object defines; ``deep`` is the depth of nested spaces."""
     given = file.resolve(given)
     if isinstance(given, NameObject):
         return _DEVICE.get(str(given), _UNKNOWN_SPACE)
@@ -84,7 +84,7 @@ def _ink(name: object) -> str:
 
 
 def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
-    """Return the colour with the given components in a space."""
+    """Return the colour with the components ``given`` in the colour space ``where``."""
     if where.kind not in ("Separation", "DeviceN"):
         return Paint(_to_rgb(where.kind, given), "")
     inks = dict(zip(where.inks, given, strict=False))

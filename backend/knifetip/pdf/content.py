@@ -26,7 +26,7 @@ _TOKEN: Final = re.compile(
     rb"|/([^\x00\t\n\f\r \[\]/<>()%{}]*)"  # 3 a name
     rb"|(\()"  # 4 the start of a string
     rb"|(<<|\[)"  # 5 the start of a dictionary or an array
-    rb"|(>>|\])"  # 6 its end
+    rb"|(>>|\])"  # 6 the end of a dictionary or an array
     rb"|<([^<>]*)>"  # 7 a string in hexadecimal digits
     rb"|%[^\r\n]*|.)",  # skipped
     re.DOTALL,
@@ -43,11 +43,21 @@ _CHARSETS: Final = ("utf-8", "gbk", "latin-1")
 
 
 class TruncatedStream(Exception):
-    """Raised if a content stream ends inside an object; ``pdf.page_reader`` catches it."""
+    """Raised if a content stream ends inside an object; ``pdf.page_reader`` catches it.
+
+    Parameters
+    ----------
+    code
+        Code of the message that states what is incomplete.
+    """
+
+    def __init__(self, code: str) -> None:
+        super().__init__(code)
+        self.code = code
 
 
 class Name(str):
-    """A name, without its slash."""
+    """A PDF name, without its slash."""
 
     __slots__ = ()
 
@@ -86,7 +96,7 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
             given.append(_ESCAPE.sub(_unescape, data[start : at - 1]))
         elif kind == 5:
             if len(enclosing) == _MAX_DEPTH:
-                raise TruncatedStream("has arrays nested too deep")
+                raise TruncatedStream("pdf.nested-arrays")
             enclosing.append(given)
             given = []
         elif kind == 6 and enclosing:
@@ -98,7 +108,7 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
         if len(given) > _OPERANDS:
             del given[:-_OPERANDS]
     if enclosing:
-        raise TruncatedStream("ends inside an array")
+        raise TruncatedStream("pdf.open-array")
 
 
 def _name(raw: bytes) -> Name:
@@ -113,7 +123,7 @@ def _name(raw: bytes) -> Name:
 
 
 def _string_end(data: bytes, at: int) -> int:
-    """Return the index after the parenthesis that closes the string which starts before ``at``."""
+    """Return the index after the parenthesis that closes a string that starts before ``at``."""
     deep = 1
     for found in _IN_STRING.finditer(data, at):
         if found[0] == b"(":
@@ -122,7 +132,7 @@ def _string_end(data: bytes, at: int) -> int:
             deep -= 1
             if deep == 0:
                 return found.end()
-    raise TruncatedStream("ends inside a text")
+    raise TruncatedStream("pdf.open-text")
 
 
 def _unescape(found: re.Match[bytes]) -> bytes:
@@ -138,5 +148,5 @@ def _end_of_image(data: bytes, at: int) -> int:
     """Return the index after an inline image."""
     found = _PICTURE_ENDS.search(data, at)
     if found is None:
-        raise TruncatedStream("ends inside an image")
+        raise TruncatedStream("pdf.open-image")
     return found.end()

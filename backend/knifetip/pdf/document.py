@@ -51,7 +51,7 @@ _TAIL: Final = 1024
 
 
 class PdfFile:
-    """The objects of a PDF."""
+    """The objects of a PDF, which are read within limits of time and size."""
 
     def __init__(self, data: bytes, limits: Limits) -> None:
         self.limits = limits
@@ -86,7 +86,10 @@ class PdfFile:
             raise DrawingTooLarge("reading.too-slow", seconds=self.limits.seconds, format="PDF")
 
     def resolve(self, value: object) -> Any:
-        """Return the object that a reference refers to, None if there is none."""
+        """Return the object that a reference refers to; other values are returned unchanged.
+
+        None is returned if the object does not exist.
+        """
         for _ in range(16):
             if not isinstance(value, IndirectObject):
                 return None if isinstance(value, NullObject) else value
@@ -101,12 +104,12 @@ class PdfFile:
         return self.resolve(holder.raw_get(key))
 
     def array(self, holder: object, key: str) -> list[Any]:
-        """Return an array entry with its references unresolved, empty if it is missing."""
+        """Return an array of a dictionary, with its references unresolved; empty if missing."""
         found = self.entry(holder, key)
         return list(found) if isinstance(found, ArrayObject) else []
 
     def numbers(self, holder: object, key: str, count: int) -> list[float] | None:
-        """Return an entry with ``count`` finite numbers, None if it has others."""
+        """Return an array of ``count`` finite numbers of a dictionary; None for any other value."""
         found = [number(self.resolve(value)) for value in self.array(holder, key)]
         if len(found) != count or not all(map(math.isfinite, found)):
             return None
@@ -160,7 +163,7 @@ class _TimedBytes(io.BytesIO):
 
 @contextmanager
 def limit_pypdf(limits: Limits) -> Iterator[None]:
-    """Limit the size that pypdf unpacks to a quarter of the size of a file.
+    """Limit the size to which pypdf unpacks a stream to a quarter of the size limit of a file.
 
     Streams of objects are smaller; content streams, which may be larger, are unpacked here.
     """
@@ -193,7 +196,7 @@ def _unpack(data: bytes, most: int) -> bytes:
 
 
 def number(value: object) -> float:
-    """Return a number as a float, NaN for anything else."""
+    """Return a number as a float; NaN for values that are not numbers."""
     return float(value) if isinstance(value, (int, float)) else math.nan
 
 
@@ -203,9 +206,9 @@ class Page:
 
     node: DictionaryObject
     resources: DictionaryObject
-    box: Box  #: the visible area, in its own coordinates
+    box: Box  #: the visible area, in page coordinates
     rotate: int  #: clockwise quarter turns for display
-    unit: float  #: points in one unit of its coordinates
+    unit: float  #: points in one unit of the page coordinates
     count: int  #: number of pages that the file states
 
 
@@ -244,7 +247,7 @@ def first_page(file: PdfFile) -> Page:
 
 
 def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, DictionaryObject]:
-    """Return the first page, and the attributes that it inherits from the page tree."""
+    """Return the first page of a page tree, and the attributes that it inherits."""
     stack: list[tuple[Any, DictionaryObject]] = [(pages, DictionaryObject())]
     for _ in range(_NODES):
         if not stack:

@@ -36,7 +36,7 @@ _MEMBERS: Final = 1000
 
 
 class Layer(NamedTuple):
-    """An optional content group, or a membership in several."""
+    """An optional content group (the layer of a PDF), or a membership in several groups."""
 
     name: str
     visible: bool
@@ -46,7 +46,7 @@ NO_LAYER: Final = Layer("", True)
 
 
 class Layers:
-    """The optional content of a file."""
+    """The layers of a PDF file."""
 
     def __init__(self, file: PdfFile) -> None:
         self._file = file
@@ -98,7 +98,7 @@ def _key(given: object) -> object:
 
 
 def layer_names(drawn: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]:
-    """Return the layer name in the drawing for each pair of layer and spot colour."""
+    """Return the layer name in the drawing for each pair of PDF layer and spot colour."""
     pairs = set(drawn)
     spots: dict[str, set[str]] = {}
     for layer, spot in pairs:

@@ -35,7 +35,7 @@ class LayerMark(NamedTuple):
 
 
 class LineStyle(NamedTuple):
-    """Layer, colour and dashes of a line."""
+    """Layer, colour and dashes of a path on the page."""
 
     layer: str
     paint: Paint
@@ -47,8 +47,8 @@ class PageLine(NamedTuple):
 
     row: int
     size: int  #: number of segments
-    matrix: Matrix  #: from its coordinates to points on the displayed page
-    clip: Box  #: its visible area on that page
+    matrix: Matrix  #: from path coordinates to points on the displayed page
+    clip: Box  #: its visible area on the displayed page
     style: LineStyle
     area: bool  #: filled, without a stroke
 
@@ -58,7 +58,7 @@ _MARGIN: Final = 0.01
 
 
 class PageLines:
-    """The lines and texts of a page."""
+    """The paths and texts of a page, and its import report."""
 
     def __init__(self, limits: Limits) -> None:
         self.report = ReportWriter()
@@ -68,12 +68,16 @@ class PageLines:
         self._lines: list[PageLine] = []
 
     def row(self, path: str, kind: str, mark: LayerMark, dropped: Message | None = None) -> int:
-        """Add a row to the import report.
+        """Add a row to the import report and return its number.
 
         Parameters
         ----------
         path
-            Names of the forms that contain it, each followed by a slash.
+            Names of the forms that contain the object, each followed by a slash.
+        kind
+            Type of the object.
+        dropped
+            Reason if the object gives no line.
         """
         if len(self.report.handle) >= self._limits.entities:
             raise DrawingTooLarge(
@@ -83,7 +87,19 @@ class PageLines:
         return self.report.row(handle, kind, mark.layer or "0", dropped)
 
     def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
-        """Add the path that was built."""
+        """Keep the current path of the path builder, and add it to the lines of the page.
+
+        Parameters
+        ----------
+        row
+            Row in the import report.
+        matrix
+            From the coordinates of the path to points on the displayed page.
+        clip
+            Visible area of the path on the page (points).
+        area
+            Whether the path is filled without a stroke.
+        """
         self._lines.append(PageLine(row, self.path.keep(), matrix, clip, style, area))
 
     @property
@@ -115,12 +131,12 @@ class PageLines:
         return table, Paths(row[keep], style, matrix[keep]), styles
 
     def _drop_invisible(self, box: F64) -> Bool:
-        """Drop the lines outside the visible area; return which of p lines remain, (p,).
+        """Drop the paths outside the visible area; return whether each of p paths remains, (p,).
 
         Parameters
         ----------
         box : (p, 4)
-            The bounding box of each line.
+            The bounding box of each path (points).
         """
         clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
         low, high = box[:, :2], box[:, 2:]
@@ -139,6 +155,7 @@ class PageLines:
         Returns
         -------
         keep : (p,)
+            Whether each of p paths remains.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()
@@ -151,7 +168,10 @@ class PageLines:
         return ~areas | (not stroked)
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
-        """Return the styles and the style index of each line; set the layer of its row."""
+        """Return all styles, and the index of the style of each path.
+
+        The layer of each path is written into its row of the import report.
+        """
         named = layer_names({(line.style.layer, line.style.paint.spot) for line in lines})
         styles: list[Style] = []
         known: dict[LineStyle, int] = {}

@@ -109,8 +109,11 @@ class _PageReader:
         try:
             Stream(self._page, state, context).interpret(data)
         except TruncatedStream as error:
-            where = f"form {context.path[:-1]}" if context.path else "page"
-            raise NotADrawing("pdf.content-damaged", where=where, reason=error) from None
+            path = context.path[:-1]
+            where = Message("pdf.form-named", name=path) if path else Message("pdf.page")
+            raise NotADrawing(
+                "pdf.content-damaged", where=where, reason=Message(error.code)
+            ) from None
 
     def form(self, node: StreamObject, state: State, context: StreamContext) -> None:
         """Interpret the content of a form."""

@@ -19,7 +19,7 @@ from knifetip.geometry.columns import F64
 
 
 class PathBuilder:
-    """The segments of all kept paths, followed by those of the current path."""
+    """The segments of all kept paths, followed by the segments of the current path."""
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
@@ -45,13 +45,13 @@ class PathBuilder:
         return len(self.kind) - self._kept
 
     def ends(self) -> F64:
-        """Return the ends and control points of the current path, (n, 2)."""
+        """Return the end points and control points of the current path, (n, 2)."""
         numbers = np.array(self.numbers[8 * self._kept :]).reshape(-1, 4, 2)
         curved = np.array(self.kind[self._kept :]) == CUBIC
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
 
     def keep(self) -> int:
-        """Keep the current path, and return its number of segments."""
+        """Keep the segments of the current path, and return their number."""
         size = self.size
         self._kept = len(self.kind)
         self._start_path()

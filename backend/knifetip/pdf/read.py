@@ -64,10 +64,9 @@ def read(
     except KnifetipError:
         raise
     except PyPdfError as error:
-        reason = str(error)[:_REASON_LENGTH].rstrip(".")
-        raise NotADrawing(
-            "reading.damaged", reason=reason or "it is truncated", format="PDF"
-        ) from error
+        if reason := str(error)[:_REASON_LENGTH].rstrip("."):
+            raise NotADrawing("reading.damaged", reason=reason, format="PDF") from error
+        raise NotADrawing("reading.truncated", format="PDF") from error
     except Exception as error:
         # pypdf may raise anything on hostile bytes, and no file may cause a traceback.
         raise NotADrawing(
@@ -87,10 +86,10 @@ def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Draw
         _refuse_empty(file, page, drawn)
     table, paths, styles = drawn.collect()
     segments = columns(drawn.report, table, paths, given, limits, "PDF")
-    evidence = "a PDF is in points of 1/72 in"
-    if page.unit != 1.0:
-        evidence = f"UserUnit = {page.unit:g} points of 1/72 in"
-    source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
+    evidence = (
+        Message("unit.pdf") if page.unit == 1.0 else Message("unit.pdf-scaled", scale=page.unit)
+    )
+    source = Message("unit.given") if unit else evidence
     known = KnownUnit(given, unit or "pt", source, "pt")
     return assemble(drawn.report, segments, styles, drawn.annotations, known)
 

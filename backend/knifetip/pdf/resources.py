@@ -13,7 +13,7 @@ from knifetip.pdf.text import Font, parse_font
 
 
 class Resources:
-    """The colour spaces, colours and fonts of a file, cached."""
+    """Finds and caches the named colour spaces, colours and fonts of a PDF."""
 
     def __init__(self, file: PdfFile) -> None:
         self._file = file
@@ -22,7 +22,7 @@ class Resources:
         self._fonts: dict[tuple[int, str], Font] = {}
 
     def find(self, resources: DictionaryObject, kind: str, name: str) -> object:
-        """Return a named resource unresolved: a reference or the object, None if it is missing."""
+        """Return a named resource: a reference or the object; None if it is missing."""
         holder = self._file.entry(resources, kind)
         key = f"/{name}"
         return (
@@ -30,7 +30,7 @@ class Resources:
         )
 
     def space(self, resources: DictionaryObject, name: str) -> ColourSpace:
-        """Return the colour space with a name."""
+        """Return the colour space with a name in a resource dictionary."""
         key = id(resources), name
         found = self._spaces.get(key)
         if found is None:
@@ -42,7 +42,7 @@ class Resources:
         return found
 
     def paint(self, where: ColourSpace, given: tuple[float, ...]) -> Paint:
-        """Return the colour with the given components in a space."""
+        """Return the colour with the components ``given`` in the colour space ``where``."""
         key = id(where), given
         found = self._paints.get(key)
         if found is None:
@@ -50,7 +50,7 @@ class Resources:
         return found
 
     def font(self, resources: DictionaryObject, name: str) -> Font:
-        """Return the font with a name."""
+        """Return the font with a name in a resource dictionary."""
         key = id(resources), name
         found = self._fonts.get(key)
         if found is None:

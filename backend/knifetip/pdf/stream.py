@@ -120,7 +120,10 @@ class Stream:
             self._drop_path(Message("import.page-ends-early"))
 
     def _row(self, kind: str, why: Message | None, points: Sequence[Any] = ()) -> int:
-        """Add a row to the import report; ``points`` locate a dropped object."""
+        """Add a row to the import report and return its number.
+
+        ``why`` is the reason if the object is dropped; ``points`` are its corners.
+        """
         mark, drawn = self._marks[-1], self._page.drawn
         why = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else why
         row = drawn.row(self._context.path, kind, mark, why)
@@ -129,7 +132,7 @@ class Stream:
         return row
 
     def _drop_path(self, why: Message | None) -> None:
-        """Drop the current path and report the reason."""
+        """Drop the current path and add the reason ``why`` to the import report."""
         path = self._page.drawn.path
         self._row("path", why, [] if path.wrong else path.ends().tolist())
         path.drop()
@@ -259,7 +262,7 @@ class Stream:
             raise DrawingTooLarge("pdf.layers-too-deep", limit=_MAX_STACK)
 
     def _nested_mark(self, mark: LayerMark, given: object) -> LayerMark:
-        """Return the mark of a layer inside another."""
+        """Return the mark of a layer that lies inside another layer."""
         if given is None:
             return mark
         layer = self._page.layers.layer(given)
@@ -372,7 +375,7 @@ def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
 
 
 def intersect(one: Box, other: Box) -> Box:
-    """Return the intersection of two boxes."""
+    """Return the intersection of two bounding boxes."""
     return (
         max(one[0], other[0]),
         max(one[1], other[1]),

@@ -40,7 +40,7 @@ class Font(NamedTuple):
     table: dict[int, str]
 
     def decode(self, codes: bytes) -> str | None:
-        """Return the text of codes, None if the encoding is unknown."""
+        """Return the text of character codes; None if the encoding of the font is unknown."""
         if self.codec:
             return codes.decode(self.codec, "replace")
         if not self.table:
@@ -53,7 +53,7 @@ UNDECODABLE: Final = Font("", 1, {})
 
 
 def parse_font(file: PdfFile, node: object) -> Font:
-    """Return the encoding of a font."""
+    """Return the encoding of the font that a PDF object defines."""
     if not isinstance(node, DictionaryObject):
         return UNDECODABLE
     wide = 2 if file.entry(node, "/Subtype") == "/Type0" else 1
@@ -150,21 +150,24 @@ class TextObject:
 
     @property
     def empty(self) -> bool:
-        """Whether no text was shown."""
+        """Whether the text object has shown no text."""
         return self._begin is None
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """The start of the text, in the coordinates that enclose it; empty if there is none."""
+        """The start point of the text, in the coordinates outside the text object.
+
+        Empty if no text was shown.
+        """
         return [] if self._begin is None else [self._begin[4:]]
 
     def placed_text(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
-        """Return text, x, y and height, None if the text cannot be decoded.
+        """Return the text, x, y and height (points); None if the text cannot be decoded.
 
         Parameters
         ----------
         matrix
-            From the coordinates that enclose the text object to points.
+            From the coordinates outside the text object to points on the page.
         """
         text = " ".join("".join(self._parts).split())
         if self._begin is None or self._unread or not text:

@@ -32,7 +32,7 @@ _TWO: Final[dict[str, Callable[[float, float], float]]] = {
 
 
 def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
-    """Return the components of a tint, 0 … 1, in the alternate space; empty if unknown."""
+    """Return the components of a tint (0 … 1) in the alternate colour space; empty if unknown."""
     tint = min(max(tint, 0.0), 1.0)
     kind = number(file.entry(function, "/FunctionType"))
     if kind == 2.0:
@@ -50,7 +50,7 @@ def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
 
 
 def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
-    """Return the sample of a table that is nearest to a tint."""
+    """Return the sample of a function table that is nearest to a tint."""
     size = [number(file.resolve(one)) for one in file.array(function, "/Size")]
     within = [number(file.resolve(one)) for one in file.array(function, "/Range")]
     bits = number(file.entry(function, "/BitsPerSample"))
@@ -71,7 +71,7 @@ def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
 
 
 def _run_program(program: bytes, tint: float) -> list[float]:
-    """Return the stack after a program has run, empty if it has unsupported operators."""
+    """Return the stack after a PostScript program; empty if it has unsupported operators."""
     stack = [tint]
     try:
         for word in re.findall(r"[^\s{}]+", program.decode("latin-1")):
@@ -105,7 +105,7 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a count, at least 0; raise ValueError for other numbers."""
+    """Return a number as an integer of at least 0; raise ValueError for other numbers."""
     if not 0.0 <= value <= _STACK:
         raise ValueError
     return int(value)

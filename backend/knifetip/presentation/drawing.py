@@ -66,9 +66,9 @@ def _unit_finding(drawing: Drawing) -> dict[str, Any]:
     return {
         "stated": drawing.stated,
         "ranking": list(found.ranking),
-        "warnings": [printable(text) for text in found.warnings],
+        "warnings": [warning.as_json() for warning in found.warnings],
         "evidence": [
-            {"unit": one.unit, "text": printable(one.text), "weight": float(one.weight)}
+            {"unit": one.unit, **one.message.as_json(), "weight": float(one.weight)}
             for one in found.evidence
         ],
     }

@@ -19,8 +19,10 @@ def parse_paint(text: str, current: int | None = 0) -> int | None:
 
     Parameters
     ----------
+    text
+        Value of the property, for example "rgb(224, 32, 32)".
     current
-        Value of ``currentColor``.
+        Colour that ``currentColor`` refers to; None for no paint.
 
     Raises
     ------

@@ -1,9 +1,9 @@
-"""document: parse an SVG into a tree, without fetching other files or expanding bombs.
+"""document: parse an SVG into a tree, without loading other files or expanding it without limit.
 
     bytes (XML, or gzip of XML) -> Node: tag, attributes, children, text
 
 The parser is Expat; this module restricts it.  A DOCTYPE is allowed, since older SVG files have
-one, but the files that it names are never fetched.  Entities that contain short plain text, as
+one, but the files that it names are never loaded.  Entities that contain short plain text, as
 Illustrator writes them, are expanded.  Entities that refer to other entities or files, or that
 would make the file too large, are refused before anything is expanded.
 """
@@ -29,7 +29,7 @@ _WITH_TEXT: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
 
 
 class Node:
-    """An element, or a piece of text between elements (``tag`` is empty)."""
+    """An XML element, or a text between elements (``tag`` is empty)."""
 
     __slots__ = ("attributes", "children", "tag", "text")
 
@@ -53,7 +53,7 @@ class Node:
 
 
 def parse_document(data: bytes, limits: Limits) -> Node:
-    """Return the root of an SVG.
+    """Return the root element of an SVG.
 
     Tags have no namespace prefix; attributes are as written.  Elements of other namespaces, such
     as the private data of editors, are omitted with their content.
@@ -100,7 +100,7 @@ _TRUNCATED: Final = frozenset(
 
 
 def _unpack(data: bytes, limits: Limits) -> bytes:
-    """Return the content of gzip data, without unpacking more than the limit."""
+    """Return the content of gzip data; raise DrawingTooLarge if it exceeds the limit."""
     stream = zlib.decompressobj(31)
     try:
         plain = stream.decompress(data, limits.bytes + 1)

@@ -1,6 +1,6 @@
-"""expand: list all drawn elements of a document, with the copies that ``use`` makes.
+"""expand: list all drawn elements of a document, with the copies that ``use`` elements make.
 
-    root, page -> ReportWriter: a row for each; DrawnPaths: path data, matrix and style of each line
+    root, page -> ReportWriter: one row per drawn element; DrawnPaths: path data, matrix and style
 
 Copies are counted before they are made: ten nested ``use`` elements can make a billion.
 """
@@ -24,12 +24,13 @@ from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
+from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.page import Page, view_box, view_box_matrix
 from knifetip.svg.style import INITIAL, Appearance, Cascade, StyleSheet
 from knifetip.svg.transform import parse_transform
 
-#: Elements that only contain others.
+#: Elements that only contain other elements.
 _GROUPS: Final = frozenset(("svg", "g", "a", "switch"))
 #: Elements that are drawn only by reference, or never.
 _NOT_DRAWN: Final = frozenset(
@@ -73,14 +74,14 @@ _REASONS: Final = {
     "script": Message("import.script"),
 }
 _HIDDEN: Final = Message("import.hidden")
-#: Largest number of rules in a style style_sheet.
+#: Largest number of rules in a style sheet.
 _RULES: Final = 2000
 
 
 class OmittedShape(NamedTuple):
-    """The shape of an element that gives no line, to report its location."""
+    """The shape of an element that gives no line; the import report needs its location."""
 
-    row: int  #: of the import report
+    row: int  #: row of the import report
     data: str  #: path data
     matrix: Matrix
 
@@ -90,7 +91,7 @@ class DrawnPaths:
     """The paths of n elements, in the order of the file."""
 
     data: list[str] = field(default_factory=list)  #: path data
-    matrix: list[Matrix] = field(default_factory=list)  #: from its coordinates to file units
+    matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
     row: list[int] = field(default_factory=list)  #: of the import report
     style: list[int] = field(default_factory=list)  #: index in ``styles``
     styles: list[Style] = field(default_factory=list)
@@ -164,7 +165,7 @@ class _Expansion:
         )
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if copies exceed the limits, before any is made."""
+        """Raise DrawingTooLarge if the copies of ``use`` elements would exceed the limits."""
         total = 0
         stack: list[tuple[Node, tuple[Node, ...], int]] = [(self._root, (), 0)]
         while stack:
@@ -189,7 +190,7 @@ class _Expansion:
                 stack += [(child, inside, uses) for child in node.children if child.tag]
 
     def _target(self, node: Node) -> Node | None:
-        """Return the element that a ``use`` refers to."""
+        """Return the element to which a ``use`` element refers; None if it does not exist."""
         href = _href(node)
         return self._named.get(href[1:]) if href.startswith("#") else None
 
@@ -209,7 +210,10 @@ class _Expansion:
                 stack.append(found)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
-        """Add an element to the report; return the context of its content, None if it has none."""
+        """Add an element to the import report; return the context of its content.
+
+        None is returned if the element has no content that is drawn.
+        """
         if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
         context = self._context_of(node, context)
@@ -253,34 +257,42 @@ class _Expansion:
     def _omit(
         self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Keep the shape of an element that gives no line."""
+        """Store the shape of an element that gives no line, for the import report.
+
+        Parameters
+        ----------
+        row
+            Row of the element in the import report.
+        shape
+            Function that returns the path data of the element.
+        """
         with suppress(shapes.Undrawable):
             self.drawn.omitted.append(
                 OmittedShape(row, shape(node, context.window), context.matrix)
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the context of an element, with its own appearance and transform."""
+        """Return the context inside an element: with its appearance and transform."""
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
         outer = context.matrix
         if (text := node.attributes.get("transform")) is not None:
             try:
                 outer = compose(outer, parse_transform(text))
-            except ValueError as reason:
-                left_out = left_out or Message("import.bad-transform", reason=reason)
+            except InvalidValue as invalid:
+                left_out = left_out or Message("import.bad-transform", reason=invalid.message)
         inside = (*context.inside, node) if "id" in node.attributes else context.inside
         return context._replace(
             appearance=appearance, matrix=outer, left_out=left_out, inside=inside
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
-        """Return the context inside an svg or a symbol.
+        """Return the context inside an ``svg`` or ``symbol`` element.
 
         Parameters
         ----------
         sizes
-            The element with the size of the window: the svg itself, or the ``use`` that copies it.
+            The element with the size of the window: ``node``, or the ``use`` that copies it.
         """
         try:
             x, y = (
@@ -291,9 +303,9 @@ class _Expansion:
                 to_pixels(sizes.attributes.get(name, node.attributes.get(name, "100%")), whole)
                 for name, whole in (("width", context.window[0]), ("height", context.window[1]))
             )
-        except ValueError as reason:
+        except InvalidValue as invalid:
             return context._replace(
-                left_out=context.left_out or Message("import.bad-window", reason=reason)
+                left_out=context.left_out or Message("import.bad-window", reason=invalid.message)
             )
         inner = compose(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
         box = view_box(node)
@@ -303,7 +315,10 @@ class _Expansion:
         return context._replace(matrix=inner, window=_window(box[2], box[3]))
 
     def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
-        """Return the element that a ``use`` copies and its context, or report why there is none."""
+        """Return the element that a ``use`` element copies, and the context of the copy.
+
+        If there is no such element, the reason is added to the import report and None is returned.
+        """
         handle = self._handle(node)
         context = self._context_of(node, context)
         layer = layers.layer_of_element(node, context.layer)
@@ -323,8 +338,8 @@ class _Expansion:
                 to_pixels(node.attributes.get(name, "0"), whole)
                 for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
-        except ValueError as reason:
-            why = why or Message("import.bad-place", reason=reason)
+        except InvalidValue as invalid:
+            why = why or Message("import.bad-place", reason=invalid.message)
         if why or target is None:
             row = self.report.row(context.path + handle, "use", layer, why)
             self._omit(row, shapes.point_path_data, node, context)
@@ -344,14 +359,17 @@ class _Expansion:
         return target, context
 
     def _handle(self, node: Node) -> str:
-        """Return the id of an element if no earlier one has it, otherwise its number."""
+        """Return the id of an element, or its number if the id is missing or already used."""
         identity = node.attributes.get("id", "")
         if identity and self._named.get(identity) is node:
             return identity
         return f"#{len(self.report.handle) + 1}"
 
     def _add_path(self, row: int, data: str, layer: str, context: _Context) -> None:
-        """Add a path with the style of its element."""
+        """Add a path with the style of its element.
+
+        ``row`` is the row of the element in the import report, ``data`` its path data.
+        """
         appearance = context.appearance
         drawn = appearance.stroke if appearance.stroke is not None else appearance.fill
         colour = UNKNOWN_COLOUR if drawn is None else drawn
@@ -404,7 +422,7 @@ class _Expansion:
                 to_pixels(_first_length(first.attributes.get(name, "0")), whole)
                 for name, whole in (("x", context.window[0]), ("y", context.window[1]))
             )
-        except ValueError:
+        except InvalidValue:
             x = y = 0.0
         a, b, c, d, e, f = context.matrix
         appearance = (
@@ -421,7 +439,7 @@ class _Expansion:
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return the window with this width and height."""
+    """Return the window of this width and height, to which percentages refer."""
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 
 
@@ -435,7 +453,7 @@ def _all_nodes(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return the children that are drawn: of a ``switch`` the first that needs no extension."""
+    """Return the children that are drawn; for ``switch``, the first child without an extension."""
     if node.tag != "switch":
         return node.children
     return [
@@ -446,7 +464,7 @@ def _children(node: Node) -> list[Node]:
 
 
 def _text_content(node: Node) -> str:
-    """Return the text of an element and all its descendants."""
+    """Return the text of an element and of all its descendants."""
     parts = []
     stack = [node]
     while stack:
@@ -457,7 +475,7 @@ def _text_content(node: Node) -> str:
 
 
 def _href(node: Node) -> str:
-    """Return the attribute ``href``, with or without a namespace, empty if there is none."""
+    """Return the attribute ``href``, with or without a namespace; empty if there is none."""
     given = node.attributes
     return next((value for key, value in given.items() if key == "href"), None) or next(
         (value for key, value in given.items() if key.endswith(":href")), ""
@@ -465,6 +483,6 @@ def _href(node: Node) -> str:
 
 
 def _first_length(text: str) -> str:
-    """Return the first of a list of lengths; a text may have a position for each character."""
+    """Return the first length of a list; a text may have one position per character."""
     parts = text.replace(",", " ").split()
     return parts[0] if parts else "0"

@@ -46,7 +46,10 @@ _TRAILING_NUMBER: Final = re.compile(r"[-_ .]?\d+$")
 
 
 def layer_of_group(node: Node, inherited: Layer) -> Layer:
-    """Return the layer of the elements inside a group."""
+    """Return the layer of the elements inside a group.
+
+    ``inherited`` is the layer of the elements around the group.
+    """
     given = node.attributes
     name = _label(node)
     if _is_layer(node):
@@ -60,7 +63,10 @@ def layer_of_group(node: Node, inherited: Layer) -> Layer:
 
 
 def layer_of_element(node: Node, inherited: Layer) -> str:
-    """Return the layer name of an element that is not a group."""
+    """Return the layer name of an element that is not a group.
+
+    ``inherited`` is the layer of the group that contains the element.
+    """
     if inherited.name:
         return inherited.name
     given = node.attributes
@@ -77,7 +83,7 @@ def layer_of_element(node: Node, inherited: Layer) -> str:
 
 
 def original_name(identity: str) -> str:
-    """Return the name that a user gave, without the prefixes, suffixes and escapes of programs."""
+    """Return the name that a user gave, without additions and escapes of drawing programs."""
     name = _ESCAPED.sub(lambda found: _character(int(found[1], 16)), identity)
     return _PREFIX.sub("", _DUPLICATE.sub("", name)).strip()
 

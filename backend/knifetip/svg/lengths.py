@@ -9,6 +9,8 @@ import math
 import re
 from typing import Final
 
+from knifetip.svg.invalid import InvalidValue
+
 #: CSS pixels in one unit; 96 pixels are one inch.
 PIXELS: Final[dict[str, float]] = {
     "": 1.0,
@@ -25,21 +27,23 @@ _LENGTH: Final = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(
 
 
 def parse_length(text: str) -> tuple[float, str]:
-    """Return the number and the unit of a length, in lower case and empty if there is none.
+    """Return the number and the unit of a length.
+
+    The unit is in lower case, and empty if none is written.
 
     Raises
     ------
-    ValueError
+    InvalidValue
         The text is not a finite number with an optional unit.
     """
     found = _LENGTH.fullmatch(text)
     if found is None or not math.isfinite(value := float(found[1])):
-        raise ValueError(f"{text[:30]!r} is not a length")
+        raise InvalidValue("import.bad-value", value=text[:30])
     return value, found[2].lower()
 
 
 def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
-    """Return a length in pixels.
+    """Return a length in CSS pixels (1/96 inch).
 
     Parameters
     ----------
@@ -50,7 +54,7 @@ def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
 
     Raises
     ------
-    ValueError
+    InvalidValue
         The text is not a length.
     """
     try:
@@ -67,5 +71,5 @@ def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
     if unit == "ex":
         return value * font_size / 2.0
     if unit not in PIXELS:
-        raise ValueError(f"{text[:30]!r} has an unknown unit")
+        raise InvalidValue("import.value-unit", value=text[:30])
     return value * PIXELS[unit]

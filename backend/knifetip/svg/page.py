@@ -10,6 +10,7 @@ Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapters 7.7 and 7.8
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -20,7 +21,7 @@ from knifetip.svg.document import Node
 from knifetip.svg.lengths import parse_length
 from knifetip.svg.transform import parse_numbers
 
-#: Physical units: the unit of the drawing, its number in one of them, and its millimetres.
+#: For each physical unit: the unit of the drawing, the number of these in one, and their mm.
 _PHYSICAL: Final = {
     "mm": ("mm", 1.0, 1.0),
     "cm": ("cm", 1.0, 10.0),
@@ -30,13 +31,13 @@ _PHYSICAL: Final = {
     "q": ("mm", 0.25, 1.0),
 }
 _PIXEL: Final = MILLIMETRES["px"]
-#: Share of the free space before the content, by the words of ``preserveAspectRatio``.
+#: Fraction of the free space before the content, by the words of ``preserveAspectRatio``.
 _ALIGN: Final = {"min": 0.0, "mid": 0.5, "max": 1.0}
 
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """The size of a page, from the root element of an SVG."""
+    """The size of an SVG page, from its root element."""
 
     matrix: Matrix  #: from the root's coordinates to file units, y upwards
     scale: float  #: millimetres in one file unit, 0 if unknown
@@ -47,13 +48,13 @@ class Page:
 
 
 def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
-    """Return the page of an SVG.
+    """Return the size of the page of an SVG.
 
     Parameters
     ----------
     unit, given
         The unit that the user gives, and its millimetres; "" and 0 if none.  It replaces the unit
-        of width and height if these are physical, otherwise the unit of the coordinates.
+        of width and height if they have a physical unit, otherwise the unit of the coordinates.
     illustrator
         Whether the file was written by Adobe Illustrator.
     """
@@ -62,37 +63,31 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
     physical = next((side for side in (wide, high) if side and side[1] in _PHYSICAL), None)
     if physical is None:
         top = box[1] + box[3] if box else high[0] if high else 0.0
-        source = (
-            Message("unit.given")
-            if unit
-            else Message("unit.in-file", statement=_unknown_unit_text(root, illustrator))
-        )
-        hints = [UnitHint("pixels", "a size without a unit, as in pages in pixels or points")]
+        source = Message("unit.given") if unit else _unknown_unit(root, illustrator)
+        hints = [UnitHint("pixels", Message("unit.page-in-pixels"))]
         if illustrator:
-            hints.append(UnitHint("points", "the name of Illustrator, which writes points"))
+            hints.append(UnitHint("points", Message("unit.page-in-points")))
         upright = (1.0, 0.0, 0.0, -1.0, 0.0, top)
         return Page(upright, given, unit, source, "", tuple(hints))
     stated, _, millimetres = _PHYSICAL[physical[1]]
     across, down = (_in_unit(side, millimetres) for side in (wide, high))
-    evidence = " and ".join(
-        f'{name} = "{root.attributes[name].strip()[:20]}"'
-        for name, side in (("width", wide), ("height", high))
-        if side
+    written = _written_size(
+        root, [name for name, side in (("width", wide), ("height", high)) if side]
     )
     if box is None:
         # Without a viewBox the coordinates are CSS pixels.
         size = _PIXEL / millimetres
         matrix = (size, 0.0, 0.0, -size, 0.0, down or 0.0)
-        evidence += ", no viewBox: one coordinate unit is 1/96 in"
+        evidence = Message("unit.svg-size-in-pixels", size=written)
     else:
         matrix = _flipped(view_box_matrix(box, across, down, root), box, across, down)
-        evidence += f", viewBox {box[2]:g} × {box[3]:g}"
-    source = Message("unit.given") if unit else Message("unit.in-file", statement=evidence)
+        evidence = Message("unit.svg-size", size=written, width=box[2], height=box[3])
+    source = Message("unit.given") if unit else evidence
     return Page(matrix, given or millimetres, unit or stated, source, stated)
 
 
 def view_box(node: Node) -> tuple[float, float, float, float] | None:
-    """Return x, y, width and height of a viewBox, None if it is absent or invalid."""
+    """Return x, y, width and height of the viewBox; None if it is absent or invalid."""
     try:
         x, y, width, height = parse_numbers(node.attributes.get("viewBox", ""))
     except ValueError:
@@ -132,14 +127,17 @@ def _flipped(
     across: float | None,
     down: float | None,
 ) -> Matrix:
-    """Return the matrix with y upwards from the lower edge of the page."""
+    """Return a page matrix with y upwards from the lower edge of the page.
+
+    ``box`` is the viewBox; ``across`` and ``down`` are the width and height, None if not given.
+    """
     a, _, _, d, e, f = matrix
     high = down or (across or 0.0) * box[3] / box[2]
     return a, 0.0, 0.0, -d, e, high - f
 
 
 def _side_length(root: Node, name: str) -> tuple[float, str] | None:
-    """Return number and unit of a side of the page, None if it is no absolute length."""
+    """Return number and unit of the width or height of the page; None if it is not fixed."""
     try:
         value, unit = parse_length(root.attributes.get(name, ""))
     except ValueError:
@@ -148,7 +146,10 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
 
 
 def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None:
-    """Return a side of the page in a unit of ``millimetres`` mm; without a unit it is in pixels."""
+    """Return a side of the page in a unit of ``millimetres`` mm.
+
+    ``side`` is its number and unit; a number without a unit is in CSS pixels.
+    """
     if side is None:
         return None
     value, unit = side
@@ -158,16 +159,15 @@ def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None
     return value * _PIXEL / millimetres
 
 
-def _unknown_unit_text(root: Node, illustrator: bool) -> str:
-    """Return why the unit of a page is unknown."""
-    written = [
-        f'{name} = "{root.attributes[name].strip()[:20]}"'
-        for name in ("width", "height")
-        if name in root.attributes
-    ]
-    size = " and ".join(written) or "the SVG has no width and no height"
-    program = "in Illustrator, which wrote it" if illustrator else "in Illustrator"
-    return (
-        f"{size}: no unit of length; one coordinate unit is 1/96 in (0.2646 mm) in a browser, and "
-        f"1/72 in (0.3528 mm) {program}"
-    )
+def _unknown_unit(root: Node, illustrator: bool) -> Message:
+    """Return the message that explains why the unit of a page is unknown."""
+    written = _written_size(root, [name for name in ("width", "height") if name in root.attributes])
+    pixel = Message("unit.svg-pixel-illustrator" if illustrator else "unit.svg-pixel")
+    if not written:
+        return Message("unit.svg-no-size", pixel=pixel)
+    return Message("unit.svg-no-unit", size=written, pixel=pixel)
+
+
+def _written_size(root: Node, names: Sequence[str]) -> list[str]:
+    """Return the named attributes of the root element as they are written in the file."""
+    return [f'{name}="{root.attributes[name].strip()[:20]}"' for name in names]

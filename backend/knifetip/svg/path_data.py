@@ -21,7 +21,7 @@ from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
 from knifetip.kernels import F64_1, U8_1, OutF64_1, OutI64_1, inline_kernel, kernel
 
-#: Count that ``_scan`` returns if there are too many segments.
+#: Count that ``_scan`` returns if the paths have too many segments.
 _TOO_MANY: Final = -1
 
 
@@ -33,7 +33,7 @@ class ScannedPaths(Table):
 
 
 def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
-    """Return the segments of paths; None if there are more than ``most``."""
+    """Return the segments of paths; None if there are more than ``most`` segments."""
     pieces = [path.encode("ascii", "replace") for path in paths]
     size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
     data = np.frombuffer(b"".join(pieces), np.uint8)
@@ -45,7 +45,7 @@ def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
 
 @kernel
 def _skip_separators(data: U8_1, at: int, last: int) -> int:
-    """Return the index after blanks and commas."""
+    """Return the index of the first byte from ``at`` that is not white space or a comma."""
     while at < last and (
         data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
     ):
@@ -55,7 +55,7 @@ def _skip_separators(data: U8_1, at: int, last: int) -> int:
 
 @kernel
 def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
-    """Return a number and the index after it, -1 if there is no number."""
+    """Return a number and the index after it; the index is -1 if there is no number."""
     at = _skip_separators(data, at, last)
     negative = False
     if at < last and (data[at] == 45 or data[at] == 43):
@@ -113,7 +113,7 @@ def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
 
 @kernel
 def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
-    """Return a flag of an arc, which is one digit, and the index after it, -1 if there is none."""
+    """Return a flag of an arc (0 or 1) and the index after it; the index is -1 without a flag."""
     at = _skip_separators(data, at, last)
     if at < last and (data[at] == 48 or data[at] == 49):
         return int(data[at] - 48), at + 1
@@ -122,7 +122,7 @@ def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
 
 @kernel
 def _argument_count(command: int) -> int:
-    """Return the number of arguments of a command in lower case, -1 if it is no command."""
+    """Return the number of arguments of a lower-case command letter; -1 for other letters."""
     if command == 109 or command == 108 or command == 116:  # m l t
         return 2
     if command == 104 or command == 118:  # h v

@@ -22,10 +22,12 @@ from knifetip.svg.path_data import scan_paths
 def segment_columns(
     report: ReportWriter, drawn: DrawnPaths, scale: float, limits: Limits
 ) -> Columns:
-    """Return all segments of a document; the reason of each dropped element goes to the report.
+    """Return all segments of a document; write the reason for dropped elements into the report.
 
     Parameters
     ----------
+    report
+        Import report, which is changed.
     scale
         Millimetres in one file unit, 0 if unknown.
 

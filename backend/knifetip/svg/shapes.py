@@ -1,8 +1,6 @@
-"""shapes: convert basic shapes to path data.
+"""shapes: convert basic shapes to path data, so that all elements can be read as paths.
 
-    <rect x="0" y="0" width="90" height="45" rx="3"/> -> "M3 0H87A3 3 0 0 1 90 3V42…Z"
-
-All elements are then read as paths.
+<rect x="0" y="0" width="90" height="45" rx="3"/> -> "M3 0H87A3 3 0 0 1 90 3V42…Z"
 """
 
 from __future__ import annotations
@@ -12,13 +10,14 @@ from typing import Final
 
 from knifetip.messages import Message
 from knifetip.svg.document import Node
+from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 
 
 class Undrawable(Exception):
-    """Raised for an element that gives no line; the message is the reason in the import report.
+    """Raised for an element that gives no line; ``svg.expand`` catches it.
 
-    ``svg.expand`` catches it.
+    The message is the reason in the import report.
     """
 
     def __init__(self, message: Message) -> None:
@@ -42,13 +41,13 @@ def shape_path_data(node: Node, window: Window) -> str:
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return path data along the diagonal of an element with x, y, width and height."""
+    """Return the path data of the diagonal of an element with x, y, width and height."""
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
 
 
 def point_path_data(node: Node, window: Window) -> str:
-    """Return path data of zero length at x and y of an element."""
+    """Return the path data of a line of zero length at the position of an element."""
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 
 
@@ -58,8 +57,8 @@ def _size(node: Node, name: str, whole: float, default: float = 0.0) -> float:
         return default
     try:
         return to_pixels(text, whole)
-    except ValueError as reason:
-        raise Undrawable(Message("import.bad-size", name=name, reason=reason)) from None
+    except InvalidValue as invalid:
+        raise Undrawable(Message("import.bad-size", name=name, reason=invalid.message)) from None
 
 
 def _path(node: Node, _window: Window) -> str:

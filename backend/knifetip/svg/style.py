@@ -62,7 +62,7 @@ _COMBINATORS: Final = (" ", ">")
 
 
 class StyleSheet:
-    """The rules of a document's style sheets."""
+    """The rules of the style sheets of a document."""
 
     def __init__(self, text: str) -> None:
         self.unsupported: list[str] = []  #: selectors and at-rules that are not applied
@@ -151,7 +151,7 @@ def _declarations(content: list[tinycss2.ast.Node]) -> tuple[Declaration, ...]:
 
 
 class Cascade:
-    """Computes and caches the appearance of the elements of one document."""
+    """Computes the appearance of the elements of one document, and caches it."""
 
     def __init__(self, sheet: StyleSheet, root: Node) -> None:
         self._sheet = sheet

@@ -10,6 +10,7 @@ import re
 from typing import Final
 
 from knifetip.geometry.affine import IDENTITY, Matrix, compose
+from knifetip.svg.invalid import InvalidValue
 
 _CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _BETWEEN: Final = re.compile(r"[\s,]+")
@@ -21,12 +22,12 @@ def parse_numbers(text: str) -> list[float]:
 
     Raises
     ------
-    ValueError
-        The text contains anything else.
+    InvalidValue
+        The text contains something that is not a number.
     """
     rest = _BETWEEN.sub("", _NUMBER.sub("", text))
     if rest:
-        raise ValueError(f"{rest[:20]!r} is not a number")
+        raise InvalidValue("import.value-not-numbers", value=rest[:20])
     return [float(number) for number in _NUMBER.findall(text)]
 
 
@@ -35,7 +36,7 @@ def parse_transform(text: str) -> Matrix:
 
     Raises
     ------
-    ValueError
+    InvalidValue
         The text is not a list of transforms.
     """
     found = IDENTITY
@@ -45,7 +46,7 @@ def parse_transform(text: str) -> Matrix:
         if call is None:
             if not text[at:].strip(" \t\r\n,"):
                 break
-            raise ValueError(f"{text[at : at + 30].strip()!r} is not a transform")
+            raise InvalidValue("import.value-not-transform", value=text[at : at + 30].strip())
         found = compose(found, _matrix_of(call[1], parse_numbers(call[2])))
         at = call.end()
     return found
@@ -71,19 +72,19 @@ def _matrix_of(name: str, given: list[float]) -> Matrix:
         return 1.0, 0.0, math.tan(math.radians(given[0])), 1.0, 0.0, 0.0
     if name == "skewY" and count == 1:
         return 1.0, math.tan(math.radians(given[0])), 0.0, 1.0, 0.0, 0.0
-    raise ValueError(f"{name}({count} numbers) is not a transform")
+    raise InvalidValue("import.value-transform-numbers", name=name, count=count)
 
 
 def cosine_and_sine(degrees: float) -> tuple[float, float]:
-    """Return cosine and sine of an angle, exact for multiples of 90°.
+    """Return cosine and sine of an angle in degrees, exact for multiples of 90°.
 
     Raises
     ------
-    ValueError
+    InvalidValue
         The angle is not finite.
     """
     if not math.isfinite(degrees):
-        raise ValueError(f"{degrees:g} degrees is not a finite angle")
+        raise InvalidValue("import.value-angle", degrees=degrees)
     quarter, rest = divmod(degrees % 360.0, 90.0)
     if rest == 0.0:
         return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]

@@ -14,14 +14,14 @@ import math
 
 import numpy as np
 
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
-from knifetip.model.unit import MILLIMETRES, NAMES, UnitEvidence, UnitFinding
+from knifetip.model.unit import MILLIMETRES, UnitEvidence, UnitFinding
 from knifetip.units import weights
 from knifetip.units.lengths import (
     Lengths,
     drawing_lengths,
     feature_evidence,
-    format_mm,
     grid_evidence,
     paper_evidence,
     size_evidence,
@@ -31,13 +31,13 @@ from knifetip.units.text_evidence import text_evidence
 
 
 def find_unit(drawing: Drawing) -> UnitFinding:
-    """Return the unit of a drawing, if the evidence is sufficient, and the evidence.
+    """Return the unit of a drawing if the evidence is sufficient, the evidence, and warnings.
 
-    The evidence is computed from the coordinates in the file, so it does not depend on the unit
-    that the drawing was read in.  The warnings refer to that unit, if there is one.
+    The evidence is computed from the coordinates in the file, so it does not depend on the unit in
+    which the drawing was read.  The warnings compare this unit with the evidence.
     """
     evidence = _header_evidence(drawing) + _hint_evidence(drawing)
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
     with np.errstate(all="ignore"):
         found = drawing_lengths(drawing)
         has_size = found.longer > 0.0 and math.isfinite(found.longer)
@@ -88,13 +88,17 @@ def _by_weight(one: UnitEvidence) -> float:
 
 
 def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> str:
-    """Return the unit that the evidence supports, empty if it is not conclusive.
+    """Return the unit that the evidence supports; empty if the evidence is not conclusive.
 
     Parameters
     ----------
+    stated, best
+        Unit that the header states, empty for none, and likeliest unit.
+    margin
+        Weight of the likeliest unit minus the weight of the second likeliest unit.
     doubtful
-        Parts of the sheet have different scales, or there is no physical size.  Then only the
-        unit that the header states can be returned.
+        Whether parts of the sheet have different scales, or the drawing has no physical size.
+        If so, only the unit that the header states can be returned.
     """
     if stated and best == stated:
         return stated if margin >= weights.STATED_MARGIN else ""
@@ -102,60 +106,72 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
     return best if margin >= far and not doubtful else ""
 
 
-def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[str]:
-    """Return warnings if the drawing's unit is neither the stated nor the likeliest one.
+def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[Message]:
+    """Return a warning if the unit of the drawing contradicts the header or the evidence.
 
     Parameters
     ----------
     best
         The likeliest unit.
     lead
-        Total weight of the likeliest unit minus that of the drawing's unit.
+        Total weight of the likeliest unit minus the total weight of the unit of the drawing.
     """
-
-    def size(unit: str) -> str:
-        scale = MILLIMETRES[unit]
-        return f"{format_mm(found.width * scale)} × {format_mm(found.height * scale)} mm"
-
+    if not drawing.unit:
+        return []
     warnings = []
-    unit = drawing.unit
-    if unit and drawing.stated and unit != drawing.stated:
+    unit, stated = drawing.unit, drawing.stated
+    width, height = found.size_in(unit)
+    if stated and unit != stated:
+        stated_width, stated_height = found.size_in(stated)
         warnings.append(
-            f"The header states {NAMES[drawing.stated]}, which would make the drawing "
-            f"{size(drawing.stated)}; it is read in {NAMES[unit]}: {size(unit)}."
+            Message(
+                "unit.read-against-header",
+                stated=stated,
+                stated_width=stated_width,
+                stated_height=stated_height,
+                unit=unit,
+                width=width,
+                height=height,
+            )
         )
-    if unit and best not in (unit, drawing.stated) and lead >= weights.STATED_MARGIN:
+    if best not in (unit, stated) and lead >= weights.STATED_MARGIN:
+        best_width, best_height = found.size_in(best)
         warnings.append(
-            f"The evidence supports {NAMES[best]}: {size(best)}; it is read in {NAMES[unit]}: "
-            f"{size(unit)}."
+            Message(
+                "unit.read-against-evidence",
+                best=best,
+                best_width=best_width,
+                best_height=best_height,
+                unit=unit,
+                width=width,
+                height=height,
+            )
         )
     return warnings
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the weight of each unit under the header's statement, or under no statement."""
+    """Return the evidence for each unit from the header: the unit that it states, or none."""
     share = weights.STATED[drawing.stated]
     least = min(share.values())
-    text = (
-        f"the header states {NAMES[drawing.stated]}; of such drawings"
-        if drawing.stated
-        else "the file states no unit; of such drawings"
-    )
     return [
-        UnitEvidence(
-            unit, f"{text} {100.0 * share[unit]:.3g} % are in {NAMES[unit]}", weight, "header"
-        )
+        UnitEvidence(unit, _header_message(drawing.stated, unit, share[unit]), weight, "header")
         for unit in MILLIMETRES
         if (weight := math.log(share[unit] / least)) > 0.0
     ]
 
 
+def _header_message(stated: str, unit: str, share: float) -> Message:
+    """Return the message for one unit: the fraction of drawings with such a header in this unit."""
+    if not stated:
+        return Message("unit.share-unstated", unit=unit, percent=100.0 * share)
+    return Message("unit.share-stated", stated=stated, unit=unit, percent=100.0 * share)
+
+
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the weights of the header's other variables that depend on the unit."""
+    """Return the evidence for each unit from other header variables that depend on the unit."""
     evidence = []
     for hint in drawing.hints:
         favoured, weight = weights.HINTS[hint.kind]
-        evidence += [
-            UnitEvidence(unit, f"the header has {hint.text}", weight, "header") for unit in favoured
-        ]
+        evidence += [UnitEvidence(unit, hint.message, weight, "header") for unit in favoured]
     return evidence

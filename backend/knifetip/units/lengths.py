@@ -8,10 +8,10 @@ the number of millimetres in one file unit, f x is a round number only with the 
 
     p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)     over the grids gᵢ (mm) that f x lies on
 
-where ε is the precision of lengths in the file (file units), wᵢ the share of lengths that are
-multiples of gᵢ, and w₀ the share that are multiples of no grid.  A grid finer than the precision
+where ε is the precision of lengths in the file (file units), wᵢ the fraction of lengths that are
+multiples of gᵢ, and w₀ the fraction that are multiples of no grid.  A grid finer than the precision
 is not used.  The product over all lengths is averaged over the metric and the imperial table, each
-with its share among drawings in that unit, and over the possible values of w₀.
+with its fraction of the drawings in that unit, and over the possible values of w₀.
 """
 
 from __future__ import annotations
@@ -24,21 +24,22 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, Bool
 from knifetip.geometry.unique_rows import unique_rows
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, extents
-from knifetip.model.unit import MILLIMETRES, NAMES, UnitEvidence, factor
+from knifetip.model.unit import MILLIMETRES, UnitEvidence, factor
 from knifetip.units import weights
 
-#: Most lengths that are used: those that make up the greatest part of the drawing.
+#: Number of lengths that are used: the lengths with the greatest total in the drawing.
 _MOST: Final = 48
-#: Best precision of a length, as a share of the drawing's size.
+#: Best precision of a length, as a fraction of the drawing's size.
 _EXACT: Final = 1e-5
-#: A length that occurs this often, or makes up this share of the drawing, is not that of chords
-#: of a curve.
+#: A length that occurs this often, or makes up this fraction of the drawing, does not come from the
+#: chords of a curve.
 _REPEATED: Final = 4
 _SUBSTANTIAL: Final = 0.005
 #: An edge with a smaller bulge is a line.
 _STRAIGHT: Final = 1e-9
-#: Grids that evidence names.
+#: Grid spacings (mm) that messages name, and their names.
 _NAMED_GRIDS: Final = (
     (10.0, "10 mm"),
     (1.0, "1 mm"),
@@ -63,13 +64,13 @@ _PAPER: Final = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Lengths:
-    """The different lengths of a drawing's straight edges, in file units."""
+    """The different lengths of the straight edges of a drawing, in file units."""
 
     value: F64  #: (k,) lengths, ascending, at most 48
     total: F64  #: (k,) total length of the edges that have this length
     shortest: float  #: least length of edges that are not chords of a curve
     straight: int  #: number of straight edges
-    width: float  #: of the bounding box
+    width: float  #: width of the bounding box
     height: float
     #: possible precisions: of the coordinates as they are, and of their last decimal place
     exact: tuple[float, ...]
@@ -79,14 +80,26 @@ class Lengths:
         """The longer side of the bounding box."""
         return max(self.width, self.height)
 
+    def size_in(self, unit: str) -> tuple[float, float]:
+        """Return width and height (mm) if the file is in a unit."""
+        return self.width * MILLIMETRES[unit], self.height * MILLIMETRES[unit]
+
 
 def drawing_lengths(drawing: Drawing) -> Lengths:
-    """Return the lengths of a drawing in file units."""
+    """Return the different lengths of the straight edges of a drawing, in file units."""
     return edge_lengths(drawing.ends / factor(drawing.unit), drawing.bulge)
 
 
 def edge_lengths(ends: F64, bulge: F64) -> Lengths:
-    """Return the lengths of n edges, (n, 2, 2) and (n,), in the unit of the coordinates."""
+    """Return the different lengths of straight edges, in the unit of their coordinates.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of n edges.
+    bulge : (n,)
+        Bulges of the edges; 0 for straight edges.
+    """
     straight = np.abs(bulge) < _STRAIGHT
     chosen = ends if straight.all() else ends[straight]
     low_x, low_y, high_x, high_y = _bounding_box(ends, bulge, straight)
@@ -119,7 +132,7 @@ def edge_lengths(ends: F64, bulge: F64) -> Lengths:
 
 
 def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, float]:
-    """Return min x, min y, max x, max y."""
+    """Return min x, min y, max x and max y of all edges."""
     if not len(ends):
         return 0.0, 0.0, 0.0, 0.0
     # A reduction of each column is ten times as fast as one along the rows.
@@ -148,7 +161,7 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return weights relative to the least one, limited to ``weights.HEAVIEST``."""
+    """Return the weight of each unit minus the least weight, limited to ``weights.HEAVIEST``."""
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
     least = min(cut.values())
@@ -156,33 +169,42 @@ def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
 
 
 def evidence_of_units(
-    kind: str, weight: Mapping[str, float], text: Mapping[str, str]
+    kind: str, weight: Mapping[str, float], message: Mapping[str, Message]
 ) -> list[UnitEvidence]:
-    """Return one kind of evidence for each unit."""
+    """Return the evidence of one kind for each unit.
+
+    Parameters
+    ----------
+    kind
+        Kind of evidence, as in ``UnitEvidence``.
+    weight, message
+        Weight and message of the evidence for each unit.
+    """
     return [
-        UnitEvidence(unit, text[unit], value, kind)
+        UnitEvidence(unit, message[unit], value, kind)
         for unit, value in relative_weights(weight).items()
     ]
 
 
 def size_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return evidence from the overall size: a carton measures neither 5 mm nor 50 m."""
+    """Return the evidence for each unit from the size of the drawing and usual carton sizes."""
     weight = {
         unit: _interpolate(weights.SIZE, found.longer * scale)
         for unit, scale in MILLIMETRES.items()
     }
-    text = {
-        unit: f"in {NAMES[unit]} the drawing is {format_mm(found.width * scale)} × "
-        f"{format_mm(found.height * scale)} mm, "
-        f"{'a usual size of cartons' if usual else 'an unusual size of cartons'}"
-        for unit, scale in MILLIMETRES.items()
-        for usual in [weight[unit] >= weights.USUAL]
-    }
-    return evidence_of_units("size", weight, text)
+    message = {}
+    for unit in MILLIMETRES:
+        width, height = found.size_in(unit)
+        code = "unit.size-usual" if weight[unit] >= weights.USUAL else "unit.size-unusual"
+        message[unit] = Message(code, unit=unit, width=width, height=height)
+    return evidence_of_units("size", weight, message)
 
 
 def feature_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return evidence from the shortest edges: slots and flaps depend on the board's caliper."""
+    """Return the evidence for each unit from the shortest edges.
+
+    The lengths of slots and small flaps depend on the caliper of the board.
+    """
     if found.straight < weights.FEATURE_EDGES or not np.isfinite(found.shortest):
         return []
     least = found.shortest
@@ -190,7 +212,7 @@ def feature_evidence(found: Lengths) -> list[UnitEvidence]:
         "features",
         {unit: _interpolate(weights.FEATURE, least * scale) for unit, scale in MILLIMETRES.items()},
         {
-            unit: f"in {NAMES[unit]} its shortest edges are {format_mm(least * scale)} mm"
+            unit: Message("unit.shortest-edges", unit=unit, length=least * scale)
             for unit, scale in MILLIMETRES.items()
         },
     )
@@ -203,22 +225,22 @@ def paper_evidence(found: Lengths) -> list[UnitEvidence]:
     for unit, scale in MILLIMETRES.items():
         for width, height, name in _PAPER:
             if abs(short * scale - width) < 0.6 and abs(long * scale - height) < 0.6:
-                text = f"in {NAMES[unit]} the drawing is exactly as large as a sheet of {name}"
-                found_in.append(UnitEvidence(unit, text, weights.PAPER, "paper"))
+                message = Message("unit.paper-size", unit=unit, sheet=name)
+                found_in.append(UnitEvidence(unit, message, weights.PAPER, "paper"))
                 break
     return found_in
 
 
 def grid_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return evidence from round numbers: in the right unit lengths are multiples of a grid."""
+    """Return the evidence for each unit from the lengths that are round numbers in this unit."""
     if not len(found.value):
         return []
-    text = {unit: _grid_text(found, unit) for unit in MILLIMETRES}
-    return evidence_of_units("grid", grid_likelihood(found), text)
+    message = {unit: _grid_message(found, unit) for unit in MILLIMETRES}
+    return evidence_of_units("grid", grid_likelihood(found), message)
 
 
 def grid_likelihood(found: Lengths) -> dict[str, float]:
-    """Return the log-likelihood of the lengths in each unit."""
+    """Return the log-likelihood of the lengths of the edges for each unit."""
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
@@ -235,14 +257,14 @@ def grid_likelihood(found: Lengths) -> dict[str, float]:
 
 
 def table_likelihood(found: Lengths, scale: float, table: Mapping[float, float]) -> float:
-    """Return the log-likelihood of the lengths by one table of grids.
+    """Return the log-likelihood of the lengths of the edges for one table of grids.
 
     Parameters
     ----------
     scale
         Millimetres in one file unit.
     table
-        Share of lengths that are multiples of each grid (mm).
+        Fraction of lengths that are multiples of each grid spacing (mm).
     """
     share = min(1.0, weights.INDEPENDENT / len(found.value))
     return max(share * _log_likelihood(found.value, exact, table, scale) for exact in found.exact)
@@ -260,8 +282,8 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
     return float(np.logaddexp.reduce(likely) - np.log(len(off)))
 
 
-def _grid_text(found: Lengths, unit: str) -> str:
-    """Return a text with the grid that fits best in this unit, and how many lengths fit it."""
+def _grid_message(found: Lengths, unit: str) -> Message:
+    """Return the message with the best grid in a unit, and the number of lengths on this grid."""
     scale = MILLIMETRES[unit]
     fits = []
     for grid, name in _NAMED_GRIDS:
@@ -271,21 +293,26 @@ def _grid_text(found: Lengths, unit: str) -> str:
         on = (np.abs(found.value * scale - near * grid) <= found.exact[-1] * scale) & (near > 0)
         fits.append((float(found.total[on].sum()), int(on.sum()), name))
     if not fits:
-        return f"in {NAMES[unit]} the lengths are not precise enough to compare with a grid"
+        return Message("unit.imprecise", unit=unit)
     part, count, name = max(fits)
     percent = 100.0 * part / float(found.total.sum())
-    return (
-        f"in {NAMES[unit]} {count} of {len(found.value)} lengths, {percent:.0f} % of their total, "
-        f"are multiples of {name}"
+    return Message(
+        "unit.multiples",
+        unit=unit,
+        count=count,
+        all=len(found.value),
+        percent=percent,
+        grid=name,
     )
 
 
 def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
-    """Return the weight of a size (mm), linear in log size between points of a table."""
+    """Return the weight of a size (mm), interpolated in log size between the points of a table.
+
+    Parameters
+    ----------
+    points
+        Sizes (mm) and their weights.
+    """
     at, weight = zip(*points, strict=True)
     return float(np.interp(np.log(max(size, 1e-12)), np.log(at), weight))
-
-
-def format_mm(size: float) -> str:
-    """Return a length (mm) as text, with three or four significant digits."""
-    return f"{size:.0f}" if abs(size) >= 1000.0 else f"{size:.1f}" if size >= 1 else f"{size:.3g}"

@@ -40,9 +40,9 @@ def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
 
 
 def _unit_evidence(found: UnitFinding, drawing: Drawing) -> Message:
-    """Return why the stated unit was not kept."""
+    """Return the message that explains why the stated unit was not kept."""
     best = found.ranking[0]
     if best == drawing.stated:
         return Message("unit.inconclusive", stated=drawing.evidence, unit=best)
-    reason = next(one.text for one in found.evidence if one.unit == best)
+    reason = next(one.message for one in found.evidence if one.unit == best)
     return Message("unit.overruled", stated=drawing.evidence, unit=best, reason=reason)

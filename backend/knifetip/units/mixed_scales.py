@@ -16,18 +16,19 @@ from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.union_find import flatten, union
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import OutI64_1, kernel
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
-from knifetip.model.unit import MILLIMETRES, NAMES, factor
+from knifetip.model.unit import MILLIMETRES, factor
 from knifetip.units import weights
 from knifetip.units.lengths import Lengths, edge_lengths, table_likelihood
 
-#: Number of the largest parts that are compared, and the least number of edges, the least number of
-#: different lengths and the least share of the drawing's size of each.
+#: Number of the largest parts that are compared.  Each part needs at least this number of edges, of
+#: different lengths, and this fraction of the drawing's size.
 _PARTS: Final = 8
 _EDGES: Final = 6
 _DIFFERENT: Final = 4
 _SHARE: Final = 0.005
-#: Ends nearer to each other than this share of the drawing's size are one point.
+#: Edge ends closer to each other than this fraction of the drawing's size are one point.
 _JOINED: Final = 1e-5
 #: Relative tolerance of the ratio between lengths of similar parts.
 _ALIKE: Final = 2e-4
@@ -35,15 +36,15 @@ _ALIKE: Final = 2e-4
 _SCALES: Final = (1.5, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 25.4, 50.0, 100.0)
 
 
-def mixed_scale_warnings(drawing: Drawing) -> list[str]:
-    """Return a warning for each sign of parts with different scales."""
+def mixed_scale_warnings(drawing: Drawing) -> list[Message]:
+    """Return a warning for each sign that parts of the drawing have different scales."""
     ends, bulge = drawing.ends / factor(drawing.unit), drawing.bulge
     parts = _largest_parts(ends)
     return _similar_parts(parts, ends, bulge) + _parts_in_other_units(parts, ends, bulge)
 
 
 def _largest_parts(ends: F64) -> list[I64]:
-    """Return the rows of the edges of each of the largest connected parts."""
+    """Return the indices of the edges of each of the largest connected parts."""
     if len(ends) < 2 * _EDGES:
         return []
     flat = ends.reshape(-1, 2)
@@ -70,8 +71,11 @@ def _largest_parts(ends: F64) -> list[I64]:
     return parts
 
 
-def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
-    """Return a warning if two parts have the same shape at different sizes."""
+def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
+    """Return a warning if two parts have the same shape at different sizes, else an empty list.
+
+    ``parts`` are the edge indices of each part, ``ends`` and ``bulge`` all edges in file units.
+    """
     shapes = []
     for rows in parts:
         across = ends[rows, 1] - ends[rows, 0]
@@ -87,15 +91,15 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
             if any(abs(times - scale) < 1e-3 * scale for scale in _SCALES) and np.allclose(
                 large, small * times, rtol=_ALIKE, atol=1e-9 * times
             ):
-                return [
-                    f"The same part is drawn twice, once {times:.3g} times larger than the other: "
-                    "one of them is a detail, or was inserted with a wrong unit."
-                ]
+                return [Message("unit.part-drawn-twice", factor=times)]
     return []
 
 
-def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
-    """Return a warning if the lengths of two parts are round numbers in different units."""
+def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
+    """Return a warning if the lengths of two parts are round numbers in different units.
+
+    ``parts`` are the edge indices of each part, ``ends`` and ``bulge`` all edges in file units.
+    """
     candidates: list[tuple[dict[tuple[str, str], float], Lengths]] = []
     for rows in parts:
         found = edge_lengths(ends[rows], bulge[rows])
@@ -106,17 +110,15 @@ def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[str]:
             here, there = max(one, key=one.__getitem__), max(other, key=other.__getitem__)
             lead = min(one[here] - one[there], other[there] - other[here])
             if here != there and lead >= weights.DECISION_MARGIN:
-                return [
-                    f"Parts of the drawing have different units: one is drawn in "
-                    f"{_unit_text(here)}, another in {_unit_text(there)}."
-                ]
+                return [Message("unit.parts-differ", one=_drawn_in(here), other=_drawn_in(there))]
     return []
 
 
 def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
-    """Return the log-likelihood of a part's lengths in each unit and system of measures.
+    """Return the log-likelihood of the lengths of a part for pairs of unit and system of measures.
 
-    mm, cm and m share their grids, and so do inches and feet: one unit of each group is enough.
+    The systems are "metric" and "imperial".  Round numbers in cm or m are also round in mm, and
+    round numbers in feet in inches, so only one unit of each family is compared.
     """
     return {
         (unit, system): table_likelihood(found, MILLIMETRES[unit], table)
@@ -125,19 +127,28 @@ def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
     }
 
 
-def _unit_text(key: tuple[str, str]) -> str:
-    unit, system = key
-    size = {"metric": "millimetres", "imperial": "fractions of inches"}[system]
-    return (
-        size
-        if (unit, system) in (("mm", "metric"), ("in", "imperial"))
-        else (f"{size} written as {NAMES[unit]}")
-    )
+def _drawn_in(key: tuple[str, str]) -> Message:
+    """Return the message that names the measures of a part.
+
+    ``key`` is the unit of the part and its system of measures, "metric" or "imperial".
+    """
+    match key:
+        case ("mm", "metric"):
+            return Message("unit.drawn-in-millimetres")
+        case ("in", "imperial"):
+            return Message("unit.drawn-in-inches")
+        case (unit, "metric"):
+            return Message("unit.drawn-in-metric", unit=unit)
+        case (unit, _):
+            return Message("unit.drawn-in-imperial", unit=unit)
 
 
 @kernel
 def _component_roots(node: OutI64_1, count: int) -> Any:
-    """Return the root of each of ``count`` nodes; edge i joins nodes 2 i and 2 i + 1."""
+    """Return the union-find root of each of ``count`` nodes, shape (count,).
+
+    Edge i joins the nodes ``node[2 i]`` and ``node[2 i + 1]``.
+    """
     root = np.arange(count)
     for edge in range(len(node) // 2):
         union(root, node[2 * edge], node[2 * edge + 1])

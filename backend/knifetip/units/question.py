@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from knifetip.messages import Message, from_json
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.question import Question
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitFinding
 
-#: Points and pixels are offered only among the likeliest units, this many.
+#: Points and pixels are offered only if they are among this number of likeliest units.
 _OFFERED: Final = 2
 #: Evidence with less weight is not shown.
 _LEAST_WEIGHT: Final = 1.0
@@ -21,7 +21,7 @@ _SHOWN: Final = 2
 
 
 def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return the question about the unit, None if the unit is known."""
+    """Return the question about the unit of a drawing; None if the unit is known."""
     if drawing.unit:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds
@@ -43,7 +43,7 @@ def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
         for unit in choices
     ]
     heaviest = [
-        from_json(one.text)
+        one.message
         for one in finding.evidence
         if one.unit == choices[0] and one.weight >= _LEAST_WEIGHT and one.kind in ("grid", "words")
     ][:_SHOWN]
@@ -58,7 +58,7 @@ def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
 
 
 def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
-    """Return the reason why the unit is not known."""
+    """Return the message that explains why the unit of a drawing is not known."""
     if drawing.stated == finding.ranking[0]:
         return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])
     if drawing.stated:

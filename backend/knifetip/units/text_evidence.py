@@ -19,8 +19,9 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import F64, Bool
+from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, Drawing
-from knifetip.model.unit import DRAWN_IN, MILLIMETRES, NAMES, UnitEvidence, factor
+from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitEvidence, factor
 from knifetip.units import weights
 from knifetip.units.lengths import Lengths, evidence_of_units
 from knifetip.units.written_lengths import (
@@ -33,11 +34,13 @@ from knifetip.units.written_lengths import (
 #: Largest number of texts and of written lengths that are used.
 _TEXTS: Final = 1000
 _NUMBERS: Final = 60
-#: A number matches a length that differs by less than this share.
+#: Largest number of matching numbers in a message.
+_SHOWN: Final = 4
+#: A number equals a length if their relative difference is smaller.
 _TOLERANCE: Final = 3e-4
 #: Scales at which a number matches a length by chance only.
 _CHANCE_SCALES: Final = np.exp(np.linspace(-3.7, 3.7, 89)) * 1.0137
-#: File units per written number, by the unit of the file and the unit of the number.
+#: File units per unit of a written number, by the unit of the file and the unit of the number.
 _RATIO_OF: Final = {
     (unit, written): MILLIMETRES[written] / MILLIMETRES[unit]
     for unit in MILLIMETRES
@@ -57,22 +60,24 @@ _UNIT_OF_SIGN: Final = {'"': "in", "inch": "in", "inches": "in", "'": "ft"}
 
 @dataclass(frozen=True, slots=True)
 class TextEvidence:
-    """Evidence and warnings from the texts of a drawing."""
+    """Evidence for the unit, and warnings, from the texts of a drawing."""
 
     evidence: tuple[UnitEvidence, ...]
-    warnings: tuple[str, ...]
+    warnings: tuple[Message, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A number in a text, and the measure of its dimension."""
+    """A number in a text, and the measured length if the text belongs to a dimension."""
 
     written: WrittenLength
-    measure: float  #: of the dimension that has this text, in file units; NaN for other texts
+    measure: (
+        float  #: length that the dimension measures, in file units; NaN if the text is no dimension
+    )
 
 
 def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
-    """Return evidence for the unit from the texts of a drawing."""
+    """Return the evidence for the unit, and warnings, from the texts of a drawing."""
     scale = factor(drawing.unit)
     numbers: dict[tuple[float, str, float], _Number] = {}
     statements: dict[str, str] = {}
@@ -88,7 +93,9 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
             if len(numbers) < _NUMBERS:
                 numbers.setdefault(key, number)
     evidence = [
-        UnitEvidence(unit, f"a text reads {_quoted(line)}", weights.STATEMENT, "words")
+        UnitEvidence(
+            unit, Message("unit.text-states", text=_shortened(line)), weights.STATEMENT, "words"
+        )
         for unit, line in statements.items()
     ]
     if numbers:
@@ -96,12 +103,15 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
     warnings = _dimension_scale_warnings(list(numbers.values()))
     other = [f"{one}:{two}" for one, two in mentioned if one != two]
     if other:
-        warnings.append(f"The sheet mentions the scale {', '.join(other[:3])}.")
+        warnings.append(Message("unit.scale-mentioned", scales=other[:3]))
     return TextEvidence(tuple(evidence), tuple(warnings))
 
 
 def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
-    """Yield the numbers in a text; ``scale`` is mm per file unit."""
+    """Yield the lengths that are written in a text.
+
+    ``scale`` is the number of millimetres in one file unit.
+    """
     measure = text.measure / scale
     if measured := _MEASURED.search(text.text):
         unit = measured["unit"].lower()
@@ -118,12 +128,14 @@ def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
 def _number_evidence(
     numbers: Sequence[_Number], found: Lengths, stated: Sequence[str]
 ) -> list[UnitEvidence]:
-    """Return evidence from numbers that are lengths of the drawing.
+    """Return the evidence for each unit from numbers that equal lengths of the drawing.
 
     Parameters
     ----------
+    found
+        Lengths of the edges of the drawing.
     stated
-        Units that texts state for all dimensions.
+        Units that texts on the sheet state for all dimensions.
     """
     gain, hits = _match(numbers, found)
     matched = np.any(hits, axis=1)
@@ -135,9 +147,10 @@ def _number_evidence(
     bare = np.array([not one.unit for one in written])
     share_of = dict(weights.BARE)
     if stated:
-        # A stated unit is that of the numbers without one.
+        # Numbers without a unit have the unit that a text states for all dimensions.
         share_of = {unit: 0.97 if unit in stated else 0.01 for unit in share_of}
-    weight, text = {}, {}
+    weight: dict[str, float] = {}
+    message: dict[str, Message] = {}
     for unit in MILLIMETRES:
         with_unit = sum(
             float(gain[row, _COLUMN[unit, one.unit]]) for row, one in enumerate(written) if one.unit
@@ -151,27 +164,41 @@ def _number_evidence(
         if bare.any():
             weight[unit] += float(np.logaddexp.reduce(list(parts.values())))
         matches = [
-            f"{one.text}{'' if one.unit else f' ({NAMES[likely]})'}"
+            Message("unit.number", text=one.text)
+            if one.unit
+            else Message("unit.number-in", text=one.text, unit=likely)
             for row, one in enumerate(written)
             if hits[row, _COLUMN[unit, one.unit or likely]]
         ]
-        listed = ", ".join(matches[:4]) + (" …" if matches[4:] else "")
-        text[unit] = (
-            f"in {NAMES[unit]} {len(matches)} of {len(written)} numbers on the sheet are lengths "
-            f"of the drawing{f': {listed}' if listed else ''}"
-        )
-    return evidence_of_units("words", weight, text)
+        message[unit] = _match_message(unit, matches, len(written))
+    return evidence_of_units("words", weight, message)
+
+
+def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message:
+    """Return the message with the numbers that equal lengths of the drawing if it is in a unit.
+
+    Parameters
+    ----------
+    matches
+        One message per number that equals a length.
+    count
+        Number of all numbers on the sheet.
+    """
+    if not matches:
+        return Message("unit.no-number-matches", unit=unit, all=count)
+    code = "unit.numbers-match-often" if len(matches) > _SHOWN else "unit.numbers-match"
+    return Message(code, unit=unit, count=len(matches), all=count, numbers=matches[:_SHOWN])
 
 
 def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
-    """Compare n numbers with the lengths of the drawing at each ratio of units.
+    """Compare n numbers with the lengths of the drawing, at each ratio of two units.
 
     Returns
     -------
     gain : (n, ratios)
-        Log of the likelihood of the result relative to that of a chance match.
+        Log-likelihood of the match, or of its absence, relative to a chance match.
     hits : (n, ratios)
-        Whether the number matches a length.
+        Whether the number equals a length.
     """
     sides = np.append(found.value, [found.width, found.height])
     gain = np.zeros((len(numbers), len(_RATIOS)))
@@ -192,17 +219,27 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
 
 
 def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) -> Bool:
-    """Return at which ratios a number equals a length, within the precision of both."""
+    """Return at which ratios of units a written length equals a length of the drawing, (ratios,).
+
+    Parameters
+    ----------
+    ratios
+        File units per unit of the written length.
+    against
+        Lengths in file units.
+    exact
+        Precision of these lengths (file units).
+    """
     value = written.value * ratios
     near = np.maximum(np.maximum(exact, written.half * ratios), _TOLERANCE * value)
-    # Numbers with few digits match many lengths: half a millimetre in five is not a match.
+    # Numbers with few digits equal many lengths, so the tolerance is limited to 1 %.
     near = np.minimum(near, 0.01 * value)
     matched: Bool = np.any(np.abs(against[:, None] - value) <= near, axis=0)
     return matched
 
 
-def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[str]:
-    """Return a warning if dimensions imply more than one drawing scale."""
+def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[Message]:
+    """Return a warning if the dimensions imply more than one drawing scale, else an empty list."""
     ratio = np.array(
         [
             number.written.value * MILLIMETRES[number.written.unit or "mm"] / number.measure
@@ -218,12 +255,13 @@ def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[str]:
     if len(groups) < 2:
         return []
     times = float(np.median(groups[1]) / np.median(groups[0]))
-    larger = f"{times:.3g} times smaller" if times > 1.0 else f"{1.0 / times:.3g} times larger"
-    return [
-        f"Dimensions have different scales: {len(groups[1])} of them are drawn {larger} than "
-        f"{len(groups[0])} others."
-    ]
+    code, times = (
+        ("unit.dimensions-smaller", times)
+        if times > 1.0
+        else ("unit.dimensions-larger", 1.0 / times)
+    )
+    return [Message(code, count=len(groups[1]), others=len(groups[0]), factor=times)]
 
 
-def _quoted(text: str) -> str:
-    return f"“{text[:60].strip()}{'…' if len(text) > 60 else ''}”"
+def _shortened(text: str) -> str:
+    return f"{text[:60].strip()}{'…' if len(text) > 60 else ''}"

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-#: Share of carton drawings in each unit, by the unit that the header states ("" for none).
+#: Fraction of carton drawings in each unit, by the unit that the header states ("" for none).
 STATED: Final[Mapping[str, Mapping[str, float]]] = {
     # Most countries draw cartons in mm, some in inches; points and pixels come from conversion.
     "": {"mm": 0.80, "cm": 0.04, "m": 0.01, "in": 0.10, "ft": 0.002, "pt": 0.024, "px": 0.024},
@@ -72,7 +72,7 @@ FEATURE_EDGES: Final = 8
 THIN_EDGES: Final = 8
 THIN_SIZE: Final = (2.0, 6000.0)
 
-#: Share of lengths in a metric design that are multiples of a grid (mm) but of no coarser one.
+#: Fraction of lengths in a metric design that are multiples of a grid (mm) but of no coarser grid.
 METRIC: Final[Mapping[float, float]] = {
     100.0: 0.01,
     50.0: 0.02,
@@ -84,7 +84,7 @@ METRIC: Final[Mapping[float, float]] = {
     0.1: 0.10,
     0.05: 0.02,
 }
-#: The same for a design in inches: halves to 64ths, and decimals.
+#: Fraction of lengths in an inch design that are multiples of a grid (mm) but of no coarser grid.
 IMPERIAL: Final[Mapping[float, float]] = {
     25.4 * 4.0: 0.01,
     25.4: 0.11,
@@ -97,10 +97,10 @@ IMPERIAL: Final[Mapping[float, float]] = {
     2.54: 0.03,
     1.27: 0.03,
 }
-#: Share of lengths that are multiples of no grid, such as diagonals and calculated lengths: few,
+#: Fraction of lengths that are multiples of no grid, such as diagonals and calculated lengths: few,
 #: some or most, each equally likely.
 OFF_GRID: Final = (0.1, 0.4, 0.75)
-#: Share of the drawings in this unit that are metric designs.
+#: Fraction of the drawings in each unit that are metric designs.
 DESIGNED_METRIC: Final[Mapping[str, float]] = {
     "mm": 0.92,
     "cm": 0.98,
@@ -151,9 +151,9 @@ HINTS: Final[Mapping[str, tuple[tuple[str, ...], float]]] = {
     "points": (("pt",), 3.0),
 }
 
-#: The unit that the header states is kept if it leads by this: a hundred to one.
+#: The unit that the header states is kept if its weight is greater by this: a hundred to one.
 STATED_MARGIN: Final = 4.6
-#: If the header states no unit, the likeliest is chosen if it leads by this: 3,000 to one.
+#: Without a stated unit, the likeliest is chosen if its weight is greater by this: 3,000 to one.
 DECISION_MARGIN: Final = 8.0
-#: Another unit than the stated one is chosen if it leads by this: 8,000 to one.
+#: A unit that is not stated is chosen if its weight is greater by this: 8,000 to one.
 OVERRULE_MARGIN: Final = 9.0

@@ -83,14 +83,14 @@ _STATEMENT: Final = re.compile(
 class WrittenLength:
     """A length in a text."""
 
-    text: str  #: as written
+    text: str  #: the length with its unit, as written
     value: float
-    unit: str  #: empty if none is written
-    half: float  #: half of the last written decimal place
+    unit: str  #: unit that is written, empty for none
+    half: float  #: half of the last written decimal place, the precision of the value
 
 
 def written_lengths(text: str) -> list[WrittenLength]:
-    """Return the lengths in a text, in order."""
+    """Return the lengths that are written in a text, in the order of the text."""
     for sign, fraction in _FRACTION_SIGNS.items():
         text = text.replace(sign, fraction)
     text = _SCALE.sub(" ", text)
@@ -140,7 +140,7 @@ def stated_unit(text: str) -> str:
 
 
 def written_scales(text: str) -> list[tuple[int, int]]:
-    """Return the scales in a text, such as 1:10."""
+    """Return the drawing scales that are written in a text: (1, 10) for "1:10"."""
     return [
         (int(one), int(other))
         for one, other in _SCALE.findall(text)

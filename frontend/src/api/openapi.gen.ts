@@ -2064,8 +2064,8 @@ export interface components {
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** Words */
-            words: string;
+            /** @description Conditions that an edge must fulfil */
+            conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
              * @default []
@@ -2322,8 +2322,8 @@ export interface components {
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** Words */
-            words: string;
+            /** @description Conditions that an edge must fulfil */
+            conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
              * @default []
@@ -2438,13 +2438,29 @@ export interface components {
          * @description One observation that supports a unit for the drawing.
          */
         UnitEvidenceOut: {
+            code: components["schemas"]["MessageCode"];
+            /**
+             * Arguments
+             * @description Arguments of the code; their types are in the schema Message
+             */
+            arguments: {
+                [key: string]: unknown;
+            };
+            /**
+             * Text
+             * @description What is reported, in English
+             */
+            text: string;
+            /**
+             * Hint
+             * @description What the user can do, in English; empty if there is nothing to do
+             */
+            hint: string;
             /**
              * Unit
              * @enum {string}
              */
             unit: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px";
-            /** Text */
-            text: string;
             /**
              * Weight
              * @description Logarithm of the likelihood ratio to the least likely unit
@@ -2475,7 +2491,7 @@ export interface components {
              * Warnings
              * @description Contradictions that the user should check
              */
-            warnings: string[];
+            warnings: components["schemas"]["MessageOut"][];
         };
         /**
          * UnreachedOut
@@ -2719,7 +2735,7 @@ export interface components {
             revision: number | null;
         };
         /** @enum {string} */
-        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "board.named" | "board.not-in-library" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.deleted" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.invalid" | "field.missing" | "field.misspelt" | "field.unknown" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unreadable-line" | "import.unreadable-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.no-header" | "pdf.no-page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.given" | "unit.header" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.in-file" | "unit.inconclusive" | "unit.not-given" | "unit.overruled" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout";
+        MessageCode: "advice.compiling" | "advice.ended" | "advice.interrupted" | "advice.of-reason" | "advice.queued" | "advice.ready" | "advice.running" | "board.named" | "board.not-in-library" | "bridges.no-room" | "calibration.bad-points" | "calibration.choose-cutter" | "calibration.missing-column" | "calibration.not-a-number" | "calibration.not-csv" | "calibration.undetermined" | "calibration.wrong-sign" | "cf2.cut-short" | "cf2.decimal-commas" | "cf2.empty" | "cf2.main" | "cf2.section" | "cf2.subroutine" | "classification.around" | "classification.arrow" | "classification.as-its-style" | "classification.bleed" | "classification.board-ends" | "classification.closes-nothing" | "classification.contradicted" | "classification.convention" | "classification.cuts-panel-off" | "classification.dashed" | "classification.divider" | "classification.divides-panels" | "classification.frame" | "classification.free" | "classification.hole" | "classification.inner" | "classification.layer-denies" | "classification.layer-name" | "classification.legend" | "classification.letter" | "classification.like-outline" | "classification.like-outline-not-folds" | "classification.linetype-name" | "classification.mark" | "classification.mirror-cut" | "classification.mirror-folded" | "classification.mixed" | "classification.named" | "classification.no-rule" | "classification.no-rule-but-shape" | "classification.none-closes" | "classification.not-made" | "classification.on-cut" | "classification.open" | "classification.other-style-closes" | "classification.outline" | "classification.override" | "classification.paired" | "classification.panel-hangs" | "classification.panels-hang" | "classification.role-against" | "classification.rule" | "classification.shape" | "classification.slit" | "classification.slot" | "classification.speck" | "classification.stray" | "classification.swapped" | "classification.swapped-both" | "classification.swapped-like" | "classification.table" | "classification.unknown" | "classification.votes" | "classification.with-text" | "cleaning.as-drawn" | "cleaning.dropped-speck" | "cleaning.end-moved" | "cleaning.fitted" | "cleaning.fitted-edge" | "cleaning.ignored" | "cleaning.joined" | "cleaning.joined-edge" | "cleaning.kept" | "cleaning.kept-changed" | "cleaning.length-on-others" | "cleaning.longer" | "cleaning.moved" | "cleaning.no-work" | "cleaning.on-edge" | "cleaning.part-dropped" | "cleaning.shortened" | "cleaning.speck" | "cleaning.twice" | "cleaning.unclassified" | "command.bad-corner" | "command.bad-layer" | "command.bad-line-type" | "command.file-too-large" | "command.no-such-layer" | "command.unreadable-file" | "command.unwritable-file" | "controller.alarm" | "controller.alarm-code" | "controller.alarm-state" | "controller.alarm-unknown" | "controller.answer-lost" | "controller.bad-address" | "controller.busy" | "controller.check-end-not-confirmed" | "controller.closed" | "controller.connection-failed" | "controller.due" | "controller.lift-not-finished" | "controller.locked" | "controller.locked-by-alarm" | "controller.lost" | "controller.lost-in-buffer" | "controller.not-in-laser-mode" | "controller.not-ready" | "controller.not-recovered" | "controller.not-secured" | "controller.not-stopped" | "controller.off-path" | "controller.refused-safe-state" | "controller.rejected-command" | "controller.rejected-in-check" | "controller.rejected-line" | "controller.reports-alarm" | "controller.reset" | "controller.reset-not-confirmed" | "controller.silent" | "controller.stopped" | "controller.unexpected-answer" | "controller.unreachable" | "controller.was-reset" | "corner.at" | "corner.bad-interference" | "corner.bad-k" | "corner.bad-k-at" | "corner.bad-place" | "corner.bad-share" | "corner.inside" | "corner.no-contour" | "corner.no-cutter" | "corner.not-found" | "corner.unknown-number" | "corner.unknown-type" | "corner.unknown-type-at" | "crease.tight-bend" | "crease.too-short" | "curve.bad-ellipse" | "curve.bad-spline" | "curve.bad-tolerance" | "curve.not-finite" | "curve.not-fitted" | "curve.parameters" | "curve.too-many-pieces" | "curve.too-many-spans" | "cut.too-many-crossings" | "cut.too-short" | "cutter.does-not-fit" | "cutter.misses-bridge" | "cutter.short-lead" | "database.bad-url" | "database.in-memory" | "deflection.arc-too-small" | "deflection.path-too-short" | "drawing.changing" | "drawing.deleted" | "drawing.in-use" | "drawing.larger-than-table" | "drawing.open-questions" | "drawing.read" | "drawing.reinterpreted" | "drawing.stale" | "drawing.types-set" | "drawing.unit-for-cleaning" | "drawing.unit-unknown" | "drawing.unknown" | "drawing.upload-too-large" | "dxf.at-line" | "dxf.blocks-expand-too-far" | "dxf.blocks-too-deep" | "dxf.cut-short" | "dxf.no-section" | "dxf.not-a-group-code" | "dxf.other-kind" | "dxf.too-large-unusual" | "dxf.without-end-mark" | "edge.no-length" | "edge.not-finite" | "edge.place" | "edge.too-crowded" | "edge.too-far" | "edge.too-many-overlaps" | "error.at-edge" | "error.at-edges" | "error.in-file" | "field.above" | "field.below" | "field.blank" | "field.inconsistent" | "field.missing" | "field.misspelt" | "field.no-kind" | "field.not-a-colour" | "field.not-a-line-type" | "field.not-a-list" | "field.not-a-number" | "field.not-a-profile" | "field.not-a-table" | "field.not-above" | "field.not-above-low" | "field.not-allowed" | "field.not-below" | "field.not-boolean" | "field.not-less-than-caliper" | "field.not-one-of" | "field.not-text" | "field.not-whole" | "field.other" | "field.repeated-numbers" | "field.spacing" | "field.too-few" | "field.too-long" | "field.too-many" | "field.too-many-passes" | "field.unknown" | "field.unknown-kind" | "finding.at-edge" | "finding.at-edge-and-line" | "finding.at-line" | "finding.more" | "gateway.cancelled" | "gateway.controller-not-idle" | "gateway.job-withdrawn" | "gateway.job-withdrawn-before-start" | "gateway.no-reason" | "gateway.switched-off" | "gateway.switched-off-before-report" | "gateway.switched-off-in-run" | "gateway.system-error" | "grbl.alarm-1" | "grbl.alarm-10" | "grbl.alarm-11" | "grbl.alarm-12" | "grbl.alarm-14" | "grbl.alarm-17" | "grbl.alarm-2" | "grbl.alarm-3" | "grbl.alarm-4" | "grbl.alarm-5" | "grbl.alarm-6" | "grbl.alarm-7" | "grbl.alarm-8" | "grbl.alarm-9" | "grbl.error-1" | "grbl.error-10" | "grbl.error-11" | "grbl.error-12" | "grbl.error-13" | "grbl.error-14" | "grbl.error-15" | "grbl.error-16" | "grbl.error-17" | "grbl.error-18" | "grbl.error-2" | "grbl.error-20" | "grbl.error-21" | "grbl.error-22" | "grbl.error-23" | "grbl.error-24" | "grbl.error-25" | "grbl.error-26" | "grbl.error-27" | "grbl.error-28" | "grbl.error-29" | "grbl.error-3" | "grbl.error-30" | "grbl.error-31" | "grbl.error-32" | "grbl.error-33" | "grbl.error-34" | "grbl.error-35" | "grbl.error-36" | "grbl.error-37" | "grbl.error-38" | "grbl.error-39" | "grbl.error-4" | "grbl.error-5" | "grbl.error-6" | "grbl.error-60" | "grbl.error-7" | "grbl.error-79" | "grbl.error-8" | "grbl.error-9" | "grbl.unknown-alarm" | "grbl.unknown-error" | "groove.along-edge" | "groove.curved" | "groove.overcut" | "groove.runs-out" | "groove.through-cut" | "groove.through-cut-at-it" | "groove.tight-bend" | "groove.too-deep" | "groove.too-short" | "hpgl.bad-byte" | "hpgl.bad-feed" | "hpgl.bad-number" | "hpgl.depth-change" | "hpgl.ends-down" | "hpgl.ends-with-pen" | "hpgl.force-out-of-range" | "hpgl.initialised-again" | "hpgl.lone-letter" | "hpgl.loose-number" | "hpgl.moves-before-pa" | "hpgl.needs-no-number" | "hpgl.needs-one-number" | "hpgl.never-down" | "hpgl.no-approach" | "hpgl.no-device" | "hpgl.no-force-setting" | "hpgl.no-instruction" | "hpgl.no-pen" | "hpgl.no-pen-selected" | "hpgl.no-speed" | "hpgl.no-speed-setting" | "hpgl.no-terminator" | "hpgl.not-initialised" | "hpgl.outside-area" | "hpgl.plunge-without-move" | "hpgl.press" | "hpgl.selects-while-down" | "hpgl.slanted-plunge" | "hpgl.speed-out-of-range" | "hpgl.swivel" | "hpgl.turn-in-board" | "hpgl.unknown-instruction" | "hpgl.unknown-pen" | "hpgl.wrong-force" | "hpgl.x-without-y" | "import.angles-not-numbers" | "import.annotations" | "import.area-outline" | "import.area-outline-on-page" | "import.array" | "import.bad-operands" | "import.bad-path-data" | "import.bad-place" | "import.bad-points" | "import.bad-radius" | "import.bad-size" | "import.bad-transform" | "import.bad-value" | "import.bad-window" | "import.block-external" | "import.block-in-itself" | "import.block-missing" | "import.bridge" | "import.bridges" | "import.clip-path" | "import.contains-itself" | "import.coordinate-not-a-number" | "import.curves-fitted" | "import.curves-fitted-relative" | "import.damaged" | "import.damaged-or-frame" | "import.dimension" | "import.drawn-twice" | "import.drawn-twice-often" | "import.empty-path" | "import.end-mark" | "import.endless-line" | "import.extrusion-not-a-number" | "import.few-vertices" | "import.filled-area" | "import.filled-area-beside-strokes" | "import.filled-area-on-page" | "import.fit-points" | "import.font-shape" | "import.height-not-a-number" | "import.height-too-far" | "import.hidden" | "import.hidden-layer" | "import.image" | "import.incomplete" | "import.interrupted-path" | "import.invisible" | "import.kept" | "import.kept-changed" | "import.laid-flat" | "import.layer-frozen" | "import.layer-not-plotted" | "import.layer-off" | "import.light" | "import.line-not-numbers" | "import.lone-vertex" | "import.mesh" | "import.missing-id" | "import.missing-subroutine" | "import.multiple-line" | "import.no-length" | "import.no-major-axis" | "import.no-paint" | "import.no-parameter-range" | "import.no-points" | "import.no-scale" | "import.no-size" | "import.no-sweep" | "import.not-a-line" | "import.not-clipped" | "import.not-flat" | "import.not-numbers" | "import.not-svg" | "import.not-visible" | "import.nothing-named" | "import.on-layer" | "import.other-file" | "import.other-pages" | "import.outside-page" | "import.page-ends-early" | "import.paper-space" | "import.parameters-not-numbers" | "import.partly-outside-page" | "import.picture" | "import.picture-block" | "import.pieces-drawn-twice" | "import.pieces-drawn-twice-often" | "import.pieces-no-length" | "import.place-not-a-number" | "import.placement-not-a-number" | "import.places-block" | "import.places-subroutine" | "import.point" | "import.proxy" | "import.region" | "import.repeated" | "import.rules-not-read" | "import.script" | "import.shading" | "import.short-path-data" | "import.solid" | "import.spot-colour" | "import.subroutine-in-itself" | "import.text" | "import.text-unknown-letters" | "import.tilted" | "import.tilted-axis" | "import.too-far" | "import.too-many-fit-points" | "import.uncentred-arc" | "import.underlay" | "import.uneven-height" | "import.unknown-operator" | "import.unknown-record" | "import.unsupported-element" | "import.unused-block" | "import.unused-subroutine" | "import.value-angle" | "import.value-not-numbers" | "import.value-not-transform" | "import.value-transform-numbers" | "import.value-unit" | "import.viewport" | "import.wrong-field-count" | "input.not-finite" | "job.action-requested" | "job.at-line" | "job.awaits-kernels" | "job.being-cancelled" | "job.cancelled" | "job.cancelled-before-request" | "job.claim-returned" | "job.claimed" | "job.claimed-to-confirm" | "job.compile-cancelled" | "job.compile-crashed" | "job.compile-started" | "job.compiles-died" | "job.confirmed-sheet" | "job.confirmed-table" | "job.copy-done" | "job.copy-done-next-sheet" | "job.declared-finished" | "job.executed" | "job.fully-executed" | "job.gateway-fell-silent" | "job.gateway-lost" | "job.gateway-silent" | "job.held-before-start" | "job.interrupted" | "job.interrupted-at-end" | "job.interrupted-between-copies" | "job.late-report" | "job.no-confirmation-awaited" | "job.no-sheet-awaited" | "job.no-work" | "job.not-confirmed" | "job.not-running" | "job.not-taken" | "job.nothing-sent" | "job.nothing-to-confirm" | "job.of-copy" | "job.ordered" | "job.other-board" | "job.program-refused" | "job.released" | "job.released-by-order" | "job.requeued" | "job.scrapped" | "job.stale-epoch" | "job.started" | "job.started-unconfirmed" | "job.unknown" | "job.verified" | "job.worker-silent" | "job.wrong-state" | "job.wrong-state-for-request" | "language.bad-entry-point" | "language.no-driver" | "language.unknown" | "language.unusable" | "layer.not-finite" | "library.invalid" | "library.unknown" | "library.unknown-file" | "library.unreadable" | "machine.busy" | "machine.busy-with-another" | "machine.no-cutter" | "machine.no-such-cutter" | "milling.shared-edge" | "offset.bad-distance" | "offset.bad-interference" | "offset.bad-side" | "offset.dead-end" | "offset.interference" | "offset.mixed-group" | "offset.self-contact" | "override.ambiguous" | "override.no-edges-there" | "override.no-such-edge" | "override.no-such-handle" | "override.of-colour" | "override.on-layer" | "pdf.blank" | "pdf.content-damaged" | "pdf.cut-short" | "pdf.encrypted" | "pdf.expands-too-far" | "pdf.form" | "pdf.form-named" | "pdf.illustrator-only" | "pdf.layers-too-deep" | "pdf.nested-arrays" | "pdf.no-header" | "pdf.no-page" | "pdf.open-array" | "pdf.open-image" | "pdf.open-text" | "pdf.page" | "pdf.page-too-large" | "pdf.part-missing" | "pdf.stream-cut-short" | "pdf.stream-damaged" | "pdf.stream-too-large" | "pdf.too-many-states" | "profile.bad-if-match" | "profile.bad-name" | "profile.exists" | "profile.invalid-field" | "profile.nested-too-deep" | "profile.not-an-extension" | "profile.not-kept" | "profile.not-toml" | "profile.not-utf8" | "profile.not-utf8-byte" | "profile.shipped" | "profile.shipped-command" | "profile.stale" | "profile.too-long" | "profile.too-many" | "program.bad-tolerance" | "program.control-byte" | "program.line-too-long" | "program.line-too-long-to-send" | "program.no-placement" | "program.not-bytes" | "program.not-fetched" | "program.too-large" | "program.too-many-lines" | "program.too-many-moves" | "program.wrong-checksum" | "question.guess" | "question.line-type" | "question.shape" | "question.tool" | "question.unit" | "question.unit-contradicted" | "question.unit-doubtful" | "question.unit-evidence" | "question.unit-not-stated" | "question.unit-size" | "question.unit-unreadable" | "reading.crashed" | "reading.damaged" | "reading.empty" | "reading.expands-too-far" | "reading.nested-too-deep" | "reading.too-large" | "reading.too-many-elements" | "reading.too-many-entities" | "reading.too-many-segments" | "reading.too-slow" | "reading.truncated" | "reading.unexpected" | "reading.unknown-kind" | "request.body-too-large" | "request.foreign-origin" | "request.foreign-page" | "request.html-form" | "request.invalid" | "request.key-needed" | "request.key-reused" | "request.local-only" | "request.no-host" | "request.not-marked" | "request.not-storable" | "request.nothing-there" | "request.refused" | "request.upload-too-large" | "request.wrong-host" | "request.wrong-key" | "request.wrong-method" | "rs274.after-end" | "rs274.axis-without-motion" | "rs274.bad-arc" | "rs274.bad-character" | "rs274.bad-feed" | "rs274.bad-line-number" | "rs274.centre-without-arc" | "rs274.change-without-station" | "rs274.control-byte" | "rs274.ends-lowered" | "rs274.ends-oscillating" | "rs274.ends-output-on" | "rs274.ends-with-offset" | "rs274.g64-unsupported" | "rs274.incomplete-arc" | "rs274.letter-without-number" | "rs274.line-too-long" | "rs274.missing-p" | "rs274.mode-g17" | "rs274.mode-g21" | "rs274.mode-g40" | "rs274.mode-g49" | "rs274.mode-g54" | "rs274.mode-g90" | "rs274.mode-g91-1" | "rs274.mode-g94" | "rs274.motion-without-axis" | "rs274.moves-and-switches" | "rs274.moves-unstated" | "rs274.nested-comment" | "rs274.no-end" | "rs274.no-feed" | "rs274.not-settled" | "rs274.number-too-large" | "rs274.offset-without-station" | "rs274.open-comment" | "rs274.repeated-word" | "rs274.speed-without-m3" | "rs274.stray-p" | "rs274.stray-q" | "rs274.timed-without-f" | "rs274.too-many-digits" | "rs274.unbounded-rounding" | "rs274.unknown-letter" | "rs274.unknown-output" | "rs274.unknown-station" | "rs274.unknown-word" | "rs274.wrong-dwell" | "rs274.wrong-speed" | "rule.block" | "rule.colour" | "rule.conditions" | "rule.entity" | "rule.everything" | "rule.layer" | "rule.linetype" | "run.executed" | "run.in-buffer" | "run.nothing-sent" | "segment.not-finite" | "server.address-in-use" | "server.answered" | "server.busy" | "server.database-silent" | "server.internal-error" | "server.not-started" | "server.stopping" | "server.unreachable" | "settings.bad-host" | "settings.bad-key" | "settings.key-file" | "settings.two-keys" | "store.no-column" | "store.unknown" | "stored.text" | "svg.cut-short" | "svg.damaged-at" | "svg.empty" | "svg.external-entity" | "svg.long-entity" | "svg.markup-entity" | "svg.nested-too-deep" | "svg.other-xml" | "svg.packed-cut-short" | "svg.packed-damaged" | "svg.too-many-rules" | "svg.unpacks-too-far" | "tool.bad-radius" | "tool.cannot-work" | "tool.missing" | "tool.short-lead" | "tool.tilted" | "tool.without-power" | "tool.without-speed" | "toolpath.arc-too-long" | "toolpath.empty" | "toolpath.feed-too-fast" | "toolpath.no-approach" | "toolpath.no-feed" | "toolpath.not-finite" | "toolpath.rapid-arc" | "toolpath.row" | "toolpath.row-of-edge" | "toolpath.swivel-without-turn" | "toolpath.too-far" | "toolpath.unknown-motion" | "toolpath.unknown-station" | "track.too-flat" | "travel.above" | "travel.below" | "unit.cf2-inches" | "unit.cf2-millimetres" | "unit.cf2-none" | "unit.cf2-scale-applied" | "unit.cf2-scale-invalid" | "unit.cf2-scale-not-applied" | "unit.cf2-scale-undecided" | "unit.cf2-scaled" | "unit.dimensions-larger" | "unit.dimensions-smaller" | "unit.drawn-in-imperial" | "unit.drawn-in-inches" | "unit.drawn-in-metric" | "unit.drawn-in-millimetres" | "unit.given" | "unit.header" | "unit.header-decimal-inches" | "unit.header-factor" | "unit.header-fractions" | "unit.header-imperial" | "unit.header-metric" | "unit.header-missing" | "unit.header-not-a-number" | "unit.header-undefined" | "unit.header-unitless" | "unit.header-unsupported" | "unit.imprecise" | "unit.inconclusive" | "unit.multiples" | "unit.no-number-matches" | "unit.not-given" | "unit.number" | "unit.number-in" | "unit.numbers-match" | "unit.numbers-match-often" | "unit.overruled" | "unit.page-in-pixels" | "unit.page-in-points" | "unit.paper-size" | "unit.part-drawn-twice" | "unit.parts-differ" | "unit.pdf" | "unit.pdf-scaled" | "unit.read-against-evidence" | "unit.read-against-header" | "unit.scale-mentioned" | "unit.share-stated" | "unit.share-unstated" | "unit.shortest-edges" | "unit.size-unusual" | "unit.size-usual" | "unit.svg-no-size" | "unit.svg-no-unit" | "unit.svg-pixel" | "unit.svg-pixel-illustrator" | "unit.svg-size" | "unit.svg-size-in-pixels" | "unit.text-states" | "unit.unsupported" | "verify.bad-tolerance" | "verify.beam-on-rapid" | "verify.beam-refocused" | "verify.beside-line" | "verify.beyond-rotation" | "verify.beyond-travel" | "verify.bridge-near-corner" | "verify.bridge-spacing" | "verify.bridge-spare" | "verify.bridge-width" | "verify.centre-off-path" | "verify.cleaning-beyond" | "verify.cleaning-dropped" | "verify.cleaning-incomplete" | "verify.cleaning-invented" | "verify.cleaning-moved" | "verify.cleaning-type" | "verify.comes-out-anywhere" | "verify.comes-out-past" | "verify.comes-out-short" | "verify.crease-too-short" | "verify.cuts-part" | "verify.cutter-at-rest" | "verify.flank-inside" | "verify.flank-outside" | "verify.flank-through-cut" | "verify.goes-in-anywhere" | "verify.groove-arc" | "verify.groove-past-ends" | "verify.groove-shallower" | "verify.inside-part" | "verify.knife-at-rest" | "verify.laser-off" | "verify.loose-piece" | "verify.lowers-second" | "verify.moves-before-stated" | "verify.moves-with-beam" | "verify.never-stated" | "verify.no-station" | "verify.not-worked" | "verify.off-line" | "verify.oscillation-on" | "verify.other-placement" | "verify.output" | "verify.output-off" | "verify.pass-too-deep" | "verify.past-end" | "verify.past-open-cut" | "verify.past-stop" | "verify.perforation-cut" | "verify.perforation-gap" | "verify.rapid-in-board" | "verify.slanted" | "verify.spindle" | "verify.stray" | "verify.stray-along" | "verify.stray-plunge" | "verify.stray-plunge-along" | "verify.switches-at-unknown-height" | "verify.switches-low" | "verify.too-few-bridges" | "verify.turn-at-feed" | "verify.turn-in-board" | "verify.turn-off-path" | "verify.two-lowered" | "verify.unclassified" | "verify.unknown-position" | "verify.where-from-start" | "verify.where-past-end" | "verify.where-past-start" | "verify.work-creased" | "verify.work-cut" | "verify.work-grooved" | "verify.work-grooved-from-end" | "verify.work-grooved-from-start" | "verify.wrong-depth" | "verify.wrong-feed" | "verify.wrong-heading" | "verify.wrong-time" | "waiting.confirmed" | "waiting.for-gateway" | "waiting.for-machine" | "waiting.for-person" | "waiting.for-sheet" | "waiting.for-start" | "waiting.for-turn" | "waiting.taken" | "waiting.taken-interrupted" | "waiting.taken-unconfirmed" | "waiting.tool" | "waiting.tools" | "waiting.unconfirmed-run" | "worker.died" | "worker.memory" | "worker.timeout";
         /** @description A code with its arguments. */
         Message: {
             /** @constant */
@@ -2802,7 +2818,7 @@ export interface components {
             arguments: {
                 file: string;
                 line: number;
-                reason: string;
+                values: string[];
             };
         } | {
             /** @constant */
@@ -2833,7 +2849,7 @@ export interface components {
             code: "cf2.cut-short";
             arguments: {
                 line: number;
-                inside: string;
+                inside: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -2848,6 +2864,22 @@ export interface components {
             /** @constant */
             code: "cf2.empty";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cf2.main";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cf2.section";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "cf2.subroutine";
+            arguments: {
+                name: string;
+            };
         } | {
             /** @constant */
             code: "classification.around";
@@ -3044,7 +3076,7 @@ export interface components {
             code: "classification.rule";
             arguments: {
                 profile: string;
-                rule: string;
+                rule: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -3217,7 +3249,7 @@ export interface components {
             code: "command.bad-line-type";
             arguments: {
                 pair: string;
-                reason: string;
+                known: string[];
             };
         } | {
             /** @constant */
@@ -3794,6 +3826,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "dxf.at-line";
+            arguments: {
+                line: number;
+            };
+        } | {
+            /** @constant */
             code: "dxf.blocks-expand-too-far";
             arguments: {
                 count: string;
@@ -3810,7 +3848,7 @@ export interface components {
             /** @constant */
             code: "dxf.cut-short";
             arguments: {
-                where: string;
+                where: components["schemas"]["Message"];
                 section: string;
                 count: number;
             };
@@ -3838,6 +3876,10 @@ export interface components {
                 size: number;
                 limit: number;
             };
+        } | {
+            /** @constant */
+            code: "dxf.without-end-mark";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "edge.no-length";
@@ -3901,10 +3943,32 @@ export interface components {
             };
         } | {
             /** @constant */
-            code: "field.invalid";
+            code: "field.above";
             arguments: {
                 path: string;
-                fault: string;
+                value: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.below";
+            arguments: {
+                path: string;
+                value: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.blank";
+            arguments: {
+                path: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.inconsistent";
+            arguments: {
+                path: string;
+                fault: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -3921,9 +3985,189 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "field.no-kind";
+            arguments: {
+                path: string;
+                field: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-colour";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-line-type";
+            arguments: {
+                path: string;
+                value: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-list";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-number";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-profile";
+            arguments: {
+                path: string;
+                value: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "field.not-a-table";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-above";
+            arguments: {
+                path: string;
+                value: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-above-low";
+            arguments: {
+                path: string;
+                value: number;
+                low: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-allowed";
+            arguments: {
+                path: string;
+                value: string;
+                allowed: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-below";
+            arguments: {
+                path: string;
+                value: string;
+                limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-boolean";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-less-than-caliper";
+            arguments: {
+                path: string;
+                value: number;
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-one-of";
+            arguments: {
+                path: string;
+                value: string;
+                known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "field.not-text";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.not-whole";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.other";
+            arguments: {
+                path: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.repeated-numbers";
+            arguments: {
+                path: string;
+                numbers: string[];
+            };
+        } | {
+            /** @constant */
+            code: "field.spacing";
+            arguments: {
+                path: string;
+                value: number;
+                least: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.too-few";
+            arguments: {
+                path: string;
+                count: number;
+                least: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.too-long";
+            arguments: {
+                path: string;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.too-many";
+            arguments: {
+                path: string;
+                most: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.too-many-passes";
+            arguments: {
+                path: string;
+                value: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
             code: "field.unknown";
             arguments: {
                 path: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.unknown-kind";
+            arguments: {
+                path: string;
+                value: string;
+                known: string;
             };
         } | {
             /** @constant */
@@ -4520,7 +4764,7 @@ export interface components {
             /** @constant */
             code: "import.bad-place";
             arguments: {
-                reason: string;
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -4539,19 +4783,25 @@ export interface components {
             code: "import.bad-size";
             arguments: {
                 name: string;
-                reason: string;
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
             code: "import.bad-transform";
             arguments: {
-                reason: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "import.bad-value";
+            arguments: {
+                value: string;
             };
         } | {
             /** @constant */
             code: "import.bad-window";
             arguments: {
-                reason: string;
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -4752,6 +5002,13 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.line-not-numbers";
+            arguments: {
+                line: number;
+                values: string[];
+            };
+        } | {
+            /** @constant */
             code: "import.lone-vertex";
             arguments: Record<string, never>;
         } | {
@@ -4832,6 +5089,12 @@ export interface components {
             /** @constant */
             code: "import.not-flat";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.not-numbers";
+            arguments: {
+                values: string[];
+            };
         } | {
             /** @constant */
             code: "import.not-svg";
@@ -5055,19 +5318,6 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "import.unreadable-line";
-            arguments: {
-                line: number;
-                reason: string;
-            };
-        } | {
-            /** @constant */
-            code: "import.unreadable-record";
-            arguments: {
-                reason: string;
-            };
-        } | {
-            /** @constant */
             code: "import.unsupported-element";
             arguments: {
                 kind: string;
@@ -5085,6 +5335,37 @@ export interface components {
             arguments: {
                 name: string;
                 records: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.value-angle";
+            arguments: {
+                degrees: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.value-not-numbers";
+            arguments: {
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.value-not-transform";
+            arguments: {
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "import.value-transform-numbers";
+            arguments: {
+                name: string;
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.value-unit";
+            arguments: {
+                value: string;
             };
         } | {
             /** @constant */
@@ -5613,8 +5894,8 @@ export interface components {
             /** @constant */
             code: "pdf.content-damaged";
             arguments: {
-                where: string;
-                reason: string;
+                where: components["schemas"]["Message"];
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -5638,6 +5919,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "pdf.form-named";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
             code: "pdf.illustrator-only";
             arguments: Record<string, never>;
         } | {
@@ -5648,11 +5935,31 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "pdf.nested-arrays";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "pdf.no-header";
             arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "pdf.no-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.open-array";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.open-image";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.open-text";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "pdf.page";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -5710,8 +6017,7 @@ export interface components {
             /** @constant */
             code: "profile.invalid-field";
             arguments: {
-                place: string;
-                fault: string;
+                fault: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -6017,6 +6323,12 @@ export interface components {
             code: "reading.too-slow";
             arguments: {
                 seconds: number;
+                format: string;
+            };
+        } | {
+            /** @constant */
+            code: "reading.truncated";
+            arguments: {
                 format: string;
             };
         } | {
@@ -6342,6 +6654,46 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "rule.block";
+            arguments: {
+                patterns: string[];
+            };
+        } | {
+            /** @constant */
+            code: "rule.colour";
+            arguments: {
+                colours: string[];
+            };
+        } | {
+            /** @constant */
+            code: "rule.conditions";
+            arguments: {
+                conditions: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "rule.entity";
+            arguments: {
+                kinds: string[];
+            };
+        } | {
+            /** @constant */
+            code: "rule.everything";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rule.layer";
+            arguments: {
+                patterns: string[];
+            };
+        } | {
+            /** @constant */
+            code: "rule.linetype";
+            arguments: {
+                patterns: string[];
+            };
+        } | {
+            /** @constant */
             code: "run.executed";
             arguments: {
                 executed: number;
@@ -6555,6 +6907,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "tool.short-lead";
+            arguments: {
+                lead: number;
+                radius: number;
+            };
+        } | {
+            /** @constant */
             code: "tool.tilted";
             arguments: {
                 tilt: number;
@@ -6695,6 +7054,89 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "unit.cf2-inches";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.cf2-millimetres";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.cf2-none";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.cf2-scale-applied";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.cf2-scale-invalid";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.cf2-scale-not-applied";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.cf2-scale-undecided";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.cf2-scaled";
+            arguments: {
+                unit: components["schemas"]["Message"];
+                scale: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "unit.dimensions-larger";
+            arguments: {
+                count: number;
+                others: number;
+                factor: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.dimensions-smaller";
+            arguments: {
+                count: number;
+                others: number;
+                factor: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.drawn-in-imperial";
+            arguments: {
+                unit: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.drawn-in-inches";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.drawn-in-metric";
+            arguments: {
+                unit: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.drawn-in-millimetres";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "unit.given";
             arguments: Record<string, never>;
         } | {
@@ -6703,6 +7145,29 @@ export interface components {
             arguments: {
                 value: number;
             };
+        } | {
+            /** @constant */
+            code: "unit.header-decimal-inches";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header-factor";
+            arguments: {
+                variable: string;
+                factor: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.header-fractions";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header-imperial";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.header-metric";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "unit.header-missing";
@@ -6732,9 +7197,9 @@ export interface components {
             };
         } | {
             /** @constant */
-            code: "unit.in-file";
+            code: "unit.imprecise";
             arguments: {
-                statement: string;
+                unit: string;
             };
         } | {
             /** @constant */
@@ -6745,15 +7210,208 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "unit.multiples";
+            arguments: {
+                unit: string;
+                count: number;
+                all: number;
+                percent: number;
+                grid: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.no-number-matches";
+            arguments: {
+                unit: string;
+                all: number;
+            };
+        } | {
+            /** @constant */
             code: "unit.not-given";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.number";
+            arguments: {
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.number-in";
+            arguments: {
+                text: string;
+                unit: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.numbers-match";
+            arguments: {
+                unit: string;
+                count: number;
+                all: number;
+                numbers: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
+            code: "unit.numbers-match-often";
+            arguments: {
+                unit: string;
+                count: number;
+                all: number;
+                numbers: components["schemas"]["Message"][];
+            };
         } | {
             /** @constant */
             code: "unit.overruled";
             arguments: {
                 stated: components["schemas"]["Message"];
                 unit: string;
-                reason: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "unit.page-in-pixels";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.page-in-points";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.paper-size";
+            arguments: {
+                unit: string;
+                sheet: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.part-drawn-twice";
+            arguments: {
+                factor: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.parts-differ";
+            arguments: {
+                one: components["schemas"]["Message"];
+                other: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "unit.pdf";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.pdf-scaled";
+            arguments: {
+                scale: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.read-against-evidence";
+            arguments: {
+                best: string;
+                best_width: number;
+                best_height: number;
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.read-against-header";
+            arguments: {
+                stated: string;
+                stated_width: number;
+                stated_height: number;
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.scale-mentioned";
+            arguments: {
+                scales: string[];
+            };
+        } | {
+            /** @constant */
+            code: "unit.share-stated";
+            arguments: {
+                stated: string;
+                unit: string;
+                percent: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.share-unstated";
+            arguments: {
+                unit: string;
+                percent: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.shortest-edges";
+            arguments: {
+                unit: string;
+                length: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.size-unusual";
+            arguments: {
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.size-usual";
+            arguments: {
+                unit: string;
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.svg-no-size";
+            arguments: {
+                pixel: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "unit.svg-no-unit";
+            arguments: {
+                size: string[];
+                pixel: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "unit.svg-pixel";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.svg-pixel-illustrator";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.svg-size";
+            arguments: {
+                size: string[];
+                width: number;
+                height: number;
+            };
+        } | {
+            /** @constant */
+            code: "unit.svg-size-in-pixels";
+            arguments: {
+                size: string[];
+            };
+        } | {
+            /** @constant */
+            code: "unit.text-states";
+            arguments: {
+                text: string;
             };
         } | {
             /** @constant */

@@ -40,71 +40,83 @@ export const TEXTS = {
     "hint": ""
   },
   "bridges.no-room": {
-    "text": "The contour at edge {edge} is {length:.1f} mm long and has no places for {fewest:# bridge|# bridges} of {gap:.2f} mm, at most {spacing:.1f} mm apart and clear of its corners and narrow slots.",
-    "hint": "Choose narrower bridges or a longer spacing, or cut this board without bridges."
+    "text": "The contour at edge {edge} is {length:.1f} mm long and has no room for {fewest:# bridge|# bridges} of {gap:.2f} mm that are at most {spacing:.1f} mm apart and away from corners and narrow slots.",
+    "hint": "Choose narrower bridges or a larger spacing, or cut this board without bridges."
   },
   "calibration.bad-points": {
-    "text": "The {count} measured points contain a value that is not a number, or there are none.",
+    "text": "The {count:# measured point|# measured points} cannot be used: at least one point is needed, and all values must be numbers.",
     "hint": "Measure at least one point on a slanted part of the contour."
   },
   "calibration.choose-cutter": {
-    "text": "{machine} has {count:# cutter|# cutters}.",
+    "text": "{machine} has {count:# cutter|# cutters}, so the cutter to calibrate must be named.",
     "hint": "Choose one: {cutters:, }."
   },
   "calibration.missing-column": {
-    "text": "{file}, line {line}: {columns} is missing.",
-    "hint": "Its first line must be azimuth,dx,dy; then degrees and mm follow, for example 45,-0.05,0.06."
+    "text": "Line {line} of {file} has no value for {columns}.",
+    "hint": "Write azimuth,dx,dy on the first line and degrees, mm, mm on the others, for example 45,-0.05,0.06."
   },
   "calibration.not-a-number": {
-    "text": "{file}, line {line}: {reason}.",
-    "hint": "Write numbers with a decimal point."
+    "text": "Line {line} of {file} has a value that is not a number: {values:, }.",
+    "hint": "Write three numbers with decimal points, for example 45,-0.05,0.06."
   },
   "calibration.not-csv": {
     "text": "{file} is not a CSV file: {reason}.",
     "hint": "Save it as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "The contour runs along {along} at every measured point, so {other} is not determined (the sum of squares is {weight:.4f}; {least} is needed).",
+    "text": "The contour runs along {along} at every measured point, so the deflection along {other} cannot be determined (the sum of squares is {weight:.4f}, but {least} is needed).",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
-    "text": "By the measured points the tool is drawn into the board (δx {x:.3f}, δy {y:.3f} mm).",
-    "hint": "Check the signs of ΔX and ΔY, and the side on which the tool runs."
+    "text": "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy {y:.3f} mm), which is not possible.",
+    "hint": "Check the signs of ΔX and ΔY, and on which side of the contour the tool moves."
   },
   "cf2.cut-short": {
-    "text": "The CF2 is cut short: it ends at line {line} inside {inside}, so lines may be missing.",
-    "hint": "Send it again, or export it again as CF2."
+    "text": "The CF2 is cut short: it ends at line {line} inside {inside}, so lines of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again as CF2."
   },
   "cf2.decimal-commas": {
-    "text": "Line {line} of the CF2 has {fields} fields where {record} has {expected}: its decimals seem to use commas, which also separate the fields.",
-    "hint": "Export it with a decimal point."
+    "text": "Line {line} of the CF2 has {fields} fields instead of {expected} for record {record}. It seems to use decimal commas, but commas separate the fields.",
+    "hint": "Export the drawing with decimal points."
   },
   "cf2.empty": {
-    "text": "The CF2 draws nothing: it has neither a MAIN section nor a subroutine.",
-    "hint": "Send it again, or export it again as CF2."
+    "text": "The CF2 contains no drawing: it has neither a MAIN section nor a subroutine.",
+    "hint": "Send the complete file, or export the drawing again as CF2."
+  },
+  "cf2.main": {
+    "text": "the MAIN section",
+    "hint": ""
+  },
+  "cf2.section": {
+    "text": "the section {name}",
+    "hint": ""
+  },
+  "cf2.subroutine": {
+    "text": "the subroutine {name}",
+    "hint": ""
   },
   "classification.around": {
-    "text": "surrounds a whole carton",
+    "text": "the edge encloses a complete carton",
     "hint": ""
   },
   "classification.arrow": {
-    "text": "has an arrowhead, or belongs to a line that has one",
+    "text": "the edge has an arrowhead, or is connected to a line with an arrowhead",
     "hint": ""
   },
   "classification.as-its-style": {
-    "text": "as all of its style do",
+    "text": "like all edges of this style",
     "hint": ""
   },
   "classification.bleed": {
-    "text": "surrounds a blank at the same distance everywhere, as a bleed does",
+    "text": "the edge surrounds a blank at a constant distance, as a bleed line does",
     "hint": ""
   },
   "classification.board-ends": {
-    "text": ": the board ends there, unless the outline is open",
+    "text": ", where the board ends unless the outline is open",
     "hint": ""
   },
   "classification.closes-nothing": {
-    "text": " and closes nothing",
+    "text": " and does not close an outline",
     "hint": ""
   },
   "classification.contradicted": {
@@ -112,139 +124,139 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.convention": {
-    "text": "colour convention \"{name}\" fits: the outline closes, {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
+    "text": "the colours fit the convention \"{name}\": the outline closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
     "hint": ""
   },
   "classification.cuts-panel-off": {
-    "text": "it would cut a panel off its blank",
+    "text": "a cut there would separate a panel from its blank",
     "hint": ""
   },
   "classification.dashed": {
-    "text": "in dashes",
+    "text": "they are dashed",
     "hint": ""
   },
   "classification.divider": {
-    "text": "divides two panels",
+    "text": "the edge divides two panels",
     "hint": ""
   },
   "classification.divides-panels": {
-    "text": ", and a {type} divides panels",
+    "text": ", but edges of type {type} divide panels",
     "hint": ""
   },
   "classification.frame": {
-    "text": "frames the whole drawing",
+    "text": "the edge frames the whole drawing",
     "hint": ""
   },
   "classification.free": {
-    "text": "lies free inside a panel",
+    "text": "the edge lies inside a panel and touches no other edge",
     "hint": ""
   },
   "classification.hole": {
-    "text": "closes a hole in a panel",
+    "text": "the edge closes a hole in a panel",
     "hint": ""
   },
   "classification.inner": {
-    "text": "lies inside a hole, or divides one",
+    "text": "the edge lies inside a hole or divides one",
     "hint": ""
   },
   "classification.layer-denies": {
-    "text": "but its layer is called \"{layer}\"",
+    "text": "but the name of its layer, \"{layer}\", suggests another line type",
     "hint": ""
   },
   "classification.layer-name": {
-    "text": "its layer name contains \"{word}\"",
+    "text": "the name of its layer contains \"{word}\"",
     "hint": ""
   },
   "classification.legend": {
-    "text": "lies outside every blank, beside the name of a line type: a legend",
+    "text": "the edge lies outside all blanks, beside the name of a line type, so it belongs to a legend",
     "hint": ""
   },
   "classification.letter": {
-    "text": "lies in a row of small shapes, as letters do",
+    "text": "the edge lies in a row of small shapes, as letters do",
     "hint": ""
   },
   "classification.like-outline": {
-    "text": "in the style of the outline",
+    "text": "it has the style of the outline",
     "hint": ""
   },
   "classification.like-outline-not-folds": {
-    "text": "in the style of the outline; another style has the folds",
+    "text": "it has the style of the outline, and the folds have another style",
     "hint": ""
   },
   "classification.linetype-name": {
-    "text": "its linetype name contains \"{word}\"",
+    "text": "the name of its linetype contains \"{word}\"",
     "hint": ""
   },
   "classification.mark": {
-    "text": "closes a shape much smaller than the blank",
+    "text": "the edge closes a shape that is much smaller than the blank",
     "hint": ""
   },
   "classification.mirror-cut": {
-    "text": "its mirror image is cut",
+    "text": "its mirror image in the drawing is cut",
     "hint": ""
   },
   "classification.mirror-folded": {
-    "text": "its mirror image is folded",
+    "text": "its mirror image in the drawing is folded",
     "hint": ""
   },
   "classification.mixed": {
-    "text": "{reason}, with the greater part of its length",
+    "text": "{reason} (true for most of its length)",
     "hint": ""
   },
   "classification.named": {
-    "text": "is not part of the carton by its name, and the outlines close without it",
+    "text": "the name of its layer shows that the edge is not part of the carton, and the outlines close without it",
     "hint": ""
   },
   "classification.no-rule": {
-    "text": "no rule of profile {profile}",
+    "text": "no rule of the profile {profile} matches",
     "hint": ""
   },
   "classification.no-rule-but-shape": {
-    "text": "no rule of profile {profile}; {shape}",
+    "text": "no rule of the profile {profile} matches, but {shape}",
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", as all of its style do, and none closes an outline",
+    "text": ", as all edges of this style do, and none of them closes an outline",
     "hint": ""
   },
   "classification.not-made": {
-    "text": ", and is not to be made",
+    "text": ", so no tool must process it",
     "hint": ""
   },
   "classification.on-cut": {
-    "text": "{rule}; it lies on a cut",
+    "text": "{rule}; the edge lies on a cut",
     "hint": ""
   },
   "classification.open": {
-    "text": "belongs to an outline that does not close",
+    "text": "the edge belongs to an outline that does not close",
     "hint": ""
   },
   "classification.other-style-closes": {
-    "text": "but another style closes most of it",
+    "text": "edges of another style close most of this outline",
     "hint": ""
   },
   "classification.outline": {
-    "text": "closes the outline of a blank",
+    "text": "the edge closes the outline of a blank",
     "hint": ""
   },
   "classification.override": {
-    "text": "override",
+    "text": "set by the user",
     "hint": ""
   },
   "classification.paired": {
-    "text": "some of them in pairs",
+    "text": "some of them are parallel pairs",
     "hint": ""
   },
   "classification.panel-hangs": {
-    "text": "and a panel hangs on it",
+    "text": "a panel is connected only by it",
     "hint": ""
   },
   "classification.panels-hang": {
-    "text": "and panels hang on most of them",
+    "text": "most of them connect a panel to the rest of the blank",
     "hint": ""
   },
   "classification.role-against": {
-    "text": "it {role}{against}",
+    "text": "{role}{against}",
     "hint": ""
   },
   "classification.rule": {
@@ -252,31 +264,31 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.shape": {
-    "text": "shape: it {parts:, }",
+    "text": "{parts:, }",
     "hint": ""
   },
   "classification.slit": {
-    "text": "begins at another line and ends inside a panel",
+    "text": "the edge begins at another edge and ends inside a panel",
     "hint": ""
   },
   "classification.slot": {
-    "text": "closes a slot or a round hole in a panel",
+    "text": "the edge closes a slot or a round hole in a panel",
     "hint": ""
   },
   "classification.speck": {
-    "text": "lies outside every blank, by itself, and is small",
+    "text": "the edge is short, lies outside all blanks and touches no other edge",
     "hint": ""
   },
   "classification.stray": {
-    "text": "lies outside every blank",
+    "text": "the edge lies outside all blanks",
     "hint": ""
   },
   "classification.swapped": {
-    "text": "the lines that it calls crease close the outline",
+    "text": "the edges that this rule makes creases close the outline",
     "hint": ""
   },
   "classification.swapped-both": {
-    "text": "the lines that it calls crease close the outline, and those that it calls cut divide the panels",
+    "text": "the edges that this rule makes creases close the outline, and the edges that it makes cuts divide the panels",
     "hint": ""
   },
   "classification.swapped-like": {
@@ -284,11 +296,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.table": {
-    "text": "lies beside a text: a title block, a dimension or a label",
+    "text": "the edge lies beside a text, as in a title block, a dimension or a label",
     "hint": ""
   },
   "classification.unknown": {
-    "text": "gives no information by its shape",
+    "text": "the shape of the drawing does not show what the edge is",
     "hint": ""
   },
   "classification.votes": {
@@ -296,39 +308,39 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.with-text": {
-    "text": "{reason}, with a text beside it",
+    "text": "{reason}; a text lies beside it",
     "hint": ""
   },
   "cleaning.as-drawn": {
-    "text": "",
+    "text": "unchanged",
     "hint": ""
   },
   "cleaning.dropped-speck": {
-    "text": "dropped: {length:.4g} mm long and connects nothing",
+    "text": "dropped: the edge is only {length:.4g} mm long and connects no other edges",
     "hint": ""
   },
   "cleaning.end-moved": {
-    "text": "an end moved by {distance:.2g} mm to meet another",
+    "text": "one end was moved by {distance:.2g} mm to meet another edge",
     "hint": ""
   },
   "cleaning.fitted": {
-    "text": "it is a part of a flattened curve that became one line or arc",
+    "text": "the edge was merged: it was part of a curve made of short lines, which became one line or arc",
     "hint": ""
   },
   "cleaning.fitted-edge": {
-    "text": "merged: a flattened curve, one with edge {edge} within {distance:.2g} mm",
+    "text": "merged: the edge was part of a curve made of short lines, which became one line or arc with edge {edge} (deviation up to {distance:.2g} mm)",
     "hint": ""
   },
   "cleaning.ignored": {
-    "text": "ignored: shown, and kept out of the tool path",
+    "text": "the edge has the line type ignored: it is displayed but not processed",
     "hint": ""
   },
   "cleaning.joined": {
-    "text": "it was merged into a collinear edge",
+    "text": "the edge was merged into another edge on the same line",
     "hint": ""
   },
   "cleaning.joined-edge": {
-    "text": "merged into the collinear edge {edge}",
+    "text": "merged into edge {edge}, which lies on the same line",
     "hint": ""
   },
   "cleaning.kept": {
@@ -340,71 +352,71 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.length-on-others": {
-    "text": "{length:.4g} mm of it lie on other edges",
+    "text": "{length:.4g} mm of its length lie on other edges and were merged",
     "hint": ""
   },
   "cleaning.longer": {
-    "text": "collinear edges were merged into it",
+    "text": "other edges on the same line were merged into this edge",
     "hint": ""
   },
   "cleaning.moved": {
-    "text": "an end was moved to meet another edge",
+    "text": "one end of the edge was moved to meet another edge",
     "hint": ""
   },
   "cleaning.no-work": {
-    "text": "left as it is: no work",
+    "text": "unchanged: no tool processes this edge",
     "hint": ""
   },
   "cleaning.on-edge": {
-    "text": "merged: it lies on edge {edge}",
+    "text": "merged: the edge lies on edge {edge}",
     "hint": ""
   },
   "cleaning.part-dropped": {
-    "text": "a speck of {length:.2g} mm dropped",
+    "text": "a part of {length:.2g} mm was dropped because it is too short to process",
     "hint": ""
   },
   "cleaning.shortened": {
-    "text": "a part of it lies on other edges",
+    "text": "a part of the edge lies on other edges and was merged with them",
     "hint": ""
   },
   "cleaning.speck": {
-    "text": "it is a speck that connects nothing",
+    "text": "the edge is too short to process and connects no other edges",
     "hint": ""
   },
   "cleaning.twice": {
-    "text": "it lies on other edges",
+    "text": "the edge lies completely on other edges",
     "hint": ""
   },
   "cleaning.unclassified": {
-    "text": "not decided yet",
+    "text": "the edge has no line type yet",
     "hint": ""
   },
   "command.bad-corner": {
-    "text": "--corner-at {text!r} is not X,Y=TYPE or X,Y=TYPE:K.",
-    "hint": "Write for example --corner-at 300,100=C or 300,100=D:0.3."
+    "text": "The option --corner-at {text!r} does not have the form X,Y=TYPE or X,Y=TYPE:K.",
+    "hint": "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3."
   },
   "command.bad-layer": {
-    "text": "--layer {pair!r} is not NAME=TYPE.",
+    "text": "The option --layer {pair!r} does not have the form NAME=TYPE.",
     "hint": "Write for example --layer FOLDS=crease."
   },
   "command.bad-line-type": {
-    "text": "--layer {pair!r}: {reason}.",
-    "hint": "Choose one of them."
+    "text": "The line type in the option --layer {pair!r} does not exist.",
+    "hint": "Choose {known:or}."
   },
   "command.file-too-large": {
-    "text": "{path} is larger than {limit} MB.",
+    "text": "The file {path} is larger than {limit} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "command.no-such-layer": {
-    "text": "There is no layer {layer!r} in {file}.",
-    "hint": "Its layers are {layers:, }."
+    "text": "The file {file} has no layer {layer!r}.",
+    "hint": "Choose one of its layers: {layers:, }."
   },
   "command.unreadable-file": {
-    "text": "Cannot read {path}: {reason}.",
-    "hint": "Check the file's name and permissions."
+    "text": "The file {path} cannot be read: {reason}.",
+    "hint": "Check its name and permissions."
   },
   "command.unwritable-file": {
-    "text": "Cannot write {path}: {reason}.",
+    "text": "The file {path} cannot be written: {reason}.",
     "hint": "Choose another path."
   },
   "controller.alarm": {
@@ -548,131 +560,131 @@ export const TEXTS = {
     "hint": ""
   },
   "corner.bad-interference": {
-    "text": "{interference!r} is not a way to handle places where the cutter does not fit.",
+    "text": "{interference!r} is not a method for places where the cutter does not fit.",
     "hint": "Choose trim or refuse."
   },
   "corner.bad-k": {
-    "text": "The corner parameter k at the corner where edge {edge} begins is {k}.",
-    "hint": "Give a k from 0 (as B) to 1 (as C)."
+    "text": "The parameter k of the corner at the start of edge {edge} is {k}, but must be between 0 and 1.",
+    "hint": "Give a k from 0 (as type B) to 1 (as type C)."
   },
   "corner.bad-k-at": {
-    "text": "The corner parameter k{where} is {k}; a D corner needs one between 0 and 1.",
-    "hint": "Choose B instead of 0, and C instead of 1."
+    "text": "The parameter k of the D corner{where} is {k}, but must be greater than 0 and less than 1.",
+    "hint": "Choose type B instead of 0, and type C instead of 1."
   },
   "corner.bad-place": {
-    "text": "The corner at ({x}, {y}) has no valid position.",
-    "hint": "Give X and Y in the drawing's millimetres."
+    "text": "The position ({x}, {y}) of a corner is not valid.",
+    "hint": "Give X and Y in mm of the drawing."
   },
   "corner.bad-share": {
-    "text": "Corner {corner} is of type D with k = {k}.",
-    "hint": "Give a k from 0 (as B) to 1 (as C)."
+    "text": "Corner {corner} has type D with the parameter k = {k}, which must be between 0 and 1.",
+    "hint": "Give a k from 0 (as type B) to 1 (as type C)."
   },
   "corner.inside": {
-    "text": "The corner at ({x:g}, {y:g}) is an inside corner, which the cutter passes in one way only.",
-    "hint": "Choose types for outside corners."
+    "text": "The corner at ({x:g}, {y:g}) is an inside corner, for which no corner type can be chosen.",
+    "hint": "Choose corner types only for outside corners."
   },
   "corner.no-contour": {
-    "text": "No corner of a milled contour is within {within:g} mm of ({x:g}, {y:g}).",
-    "hint": "This drawing has no contour that the cutter mills round corners."
+    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because the drawing has no contour that is milled around outside corners.",
+    "hint": "Leave the corner types out for this drawing."
   },
   "corner.no-cutter": {
-    "text": "Corner types were chosen, and {machine} has no rotating cutter.",
-    "hint": "Leave the corner types out, or choose a machine that mills."
+    "text": "Corner types were chosen, but {machine} has no rotating cutter.",
+    "hint": "Leave the corner types out, or choose a machine with a rotating cutter."
   },
   "corner.not-found": {
-    "text": "No corner of a milled contour is within {within:g} mm of ({x:g}, {y:g}): the nearest is {distance:.2f} mm away.",
-    "hint": "Give its X and Y in the drawing's millimetres: the nearest are {known:, }."
+    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the nearest corner is {distance:.2f} mm away.",
+    "hint": "Give X and Y of a corner in mm of the drawing; the nearest are {known:, }."
   },
   "corner.unknown-number": {
     "text": "Corner {corner} has the type {type}, which does not exist.",
-    "hint": "Give B, C or D."
+    "hint": "Choose type B, C or D."
   },
   "corner.unknown-type": {
-    "text": "There is no corner type {type!r}.",
-    "hint": "The types are B, C, D and auto."
+    "text": "The corner type {type!r} does not exist.",
+    "hint": "Choose B, C, D or auto."
   },
   "corner.unknown-type-at": {
-    "text": "There is no corner type {type!r}{where}.",
-    "hint": "The types are B, C, D and auto."
+    "text": "The corner type {type!r}{where} does not exist.",
+    "hint": "Choose B, C, D or auto."
   },
   "crease.tight-bend": {
-    "text": "The crease at edge {edge} bends with a radius of {radius:.2f} mm, and its double would lie {offset:.2f} mm inside it.",
-    "hint": "Draw a wider bend, or set the board's double crease to 0."
+    "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second line {offset:.2f} mm inside it.",
+    "hint": "Draw a wider bend, or set the double crease of the board to 0."
   },
   "crease.too-short": {
-    "text": "The crease at edge {edge} is {length:.2f} mm long, too short for a wheel of {radius:.1f} mm radius that keeps {clearance:.2f} mm off its ends.",
-    "hint": "Join it to its neighbour, ignore it, or choose a board that allows short creases to be pressed in place."
+    "text": "The crease at edge {edge} is {length:.2f} mm long, which is too short for a wheel of {radius:.1f} mm radius that ends {clearance:.2f} mm before both ends.",
+    "hint": "Join it to a collinear crease, set it to ignored, or choose a board on which short creases are pressed."
   },
   "curve.bad-ellipse": {
-    "text": "The ellipse has no size, or no sweep that is a number.",
-    "hint": "Draw it again."
+    "text": "An ellipse has no size, or its start or end angle is not a number.",
+    "hint": "Draw the ellipse again."
   },
   "curve.bad-spline": {
-    "text": "The spline of degree {degree} with {points} control points and {knots} knots is damaged.",
-    "hint": "Draw it again, or export it as lines and arcs."
+    "text": "A spline of degree {degree} with {points} control points and {knots} knots is damaged.",
+    "hint": "Draw the spline again, or export it as lines and arcs."
   },
   "curve.bad-tolerance": {
-    "text": "A curve cannot be fitted within {tolerance} mm.",
+    "text": "Curves cannot be converted with a tolerance of {tolerance} mm.",
     "hint": "Give a tolerance greater than 0."
   },
   "curve.not-finite": {
-    "text": "The curve has points that are not numbers.",
-    "hint": "Draw it again, as lines and arcs."
+    "text": "A point of a curve is not a number.",
+    "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.not-fitted": {
-    "text": "The curve cannot be approximated within {tolerance:g} mm.",
-    "hint": "Draw it again, as lines and arcs."
+    "text": "A curve cannot be converted to lines and arcs within {tolerance:g} mm.",
+    "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.parameters": {
-    "text": "The curve's parameters do not increase.",
-    "hint": "Draw it again, as lines and arcs."
+    "text": "The parameters of a curve do not increase.",
+    "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.too-many-pieces": {
-    "text": "The curve needs more than {limit:,} pieces to stay within {tolerance:g} mm.",
+    "text": "A curve needs more than {limit:,} lines and arcs to stay within {tolerance:g} mm.",
     "hint": "Increase the tolerance, or simplify the curve."
   },
   "curve.too-many-spans": {
-    "text": "The curve has {spans:,} spans; the limit is {limit:,}.",
-    "hint": "Simplify it before exporting."
+    "text": "A spline has {spans:,} spans; the limit is {limit:,}.",
+    "hint": "Simplify the curve before exporting."
   },
   "cut.too-many-crossings": {
     "text": "More than {limit:,} pairs of cuts cross or lie beside each other.",
-    "hint": "Delete hatching and what is drawn many times over, or split the drawing."
+    "hint": "Delete hatching and duplicate lines, or split the drawing."
   },
   "cut.too-short": {
-    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge; the slanted blade needs {lead:.2f} mm.",
-    "hint": "Ignore it, join it to another cut, or choose a steeper blade."
+    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge, but the slanted blade needs {lead:.2f} mm.",
+    "hint": "Set it to ignored, join it to another cut, or choose a steeper blade."
   },
   "cutter.does-not-fit": {
-    "text": "The cutter of {diameter:.2f} mm does not fit into the contour at edge {edge}, nor into {others} more.",
-    "hint": "Choose a thinner cutter, or ignore the contour."
+    "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, nor into {others:# other contour|# other contours}.",
+    "hint": "Choose a thinner cutter, or set the contours to ignored."
   },
   "cutter.misses-bridge": {
-    "text": "The cutter does not reach the contour at edge {edge} where a bridge is needed, {distance:.1f} mm along it.",
-    "hint": "Choose a thinner cutter, another spacing of bridges, or a board without them."
+    "text": "The cutter does not reach the contour at edge {edge}, {distance:.1f} mm along it, where a bridge is needed.",
+    "hint": "Choose a thinner cutter, another spacing of bridges, or a board without bridges."
   },
   "cutter.short-lead": {
-    "text": "The cutter's lead is {lead:g} mm, not longer than its radius of {radius:g} mm.",
-    "hint": "Give the cutter a lead longer than its radius."
+    "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of {radius:g} mm.",
+    "hint": "Correct the lead in the machine file."
   },
   "database.bad-url": {
     "text": "{url!r} is not the URL of a database.",
     "hint": "Write sqlite:///FILE or postgresql://USER@HOST/NAME."
   },
   "database.in-memory": {
-    "text": "A database in memory would lose its jobs.",
+    "text": "A database in memory cannot be used, because its jobs would be lost when the server stops.",
     "hint": "Name a file: sqlite:///FILE."
   },
   "deflection.arc-too-small": {
-    "text": "The cutter's centre follows an arc of {radius:.3f} mm radius near ({x:.2f}, {y:.2f}), and the tool gives way by {deflection:.3f} mm.",
-    "hint": "Choose a smaller k or the B type, or measure the deflection again."
+    "text": "Near ({x:.2f}, {y:.2f}) the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
+    "hint": "Choose a smaller k or corner type B, or measure the deflection again."
   },
   "deflection.path-too-short": {
-    "text": "Near ({x:.2f}, {y:.2f}) the path of the cutter's centre is too short, or turns too sharply, to correct for the deflection.",
+    "text": "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns too sharply to correct the deflection.",
     "hint": "Join short edges there, or measure the deflection again."
   },
   "drawing.changing": {
-    "text": "Drawing {drawing} is being changed by others at the same time.",
+    "text": "Another request is changing drawing {drawing} at the same time.",
     "hint": "Try again in a moment."
   },
   "drawing.deleted": {
@@ -680,16 +692,16 @@ export const TEXTS = {
     "hint": ""
   },
   "drawing.in-use": {
-    "text": "Job {job} was made from drawing {drawing}, which is kept as its record.",
-    "hint": "Only drawings without jobs can be deleted."
+    "text": "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
+    "hint": "Delete only drawings without jobs."
   },
   "drawing.larger-than-table": {
-    "text": "The drawing is {width:.1f} × {height:.1f} mm, and {machine} has room for {room_x:.0f} × {room_y:.0f} mm.",
+    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} has only {room_x:.0f} × {room_y:.0f} mm.",
     "hint": "Check the unit of the drawing, turn it, or choose a larger machine."
   },
   "drawing.open-questions": {
-    "text": "{count:# question|# questions} must be answered first: {questions: }",
-    "hint": "Answer them on the drawing; nothing is cut by default."
+    "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
+    "hint": "Answer them on the page of the drawing; edges without an answer are not cut."
   },
   "drawing.read": {
     "text": "Read from {name}.",
@@ -700,47 +712,51 @@ export const TEXTS = {
     "hint": ""
   },
   "drawing.stale": {
-    "text": "Drawing {drawing} is at revision {revision}, and the request names {named}.",
-    "hint": "Look at the drawing again; if the change is still wanted, repeat the request."
+    "text": "Drawing {drawing} was changed since it was read: it is at revision {revision}, but the request names revision {named}.",
+    "hint": "Read the drawing again, check it, and repeat the request."
   },
   "drawing.types-set": {
     "text": "{count:# line type was|# line types were} set.",
     "hint": ""
   },
   "drawing.unit-for-cleaning": {
-    "text": "The drawing does not state its unit, so the size of specks and gaps is not known.",
-    "hint": "Set it with PATCH /api/drawings/ID, or on the page."
+    "text": "The drawing has no unit, so the lengths of short edges and gaps cannot be compared with the limits in mm.",
+    "hint": "Set the unit on the page, or with PATCH /api/drawings/ID."
   },
   "drawing.unit-unknown": {
-    "text": "The drawing does not state its unit ({evidence}).",
-    "hint": "Set it with PATCH /api/drawings/ID, or on the page."
+    "text": "The unit of the drawing is not known ({evidence}).",
+    "hint": "Set the unit on the page, with --unit, or with PATCH /api/drawings/ID."
   },
   "drawing.unknown": {
-    "text": "There is no drawing {drawing}.",
-    "hint": "GET /api/drawings lists them."
+    "text": "Drawing {drawing} does not exist.",
+    "hint": "Choose one of the drawings that GET /api/drawings lists."
   },
   "drawing.upload-too-large": {
     "text": "{name} is larger than {limit} MB.",
-    "hint": "Send a smaller drawing."
+    "hint": "Send a smaller file."
+  },
+  "dxf.at-line": {
+    "text": "at line {line}",
+    "hint": ""
   },
   "dxf.blocks-expand-too-far": {
-    "text": "The blocks of the drawing expand to {count} entities; the limit is {limit:,}.",
+    "text": "The blocks of the DXF expand to {count} entities; the limit is {limit:,}.",
     "hint": "Export a single carton, or explode the blocks and delete the copies."
   },
   "dxf.blocks-too-deep": {
-    "text": "Blocks are nested {depth} deep; the limit is {limit}.",
+    "text": "The blocks of the DXF are nested {depth} levels deep; the limit is {limit}.",
     "hint": "Explode the blocks in the CAD program and export again."
   },
   "dxf.cut-short": {
-    "text": "The file is cut short: it stops {where} in section {section}, after {count:# entity|# entities}, so lines may be missing.",
-    "hint": "Send or export it again."
+    "text": "The DXF is cut short: it ends {where} in section {section}, after {count:# entity|# entities}, so lines of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again."
   },
   "dxf.no-section": {
     "text": "The file is not a DXF: it has no section.",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.not-a-group-code": {
-    "text": "The file is not a DXF: line {line} is {text!r}, not a group code.",
+    "text": "The file is not a DXF: line {line} is {text!r} instead of a group code.",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.other-kind": {
@@ -748,47 +764,63 @@ export const TEXTS = {
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.too-large-unusual": {
-    "text": "The DXF has {size:.1f} MB and uses features that are read slowly; the limit for such a file is {limit:.1f} MB.",
+    "text": "The DXF has {size:.1f} MB and uses features that take long to read; the limit for such files is {limit:.1f} MB.",
     "hint": "Export a single carton, or save it as DXF R2000."
   },
+  "dxf.without-end-mark": {
+    "text": "without its end mark (EOF)",
+    "hint": ""
+  },
   "edge.no-length": {
-    "text": "Edge {edges:, } has no length, so it has no direction.",
-    "hint": "Delete it from the drawing, or increase the debris tolerance."
+    "text": "Edge {edges:, } has no length, so its direction is not defined.",
+    "hint": "Delete the edge from the drawing."
   },
   "edge.not-finite": {
     "text": "Edge {edge} has a coordinate that is not a number.",
-    "hint": "Draw it again."
+    "hint": "Draw the edge again."
   },
   "edge.place": {
     "text": " at edge {edge}",
     "hint": ""
   },
   "edge.too-crowded": {
-    "text": "More than {limit:,} pairs of line ends lie within {distance} mm of each other.",
-    "hint": "Delete what is drawn many times over."
+    "text": "More than {limit:,} pairs of line ends lie closer together than {distance} mm.",
+    "hint": "Delete edges that are drawn many times on top of each other."
   },
   "edge.too-far": {
-    "text": "Edge {edge} lies {distance:.3g} mm from the drawing's origin.",
-    "hint": "Check the drawing's unit, or delete what was drawn there."
+    "text": "Edge {edge} lies {distance:.3g} mm from the origin of the drawing.",
+    "hint": "Check the unit of the drawing, or delete the edge."
   },
   "edge.too-many-overlaps": {
     "text": "{edges:,} edges overlap each other in more than {limit:,} places.",
-    "hint": "Delete what was drawn many times over."
+    "hint": "Delete edges that are drawn many times on top of each other."
   },
   "error.at-edge": {
-    "text": "{error} Place: handle {handle}, layer \"{layer}\".",
+    "text": "{error} Object: handle {handle}, layer \"{layer}\".",
     "hint": "{error:hint}"
   },
   "error.at-edges": {
-    "text": "At edge {edges: and edge }: {error}",
+    "text": "Edges {edges: and }: {error}",
     "hint": "{error:hint}"
   },
   "error.in-file": {
     "text": "{name}: {error}",
     "hint": "{error:hint}"
   },
-  "field.invalid": {
-    "text": "{path} {fault}",
+  "field.above": {
+    "text": "{path} is {value}, but must be at most {limit:g}",
+    "hint": ""
+  },
+  "field.below": {
+    "text": "{path} is {value}, but must be at least {limit:g}",
+    "hint": ""
+  },
+  "field.blank": {
+    "text": "{path} is empty",
+    "hint": ""
+  },
+  "field.inconsistent": {
+    "text": "{path} is inconsistent: {fault}",
     "hint": ""
   },
   "field.missing": {
@@ -799,8 +831,104 @@ export const TEXTS = {
     "text": "{path} is not a field; did you mean {near}?",
     "hint": ""
   },
+  "field.no-kind": {
+    "text": "{path} has no field {field}",
+    "hint": ""
+  },
+  "field.not-a-colour": {
+    "text": "{path} is {value}, but must be a whole number from 1 to 255 or \"#rrggbb\"",
+    "hint": ""
+  },
+  "field.not-a-line-type": {
+    "text": "{path} is {value!r}, but must be a line type: {known:or}",
+    "hint": ""
+  },
+  "field.not-a-list": {
+    "text": "{path} is {value}, but must be a list",
+    "hint": ""
+  },
+  "field.not-a-number": {
+    "text": "{path} is {value}, but must be a number",
+    "hint": ""
+  },
+  "field.not-a-profile": {
+    "text": "{path} is {value!r}, but must be a profile of the library: {known:or}",
+    "hint": ""
+  },
+  "field.not-a-table": {
+    "text": "{path} is {value}, but must be a table",
+    "hint": ""
+  },
+  "field.not-above": {
+    "text": "{path} is {value}, but must be greater than {limit:g}",
+    "hint": ""
+  },
+  "field.not-above-low": {
+    "text": "{path} is {value:g}, but must be greater than low, which is {low:g}",
+    "hint": ""
+  },
+  "field.not-allowed": {
+    "text": "{path} is {value}, but must be {allowed}",
+    "hint": ""
+  },
+  "field.not-below": {
+    "text": "{path} is {value}, but must be less than {limit:g}",
+    "hint": ""
+  },
+  "field.not-boolean": {
+    "text": "{path} is {value}, but must be true or false",
+    "hint": ""
+  },
+  "field.not-less-than-caliper": {
+    "text": "{path} is {value:g} mm, but must be less than the caliper of {caliper:g} mm",
+    "hint": ""
+  },
+  "field.not-one-of": {
+    "text": "{path} is {value}, but must be {known:or}",
+    "hint": ""
+  },
+  "field.not-text": {
+    "text": "{path} is {value}, but must be text",
+    "hint": ""
+  },
+  "field.not-whole": {
+    "text": "{path} is {value}, but must be a whole number",
+    "hint": ""
+  },
+  "field.other": {
+    "text": "{path} is invalid: {reason}",
+    "hint": ""
+  },
+  "field.repeated-numbers": {
+    "text": "{path} contains the numbers {numbers:, }, but no number may occur twice",
+    "hint": ""
+  },
+  "field.spacing": {
+    "text": "{path} is {value:g} mm, but must be 0 or at least {least:g} mm",
+    "hint": ""
+  },
+  "field.too-few": {
+    "text": "{path} has {count:# value|# values}, but needs at least {least}",
+    "hint": ""
+  },
+  "field.too-long": {
+    "text": "{path} is longer than {most} characters",
+    "hint": ""
+  },
+  "field.too-many": {
+    "text": "{path} has more than {most} values",
+    "hint": ""
+  },
+  "field.too-many-passes": {
+    "text": "{path} is {value:g} mm, which needs more than {most} passes",
+    "hint": ""
+  },
   "field.unknown": {
     "text": "{path} is not a field",
+    "hint": ""
+  },
+  "field.unknown-kind": {
+    "text": "{path} has the unknown kind {value!r}; known kinds are {known}",
     "hint": ""
   },
   "finding.at-edge": {
@@ -816,7 +944,7 @@ export const TEXTS = {
     "hint": "{fault:hint}"
   },
   "finding.more": {
-    "text": " And {count} more.",
+    "text": " {count:# more finding is|# more findings are} not listed.",
     "hint": ""
   },
   "gateway.cancelled": {
@@ -1080,283 +1208,287 @@ export const TEXTS = {
     "hint": ""
   },
   "groove.along-edge": {
-    "text": "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, so its flanks would not leave the board.",
-    "hint": "End it before the edge, or meet the edge at 5° or more."
+    "text": "The V-groove at edge {edge} meets the edge of the board at only {angle:.1f}°, so its flanks would not leave the board.",
+    "hint": "End the groove before the edge of the board, or let it meet the edge at 5° or more."
   },
   "groove.curved": {
-    "text": "{count:# V-groove edge is an arc|# V-groove edges are arcs}, the first of them edge {edge}; a straight blade cannot follow an arc.",
-    "hint": "Draw straight lines, or give them another line type."
+    "text": "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight blade cannot follow.",
+    "hint": "Draw straight lines, or choose another line type."
   },
   "groove.overcut": {
-    "text": "The blade runs {overrun:.2f} mm past each end of a V-groove inside the board; the board allows {allowed:.2f} mm.",
+    "text": "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the board allows {allowed:.2f} mm.",
     "hint": "Choose a narrower blade, or allow a longer overcut for this board."
   },
   "groove.runs-out": {
-    "text": "The V-groove at edge {edge} would run {distance:.2f} mm over the board's edge, and cut into the board beyond.",
-    "hint": "End it before the edge, meet the edge more squarely, or move the blanks apart."
+    "text": "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the board and cut into the next part.",
+    "hint": "End the groove before the edge, let it meet the edge at a larger angle, or move the parts apart."
   },
   "groove.through-cut": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs {through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, {place:.1f} mm from where the groove begins.",
-    "hint": "Move them {through:.2f} mm further apart, or make the groove less deep."
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which lies {distance:.2f} mm beside it.",
+    "hint": "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep."
   },
   "groove.through-cut-at-it": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs {through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, {place:.1f} mm from where the groove begins.",
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which lies {distance:.2f} mm beside it.",
     "hint": "End the groove at the cut, or move one of them."
   },
   "groove.tight-bend": {
-    "text": "The V-groove at edge {edge} bends with a radius of {radius:.1f} mm; a blade of {blade:.2f} mm deviates from it by more than {error:.3f} mm.",
-    "hint": "Draw a wider bend, choose a narrower blade, or allow this board a larger error."
+    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm, from which a blade of {blade:.2f} mm deviates by more than {error:.3f} mm.",
+    "hint": "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board."
   },
   "groove.too-deep": {
-    "text": "The V-groove at edge {edge} is {depth:.2f} mm deep, and the board is only {caliper:.2f} mm thick.",
+    "text": "The V-groove at edge {edge} is {depth:.2f} mm deep, but the board is only {caliper:.2f} mm thick.",
     "hint": "Choose a shallower groove or a thicker board."
   },
   "groove.too-short": {
-    "text": "The V-groove at edge {edge} is {length:.2f} mm long, and the blade is {blade:.2f} mm wide.",
-    "hint": "Draw the groove longer, or choose a narrower blade."
+    "text": "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm wide.",
+    "hint": "Draw a longer groove, or choose a narrower blade."
   },
   "hpgl.bad-byte": {
-    "text": "The byte {byte} has no meaning here.",
+    "text": "The byte {byte} is not allowed here.",
     "hint": "Remove it."
   },
   "hpgl.bad-feed": {
-    "text": "{place} has a feed of {feed:g} mm/min, and {device} has whole cm/s from {slowest} to {fastest}.",
+    "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from {slowest} to {fastest}.",
     "hint": "Give the tool a feed that is a multiple of {step:g} mm/min."
   },
   "hpgl.bad-number": {
-    "text": "A sign has no number, or a number has too many digits.",
-    "hint": ""
+    "text": "A sign is not followed by a number, or a number has too many digits.",
+    "hint": "Correct the number."
   },
   "hpgl.depth-change": {
-    "text": "{place} changes its depth while it works.",
-    "hint": "Work in one pass."
+    "text": "{place} changes its depth while it cuts, which HPGL cannot express.",
+    "hint": "Choose a board and a tool that need only one pass."
   },
   "hpgl.ends-down": {
-    "text": "The program ends with the tool down.",
-    "hint": ""
+    "text": "The program ends while the tool is down.",
+    "hint": "Lift the tool (PU) before the end."
   },
   "hpgl.ends-with-pen": {
-    "text": "The program ends without putting the tool away (SP0).",
-    "hint": ""
+    "text": "The program ends without putting the tool away.",
+    "hint": "Add SP0 before the end."
   },
   "hpgl.force-out-of-range": {
     "text": "The force (FS) is not between {low} and {high}.",
-    "hint": ""
+    "hint": "Give a force in this range."
   },
   "hpgl.initialised-again": {
-    "text": "The device is initialised again (IN) after the start.",
-    "hint": ""
+    "text": "The device is initialised (IN) a second time.",
+    "hint": "Delete the second IN."
   },
   "hpgl.lone-letter": {
-    "text": "A letter does not belong to an instruction of two letters.",
-    "hint": ""
+    "text": "A single letter is not an instruction; instructions have two letters.",
+    "hint": "Correct the instruction."
   },
   "hpgl.loose-number": {
-    "text": "A number belongs to no instruction.",
-    "hint": ""
+    "text": "A number does not follow an instruction.",
+    "hint": "Delete the number, or add the instruction before it."
   },
   "hpgl.moves-before-pa": {
-    "text": "The line moves before absolute coordinates are stated (PA).",
-    "hint": ""
+    "text": "The line moves before the program has chosen absolute coordinates.",
+    "hint": "Write PA before the first move."
   },
   "hpgl.needs-no-number": {
-    "text": "The instruction takes no number.",
-    "hint": ""
+    "text": "The instruction does not take a number.",
+    "hint": "Delete the number."
   },
   "hpgl.needs-one-number": {
     "text": "The instruction needs exactly one number.",
-    "hint": ""
+    "hint": "Give one number."
   },
   "hpgl.never-down": {
-    "text": "The toolpath never goes down.",
-    "hint": "Give at least one edge a line type that the machine makes."
+    "text": "The toolpath never lowers a tool, so nothing would be cut.",
+    "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "hpgl.no-approach": {
-    "text": "{place} begins the work of its station, and no rapid leads there.",
-    "hint": "Begin each station with a rapid."
+    "text": "{place} starts a cut before a rapid move has reached its start.",
+    "hint": "Report it as an internal error with the drawing."
   },
   "hpgl.no-device": {
-    "text": "{machine} has no HPGL device.",
-    "hint": "Describe it under [controller] of its TOML."
+    "text": "The file of {machine} does not describe an HPGL device.",
+    "hint": "Describe it under [controller] in the machine file."
   },
   "hpgl.no-force-setting": {
-    "text": "The device has no force setting (FS).",
-    "hint": ""
+    "text": "The device has no force setting, so it does not understand FS.",
+    "hint": "Remove FS."
   },
   "hpgl.no-instruction": {
     "text": "The program has no instruction.",
-    "hint": ""
+    "hint": "Choose an HPGL program."
   },
   "hpgl.no-pen": {
-    "text": "{machine} has no pen for {work} with station {station}.",
-    "hint": "Add a [[controller.pen]] to its TOML."
+    "text": "The file of {machine} assigns no pen to {work} with station {station}.",
+    "hint": "Add a [[controller.pen]] to the machine file."
   },
   "hpgl.no-pen-selected": {
-    "text": "The line lowers the tool, and no pen is selected.",
-    "hint": ""
+    "text": "The line lowers the tool, but no pen is selected.",
+    "hint": "Select a pen (SP) before it."
   },
   "hpgl.no-speed": {
-    "text": "The line works, and no speed has been set (VS).",
-    "hint": ""
+    "text": "The line cuts, but no speed has been set.",
+    "hint": "Set the speed (VS) before it."
   },
   "hpgl.no-speed-setting": {
-    "text": "The device has no speed setting (VS).",
-    "hint": ""
+    "text": "The device has no speed setting, so it does not understand VS.",
+    "hint": "Remove VS."
   },
   "hpgl.no-terminator": {
-    "text": "The program ends without a semicolon.",
-    "hint": ""
+    "text": "The last instruction of the program has no semicolon.",
+    "hint": "Add the semicolon, or send the complete program."
   },
   "hpgl.not-initialised": {
-    "text": "The first instruction is not IN.",
-    "hint": ""
+    "text": "The first instruction of the program is not IN.",
+    "hint": "Begin the program with IN."
   },
   "hpgl.outside-area": {
-    "text": "The line leaves the area of the device.",
-    "hint": ""
+    "text": "The line moves outside the area of the device.",
+    "hint": "Move the drawing on the table."
   },
   "hpgl.plunge-without-move": {
-    "text": "The line lowers the tool and moves nowhere, so its heading is not known.",
-    "hint": ""
+    "text": "The line lowers the tool without a move, so the direction of the tool is not known.",
+    "hint": "Add a move after PD."
   },
   "hpgl.press": {
-    "text": "{place} presses the tool in one place, where HPGL cannot turn it.",
+    "text": "{place} presses the tool into the board at one point, but HPGL cannot turn the tool there.",
     "hint": "Choose a board with short_crease = \"refuse\", or another machine."
   },
   "hpgl.selects-while-down": {
     "text": "The line selects a pen while the tool is down.",
-    "hint": "Lift it first (PU)."
+    "hint": "Lift the tool first (PU)."
   },
   "hpgl.slanted-plunge": {
-    "text": "{place} goes down or up along a slope.",
-    "hint": "Choose a tool that goes straight down."
+    "text": "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
+    "hint": "Choose a tool that moves straight down."
   },
   "hpgl.speed-out-of-range": {
     "text": "The speed (VS) is not between {low} and {high}.",
-    "hint": ""
+    "hint": "Give a speed in this range."
   },
   "hpgl.swivel": {
-    "text": "{place} turns the head about the tip.",
-    "hint": "Give the knife no trail: the device compensates it."
+    "text": "{place} turns the head about the tip of the knife, which HPGL cannot express.",
+    "hint": "Set the trail of the knife to 0 in the machine file; the device compensates for it."
   },
   "hpgl.turn-in-board": {
-    "text": "The tool turns by {degrees:.2f}° in the board; at most {most:.2f}° is allowed.",
-    "hint": "Lift it before the corner."
+    "text": "The tool turns by {degrees:.2f}° while it is in the board; at most {most:.2f}° is allowed.",
+    "hint": "Lift the tool before the corner."
   },
   "hpgl.unknown-instruction": {
     "text": "The instruction {name} is not supported.",
-    "hint": ""
+    "hint": "Remove it."
   },
   "hpgl.unknown-pen": {
-    "text": "The device has no such pen.",
-    "hint": ""
+    "text": "The device does not have this pen.",
+    "hint": "Select a pen of the machine file."
   },
   "hpgl.wrong-force": {
-    "text": "The line lowers pen {pen} with another force than its own (FS{force}).",
-    "hint": ""
+    "text": "The line lowers pen {pen} with a force that is not the force of this pen (FS{force}).",
+    "hint": "Set FS{force} before it."
   },
   "hpgl.x-without-y": {
-    "text": "An X has no Y.",
-    "hint": ""
+    "text": "A coordinate X is not followed by Y.",
+    "hint": "Give both coordinates."
   },
   "import.angles-not-numbers": {
-    "text": "its angles are not numbers",
+    "text": "the angles of the arc are not numbers",
     "hint": ""
   },
   "import.annotations": {
-    "text": "{count} notes and form fields on the page are not cut",
+    "text": "{count:# note or form field|# notes and form fields} on the page: not cut",
     "hint": ""
   },
   "import.area-outline": {
-    "text": "outline of a filled area: the drawing has no strokes",
+    "text": "outline of a filled area, because the drawing has no lines",
     "hint": ""
   },
   "import.area-outline-on-page": {
-    "text": "outline of a filled area: the page has no strokes",
+    "text": "outline of a filled area, because the page has no lines",
     "hint": ""
   },
   "import.array": {
-    "text": "{columns} columns × {rows} rows",
+    "text": "a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
   },
   "import.bad-operands": {
-    "text": "the operands of its operator {operator!r} are invalid",
+    "text": "the PDF operator {operator!r} has invalid operands",
     "hint": ""
   },
   "import.bad-path-data": {
-    "text": "its path data is wrong at character {character} ({text!r}): read up to there, as in a browser",
+    "text": "the path data of the object is invalid at character {character} ({text!r}); the path was read up to there, as browsers do",
     "hint": ""
   },
   "import.bad-place": {
-    "text": "its position cannot be read: {reason}",
+    "text": "the position of the object cannot be read: {reason}",
     "hint": ""
   },
   "import.bad-points": {
-    "text": "its points cannot be read: {points!r}",
+    "text": "the points of the object cannot be read: {points!r}",
     "hint": ""
   },
   "import.bad-radius": {
-    "text": "its radius is {radius:g}",
+    "text": "the radius is {radius:g}, but must be greater than 0",
     "hint": ""
   },
   "import.bad-size": {
-    "text": "its {name} cannot be read: {reason}",
+    "text": "the attribute {name} of the object cannot be read: {reason}",
     "hint": ""
   },
   "import.bad-transform": {
-    "text": "its transform cannot be read: {reason}",
+    "text": "the attribute transform of the object cannot be read: {reason}",
+    "hint": ""
+  },
+  "import.bad-value": {
+    "text": "{value!r} is not a length",
     "hint": ""
   },
   "import.bad-window": {
-    "text": "its window cannot be read: {reason}",
+    "text": "the position or size of the nested drawing cannot be read: {reason}",
     "hint": ""
   },
   "import.block-external": {
-    "text": "its block {block!r} is in another file",
-    "hint": "Bind it before exporting."
+    "text": "the block {block!r} is in another file",
+    "hint": "Bind the external reference in the CAD program and export again."
   },
   "import.block-in-itself": {
-    "text": "its block {block!r} contains itself",
+    "text": "the block {block!r} contains itself",
     "hint": ""
   },
   "import.block-missing": {
-    "text": "its block {block!r} is not in the file",
+    "text": "the block {block!r} is not in the file",
     "hint": ""
   },
   "import.bridge": {
-    "text": "1 bridge of {width:g} in the die board",
+    "text": "the rule in the die has 1 bridge of {width:g} (file units)",
     "hint": ""
   },
   "import.bridges": {
-    "text": "{bridges:g} bridges of {width:g} in the die board",
+    "text": "the rule in the die has {bridges:g} bridges of {width:g} (file units)",
     "hint": ""
   },
   "import.clip-path": {
-    "text": "it is only a clipping path",
+    "text": "the object is only a clipping path",
     "hint": ""
   },
   "import.contains-itself": {
-    "text": "it contains itself",
+    "text": "the object contains itself",
     "hint": ""
   },
   "import.coordinate-not-a-number": {
-    "text": "a coordinate is not a number",
+    "text": "a coordinate of the object is not a number",
     "hint": ""
   },
   "import.curves-fitted": {
-    "text": "curves fitted with {pieces} lines and arcs within {tolerance:.2g} file units",
+    "text": "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units",
     "hint": ""
   },
   "import.curves-fitted-relative": {
-    "text": "curves fitted with {pieces} lines and arcs within {tolerance:.2g} file units (1/250,000 of the drawing)",
+    "text": "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the drawing)",
     "hint": ""
   },
   "import.damaged": {
-    "text": "it is damaged: {reason}",
+    "text": "the object is damaged: {reason}",
     "hint": ""
   },
   "import.damaged-or-frame": {
-    "text": "it is damaged, or only the frame of a text",
+    "text": "the object is damaged, or is only the frame of a text",
     "hint": ""
   },
   "import.dimension": {
@@ -1364,83 +1496,83 @@ export const TEXTS = {
     "hint": ""
   },
   "import.drawn-twice": {
-    "text": "it is drawn twice: the same as {same:, }",
+    "text": "the object is drawn twice: it lies exactly on {same:, }",
     "hint": ""
   },
   "import.drawn-twice-often": {
-    "text": "it is drawn twice: the same as {same:, } and {more} more",
+    "text": "the object is drawn several times: it lies exactly on {same:, } and {more} more",
     "hint": ""
   },
   "import.empty-path": {
-    "text": "its path is empty",
+    "text": "the path of the object is empty",
     "hint": ""
   },
   "import.end-mark": {
-    "text": "an end mark",
+    "text": "the object only marks the end of a list",
     "hint": ""
   },
   "import.endless-line": {
-    "text": "a construction line without end",
+    "text": "the object is a construction line of infinite length",
     "hint": ""
   },
   "import.extrusion-not-a-number": {
-    "text": "its extrusion is not a number",
+    "text": "the extrusion direction of the object is not a number",
     "hint": ""
   },
   "import.few-vertices": {
-    "text": "it has {vertices} vertices: no line between them",
+    "text": "the polyline has {vertices:# vertex|# vertices}, but needs at least 2",
     "hint": ""
   },
   "import.filled-area": {
-    "text": "a filled area has no line of its own",
+    "text": "the object is a filled area without a line",
     "hint": ""
   },
   "import.filled-area-beside-strokes": {
-    "text": "a filled area without a stroke, in a drawing with strokes",
+    "text": "the object is a filled area without a line, and the drawing has lines",
     "hint": ""
   },
   "import.filled-area-on-page": {
-    "text": "a filled area without a stroke, on a page with strokes",
+    "text": "the object is a filled area without a line, and the page has lines",
     "hint": ""
   },
   "import.fit-points": {
-    "text": "drawn through its fit points",
+    "text": "the curve was drawn through its fit points",
     "hint": ""
   },
   "import.font-shape": {
-    "text": "a shape out of a font file is not read: explode it into lines",
-    "hint": ""
+    "text": "the object is a shape from a font file, which cannot be read",
+    "hint": "Explode it into lines in the CAD program and export again."
   },
   "import.height-not-a-number": {
-    "text": "its height is not a number",
+    "text": "the height (z) of the object is not a number",
     "hint": ""
   },
   "import.height-too-far": {
-    "text": "its height is {height:g}; the limit is {limit:g}",
+    "text": "the height (z) of the object is {height:g}; the limit is {limit:g}",
     "hint": ""
   },
   "import.hidden": {
-    "text": "it is hidden",
+    "text": "the object is hidden",
     "hint": ""
   },
   "import.hidden-layer": {
-    "text": "it is hidden: the layer {layer} is switched off",
-    "hint": ""
+    "text": "the object is hidden, because the layer {layer} is switched off",
+    "hint": "Switch the layer on and export again if the object must be cut."
   },
   "import.image": {
     "text": "images are not cut",
     "hint": ""
   },
   "import.incomplete": {
-    "text": "it is incomplete: it has no {part}",
+    "text": "the object is incomplete: its {part} is missing",
     "hint": ""
   },
   "import.interrupted-path": {
-    "text": "another object starts before the path is painted",
+    "text": "the path is never painted, because another object starts before",
     "hint": ""
   },
   "import.invisible": {
-    "text": "it is marked as invisible",
+    "text": "the object is marked as invisible",
     "hint": ""
   },
   "import.kept": {
@@ -1452,35 +1584,39 @@ export const TEXTS = {
     "hint": ""
   },
   "import.laid-flat": {
-    "text": "laid flat from z = {height:g}",
+    "text": "moved from the height z = {height:g} to z = 0",
     "hint": ""
   },
   "import.layer-frozen": {
-    "text": "its layer is frozen",
-    "hint": ""
+    "text": "the layer of the object is frozen",
+    "hint": "Thaw the layer and export again if the object must be cut."
   },
   "import.layer-not-plotted": {
-    "text": "its layer is not plotted",
-    "hint": ""
+    "text": "the layer of the object is not plotted",
+    "hint": "Set the layer to be plotted and export again if the object must be cut."
   },
   "import.layer-off": {
-    "text": "its layer is off",
-    "hint": ""
+    "text": "the layer of the object is switched off",
+    "hint": "Switch the layer on and export again if the object must be cut."
   },
   "import.light": {
-    "text": "a light is not cut",
+    "text": "lights are not cut",
+    "hint": ""
+  },
+  "import.line-not-numbers": {
+    "text": "the values of line {line} are not all numbers: {values:, }",
     "hint": ""
   },
   "import.lone-vertex": {
-    "text": "a vertex without its polyline",
+    "text": "the vertex does not belong to a polyline",
     "hint": ""
   },
   "import.mesh": {
-    "text": "it is a mesh, not a flat line",
+    "text": "the object is a three-dimensional mesh, not a flat line",
     "hint": ""
   },
   "import.missing-id": {
-    "text": "no element has the id {id!r}",
+    "text": "no object has the id {id!r}, to which this object refers",
     "hint": ""
   },
   "import.missing-subroutine": {
@@ -1488,63 +1624,67 @@ export const TEXTS = {
     "hint": ""
   },
   "import.multiple-line": {
-    "text": "a multiple line is not read: explode it into lines",
-    "hint": ""
+    "text": "multilines cannot be read",
+    "hint": "Explode it into lines in the CAD program and export again."
   },
   "import.no-length": {
-    "text": "it has no length: {length:g}",
+    "text": "the object has no length ({length:g})",
     "hint": ""
   },
   "import.no-major-axis": {
-    "text": "its major axis has a length of 0",
+    "text": "the major axis of the ellipse has a length of 0",
     "hint": ""
   },
   "import.no-paint": {
-    "text": "it has neither a stroke nor a fill",
+    "text": "the object has neither a line nor a fill",
     "hint": ""
   },
   "import.no-parameter-range": {
-    "text": "it has no length: it starts and ends at parameter {parameter:g}",
+    "text": "the object has no length: it starts and ends at parameter {parameter:g}",
     "hint": ""
   },
   "import.no-points": {
-    "text": "it has no points",
+    "text": "the object has no points",
     "hint": ""
   },
   "import.no-scale": {
-    "text": "its scale is {x:g} × {y:g}: nothing is left of it",
+    "text": "the object is scaled by {x:g} × {y:g}, so it has no size",
     "hint": ""
   },
   "import.no-size": {
-    "text": "its width and height are {width:g} and {height:g}",
+    "text": "the object has no size: its width is {width:g} and its height {height:g}",
     "hint": ""
   },
   "import.no-sweep": {
-    "text": "it has no length: it starts and ends at {degrees:g}°",
+    "text": "the arc has no length: it starts and ends at {degrees:g}°",
     "hint": ""
   },
   "import.not-a-line": {
-    "text": "{kind} is not a kind of line that is read",
+    "text": "objects of type {kind} cannot be read",
     "hint": ""
   },
   "import.not-clipped": {
-    "text": "the clipping around it is not applied",
+    "text": "the object is imported completely, although the file shows only a part of it",
     "hint": ""
   },
   "import.not-flat": {
-    "text": "it is not flat",
+    "text": "the object is not flat",
+    "hint": ""
+  },
+  "import.not-numbers": {
+    "text": "its coordinates are not all numbers: {values:, }",
     "hint": ""
   },
   "import.not-svg": {
-    "text": "its content is not SVG",
+    "text": "the content of the object is not SVG",
     "hint": ""
   },
   "import.not-visible": {
-    "text": "it is fully transparent",
+    "text": "the object is completely transparent",
     "hint": ""
   },
   "import.nothing-named": {
-    "text": "no form or image has the name {name!r}",
+    "text": "the PDF has no form or image with the name {name!r}",
     "hint": ""
   },
   "import.on-layer": {
@@ -1552,31 +1692,31 @@ export const TEXTS = {
     "hint": ""
   },
   "import.other-file": {
-    "text": "it refers to another file, {file!r}, which is not fetched",
-    "hint": ""
+    "text": "the object is in another file, {file!r}, which is not loaded",
+    "hint": "Embed the object in the file and export again."
   },
   "import.other-pages": {
-    "text": "only the first of {pages} pages is read",
-    "hint": ""
+    "text": "only the first of {pages:# page|# pages} is read",
+    "hint": "Export the other pages as separate files."
   },
   "import.outside-page": {
-    "text": "it lies outside the visible area of the page",
+    "text": "the object lies outside the visible area of the page",
     "hint": ""
   },
   "import.page-ends-early": {
-    "text": "the page ends before the path is painted",
+    "text": "the path is never painted, because the page ends before",
     "hint": ""
   },
   "import.paper-space": {
-    "text": "it is in paper space",
+    "text": "the object is in a layout (paper space), not in the model",
     "hint": ""
   },
   "import.parameters-not-numbers": {
-    "text": "its parameters are not numbers",
+    "text": "the parameters of the object are not numbers",
     "hint": ""
   },
   "import.partly-outside-page": {
-    "text": "part of it lies outside the visible area of the page",
+    "text": "a part of the object lies outside the visible area of the page",
     "hint": ""
   },
   "import.picture": {
@@ -1584,31 +1724,31 @@ export const TEXTS = {
     "hint": ""
   },
   "import.picture-block": {
-    "text": "the block {block} of {entities:# entity|# entities}: it shows a dimension or a hatch",
+    "text": "the block {block} with {entities:# object|# objects} is the picture of a dimension or a hatch",
     "hint": ""
   },
   "import.pieces-drawn-twice": {
-    "text": "{pieces} of {all} pieces are drawn twice, with {same:, }",
+    "text": "{pieces} of {all} segments are drawn twice: they lie exactly on {same:, }",
     "hint": ""
   },
   "import.pieces-drawn-twice-often": {
-    "text": "{pieces} of {all} pieces are drawn twice, with {same:, } and {more} more",
+    "text": "{pieces} of {all} segments are drawn several times: they lie exactly on {same:, } and {more} more",
     "hint": ""
   },
   "import.pieces-no-length": {
-    "text": "{pieces} of {all} pieces have no length",
+    "text": "{pieces} of {all} segments have no length",
     "hint": ""
   },
   "import.place-not-a-number": {
-    "text": "its position is not a number",
+    "text": "the position of the object is not a number",
     "hint": ""
   },
   "import.placement-not-a-number": {
-    "text": "its place, scale or rotation is not a number",
+    "text": "the position, scale or rotation of the object is not a number",
     "hint": ""
   },
   "import.places-block": {
-    "text": "places the block {block}",
+    "text": "inserts the block {block}",
     "hint": ""
   },
   "import.places-subroutine": {
@@ -1616,27 +1756,27 @@ export const TEXTS = {
     "hint": ""
   },
   "import.point": {
-    "text": "a point has no length",
+    "text": "the object is a point, which has no length",
     "hint": ""
   },
   "import.proxy": {
-    "text": "only the program that made it can read it: explode it into lines",
-    "hint": ""
+    "text": "only the program that made this object can read it",
+    "hint": "Explode it into lines in that program and export again."
   },
   "import.region": {
-    "text": "a region is not read: explode it into lines",
-    "hint": ""
+    "text": "regions cannot be read",
+    "hint": "Explode it into lines in the CAD program and export again."
   },
   "import.repeated": {
     "text": "drawn {times} times",
     "hint": ""
   },
   "import.rules-not-read": {
-    "text": "rules that are not supported: {rules:, }",
+    "text": "the style sheet has rules that are not supported: {rules:, }",
     "hint": ""
   },
   "import.script": {
-    "text": "scripts are not run",
+    "text": "scripts are not executed",
     "hint": ""
   },
   "import.shading": {
@@ -1644,11 +1784,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.short-path-data": {
-    "text": "its path data ends inside a command: read up to there, as in a browser",
+    "text": "the path data of the object ends inside a command; the path was read up to there, as browsers do",
     "hint": ""
   },
   "import.solid": {
-    "text": "it is a solid or a face, not a flat line",
+    "text": "the object is a solid or a face, not a flat line",
     "hint": ""
   },
   "import.spot-colour": {
@@ -1660,55 +1800,47 @@ export const TEXTS = {
     "hint": ""
   },
   "import.text": {
-    "text": "text is not cut",
+    "text": "texts are not cut",
     "hint": ""
   },
   "import.text-unknown-letters": {
-    "text": "text is not cut, and its encoding is unknown",
+    "text": "texts are not cut, and the characters of this text cannot be read",
     "hint": ""
   },
   "import.tilted": {
-    "text": "it is not flat: its plane is tilted by {degrees:g}°",
+    "text": "the object is not flat: its plane is tilted by {degrees:g}°",
     "hint": ""
   },
   "import.tilted-axis": {
-    "text": "it is not flat: its major axis rises by {rise:g}",
+    "text": "the object is not flat: its major axis rises by {rise:g} file units",
     "hint": ""
   },
   "import.too-far": {
-    "text": "a coordinate is {coordinate:g}; the limit is {limit:g}",
+    "text": "a coordinate of the object is {coordinate:g}; the limit is {limit:g}",
     "hint": ""
   },
   "import.too-many-fit-points": {
-    "text": "it goes through {points:,} points; the limit is {limit:,}",
+    "text": "the curve has {points:,} fit points; the limit is {limit:,}",
     "hint": ""
   },
   "import.uncentred-arc": {
-    "text": "its centre is {first:g} from one end and {second:g} from the other",
+    "text": "the centre of the arc is {first:g} away from its start, but {second:g} away from its end",
     "hint": ""
   },
   "import.underlay": {
-    "text": "a picture or an underlay is not cut",
+    "text": "underlays (inserted pictures and PDF pages) are not cut",
     "hint": ""
   },
   "import.uneven-height": {
-    "text": "it is not flat: z goes from {low:g} to {high:g}",
+    "text": "the object is not flat: its height z varies from {low:g} to {high:g}",
     "hint": ""
   },
   "import.unknown-operator": {
-    "text": "the operator {operator!r} is unknown",
+    "text": "the PDF operator {operator!r} is not supported",
     "hint": ""
   },
   "import.unknown-record": {
     "text": "records of this type are not supported",
-    "hint": ""
-  },
-  "import.unreadable-line": {
-    "text": "line {line} cannot be read: {reason}",
-    "hint": ""
-  },
-  "import.unreadable-record": {
-    "text": "it cannot be read: {reason}",
     "hint": ""
   },
   "import.unsupported-element": {
@@ -1716,19 +1848,39 @@ export const TEXTS = {
     "hint": ""
   },
   "import.unused-block": {
-    "text": "the block {block} of {entities:# entity|# entities}: no INSERT places it on the sheet",
+    "text": "the block {block} with {entities:# object|# objects} is not used in the drawing",
     "hint": ""
   },
   "import.unused-subroutine": {
-    "text": "the subroutine {name} with {records:# record|# records} is never called",
+    "text": "the subroutine {name} with {records:# record|# records} is not used in the drawing",
+    "hint": ""
+  },
+  "import.value-angle": {
+    "text": "{degrees:g}° is not a finite angle",
+    "hint": ""
+  },
+  "import.value-not-numbers": {
+    "text": "{value!r} is not a number",
+    "hint": ""
+  },
+  "import.value-not-transform": {
+    "text": "{value!r} is not a transform",
+    "hint": ""
+  },
+  "import.value-transform-numbers": {
+    "text": "the transform {name} does not take {count:# number|# numbers}",
+    "hint": ""
+  },
+  "import.value-unit": {
+    "text": "{value!r} has an unknown unit of length",
     "hint": ""
   },
   "import.viewport": {
-    "text": "a viewport shows lines and is none",
+    "text": "the object is a viewport, which only displays lines",
     "hint": ""
   },
   "import.wrong-field-count": {
-    "text": "line {line} has {fields} fields",
+    "text": "line {line} of the file has {fields:# field|# fields}, which is too few or too many for its record",
     "hint": ""
   },
   "input.not-finite": {
@@ -1944,40 +2096,40 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "language.bad-entry-point": {
-    "text": "The entry point {name!r} of {group} is not a controller language of this name.",
+    "text": "The entry point {name!r} of {group} does not provide a controller language of this name.",
     "hint": "Correct or remove the package that declares it."
   },
   "language.no-driver": {
-    "text": "Programs for {language} cannot be streamed: there is no gateway driver.",
+    "text": "Programs in {language} cannot be sent to a machine, because there is no gateway driver for this language.",
     "hint": "{advice}"
   },
   "language.unknown": {
-    "text": "There is no controller language {name!r}.",
-    "hint": "Available: {known:, }."
+    "text": "The controller language {name!r} does not exist.",
+    "hint": "Choose one of {known:, }."
   },
   "language.unusable": {
     "text": "{machine} cannot be driven with {language}: {reason}.",
-    "hint": "Its own language is {own}."
+    "hint": "Choose {own}, the language of the machine file."
   },
   "layer.not-finite": {
-    "text": "Layer {layer} has a coordinate that is not a number.",
-    "hint": "Give finite lengths."
+    "text": "A coordinate on the layer {layer} is not a number.",
+    "hint": "Draw the edges of this layer again."
   },
   "library.invalid": {
     "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
-    "hint": "Correct it; knifetip schema {shelf} describes all fields."
+    "hint": "Correct its TOML file; knifetip schema {shelf} describes all fields."
   },
   "library.unknown": {
-    "text": "There is no {shelf} {name!r}.",
-    "hint": "Available: {known:, }."
+    "text": "The {shelf} {name!r} does not exist.",
+    "hint": "Choose one of {known:, }."
   },
   "library.unknown-file": {
-    "text": "There is no {shelf} {name!r}: {reason}.",
-    "hint": "Available: {known:, }."
+    "text": "The {shelf} {name!r} does not exist: {reason}.",
+    "hint": "Check the path of the file, or choose one of {known:, }."
   },
   "library.unreadable": {
     "text": "The {shelf} {name!r} cannot be read: {detail}.",
-    "hint": "Fix the TOML file."
+    "hint": "Correct its TOML file."
   },
   "machine.busy": {
     "text": "Job {job} is on the table of {machine}.",
@@ -1988,60 +2140,60 @@ export const TEXTS = {
     "hint": "One job at a time: finish it, queue it again or scrap it."
   },
   "machine.no-cutter": {
-    "text": "{machine} has no cutter {cutter!r}.",
-    "hint": "Only a rotating cutter or a beam can be calibrated."
+    "text": "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
+    "hint": "Choose a machine with a rotating cutter or a laser; only these can be calibrated."
   },
   "machine.no-such-cutter": {
     "text": "{machine} has no cutter {cutter!r}.",
-    "hint": "It has {known:, }."
+    "hint": "Choose one of {known:, }."
   },
   "milling.shared-edge": {
-    "text": "Two blanks share edge {edge}, and the cutter removes {diameter:g} mm from one or the other.",
-    "hint": "Move them at least {diameter:g} mm apart, each with an edge of its own, or choose a machine with a knife."
+    "text": "Two parts share edge {edge}, but the cutter removes {diameter:g} mm from one of them.",
+    "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
   },
   "offset.bad-distance": {
-    "text": "The distance of an offset is not a number of 0 mm or more.",
-    "hint": "Correct the tool."
+    "text": "The offset distance is not a number of 0 mm or more.",
+    "hint": "Correct the radius of the tool."
   },
   "offset.bad-interference": {
-    "text": "{interference!r} is not a way to handle interference.",
-    "hint": "Give 'trim' or 'refuse'."
+    "text": "{interference!r} is not a method for places where the tool does not fit.",
+    "hint": "Choose 'trim' or 'refuse'."
   },
   "offset.bad-side": {
-    "text": "The side of a path is neither left nor right.",
+    "text": "The side of a path must be +1 (left) or -1 (right).",
     "hint": "Give +1 or -1."
   },
   "offset.dead-end": {
-    "text": "The offset of path {path} at {radius:g} mm cannot be closed: {depth:.4g} mm of it beside segment {segment} lead nowhere.",
+    "text": "The offset of path {path} by {radius:g} mm does not close: {depth:.4g} mm of it beside segment {segment} have no continuation.",
     "hint": "Draw the contour without overlaps, or change the radius a little."
   },
   "offset.interference": {
     "text": "A tool of radius {radius:g} mm beside segment {segment} would cut {depth:.4g} mm into segment {other}.",
-    "hint": "Choose a smaller tool, or allow it to leave uncut what it cannot reach."
+    "hint": "Choose a smaller tool, or accept uncut remains where the tool does not fit."
   },
   "offset.mixed-group": {
-    "text": "Path {path} has another radius or side than the group that it belongs to.",
-    "hint": "Reverse it, or give it a group of its own."
+    "text": "Path {path} has another radius or side than the other paths of its group.",
+    "hint": "Reverse the path, or put it into a group of its own."
   },
   "offset.self-contact": {
-    "text": "The offset of path {path} at {radius:g} mm cannot be closed: the contour touches itself at ({x:.4f}, {y:.4f}), in segments {one} and {two}.",
-    "hint": "Trim the two segments to where they meet, or move one of them off the other."
+    "text": "The offset of path {path} by {radius:g} mm does not close: the contour touches itself at ({x:.4f}, {y:.4f}), in segments {one} and {two}.",
+    "hint": "Trim the two segments where they meet, or move one of them away."
   },
   "override.ambiguous": {
     "text": "An override must name its edges in exactly one way.",
     "hint": "Give edges, or handles, or layer and colour."
   },
   "override.no-edges-there": {
-    "text": "There is no edge {place: and }.",
-    "hint": "GET …/edges lists layers and colours."
+    "text": "The drawing has no edge {place: and }.",
+    "hint": "Choose a layer and colour that GET /api/drawings/ID/edges lists."
   },
   "override.no-such-edge": {
-    "text": "The drawing has {count:# edge|# edges}; there is no edge {edge}.",
-    "hint": "Edges are numbered from 0."
+    "text": "Edge {edge} does not exist; the drawing has {count:# edge|# edges}.",
+    "hint": "Number the edges from 0."
   },
   "override.no-such-handle": {
     "text": "No edge has the handle {handle!r}.",
-    "hint": "GET …/edges lists the handles."
+    "hint": "Choose a handle that GET /api/drawings/ID/edges lists."
   },
   "override.of-colour": {
     "text": "of colour {colour}",
@@ -2052,100 +2204,124 @@ export const TEXTS = {
     "hint": ""
   },
   "pdf.blank": {
-    "text": "There is no drawing on the first page of the PDF.",
-    "hint": "Export the drawing as a page of its own."
+    "text": "The first page of the PDF contains no drawing.",
+    "hint": "Export the drawing as the first page."
   },
   "pdf.content-damaged": {
-    "text": "The content of the PDF's {where} {reason}, so lines may be missing.",
-    "hint": "Export it again, or send the drawing as DXF."
+    "text": "The content of {where} of the PDF {reason}, so lines of the drawing may be missing.",
+    "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.cut-short": {
-    "text": "The PDF is cut short: its {bytes:,} bytes do not end with %%EOF, so lines may be missing.",
-    "hint": "Send or export it again."
+    "text": "The PDF is cut short: its {bytes:,} bytes do not end with %%EOF, so lines of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.encrypted": {
-    "text": "The PDF is encrypted.",
+    "text": "The PDF is encrypted, so it cannot be read.",
     "hint": "Save it without a password and without restrictions."
   },
   "pdf.expands-too-far": {
-    "text": "The page of the PDF and the forms that it repeats expand to more than {limit:.1f} MB of drawing.",
+    "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
     "hint": "Export a single carton, with its symbols expanded."
   },
   "pdf.form": {
-    "text": "The PDF is a form (XFA) and has no drawing on its page.",
-    "hint": "Print it to a PDF, or send the drawing itself."
+    "text": "The PDF is an XFA form, whose page contains no drawing.",
+    "hint": "Print the drawing to a PDF, or send it as DXF."
+  },
+  "pdf.form-named": {
+    "text": "form {name}",
+    "hint": ""
   },
   "pdf.illustrator-only": {
-    "text": "The Illustrator file was saved without PDF content, and there is no line on its page.",
-    "hint": "Save it with 'Create PDF Compatible File', or as PDF."
+    "text": "The Illustrator file was saved without PDF content, so its page contains no line.",
+    "hint": "Save it with the option 'Create PDF Compatible File', or as PDF."
   },
   "pdf.layers-too-deep": {
-    "text": "Layers of the PDF are nested more than {limit:,} deep.",
-    "hint": "Export it again from the program that drew it."
+    "text": "The layers of the PDF are nested more than {limit:,} levels deep.",
+    "hint": "Export the drawing again with fewer nested layers."
+  },
+  "pdf.nested-arrays": {
+    "text": "has arrays that are nested too deep",
+    "hint": ""
   },
   "pdf.no-header": {
     "text": "The file is not a PDF: it does not begin with %PDF.",
-    "hint": "Export it again, or send the drawing as DXF."
+    "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.no-page": {
     "text": "The PDF has no page.",
-    "hint": "Export it again, or send the drawing as DXF."
+    "hint": "Export the drawing again, or send it as DXF."
+  },
+  "pdf.open-array": {
+    "text": "ends inside an array",
+    "hint": ""
+  },
+  "pdf.open-image": {
+    "text": "ends inside an image",
+    "hint": ""
+  },
+  "pdf.open-text": {
+    "text": "ends inside a text",
+    "hint": ""
+  },
+  "pdf.page": {
+    "text": "the page",
+    "hint": ""
   },
   "pdf.page-too-large": {
-    "text": "The page of the PDF reaches to {size:g} mm; the limit is {limit:g} mm.",
-    "hint": "Export it in its true size."
+    "text": "The page of the PDF extends to {size:g} mm; the limit is {limit:g} mm.",
+    "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
-    "text": "A part of the PDF's page is missing, so lines may be missing.",
-    "hint": "Export it again, or send the drawing as DXF."
+    "text": "A part of the page of the PDF is missing, so lines of the drawing may be missing.",
+    "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-cut-short": {
-    "text": "A stream of the PDF is cut short, so lines may be missing.",
-    "hint": "Send or export it again."
+    "text": "A data stream of the PDF is cut short, so lines of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.stream-damaged": {
-    "text": "A stream of the PDF is damaged ({reason}), so lines may be missing.",
-    "hint": "Export it again, or send the drawing as DXF."
+    "text": "A data stream of the PDF is damaged ({reason}), so lines of the drawing may be missing.",
+    "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-too-large": {
-    "text": "A stream of the PDF unpacks to more than {limit:.1f} MB.",
+    "text": "A data stream of the PDF is larger than {limit:.1f} MB when unpacked.",
     "hint": "Export a single carton, without pictures."
   },
   "pdf.too-many-states": {
     "text": "The PDF saves more than {limit:,} graphics states at once.",
-    "hint": "Export it again from the program that drew it."
+    "hint": "Export the drawing again from the program that drew it."
   },
   "profile.bad-if-match": {
-    "text": "If-Match is {match!r}, which is not a version.",
+    "text": "The header If-Match is {match!r}, which is not a version.",
     "hint": "Send the ETag of the profile, for example \"3\"."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",
-    "hint": "Use up to 64 lower-case letters, digits, - and _; the page shows the title."
+    "hint": "Use up to 64 lower-case letters, digits, - and _; put other characters into the title."
   },
   "profile.exists": {
-    "text": "There is a profile {name} already, at version {version}.",
-    "hint": "To replace it, send If-Match: \"{version}\"; or choose another name."
+    "text": "A profile {name} already exists, at version {version}.",
+    "hint": "Send If-Match: \"{version}\" to replace it, or choose another name."
   },
   "profile.invalid-field": {
-    "text": "The profile cannot be read: {place}: {fault}.",
+    "text": "The profile cannot be read: {fault}.",
     "hint": "See ProfileIn in /api/openapi.json for the expected fields."
   },
   "profile.nested-too-deep": {
     "text": "The profile {name!r} is nested too deeply.",
-    "hint": "A profile is a title and a list of [[rule]]."
+    "hint": "Write a title and a list of [[rule]] tables."
   },
   "profile.not-an-extension": {
-    "text": "The rules of {name!r} are not those of {extends!r} with additions.",
-    "hint": "Write it out without extends."
+    "text": "The profile {name!r} cannot be written as an extension of {extends!r}, because it does not contain all rules of it.",
+    "hint": "Write it without extends."
   },
   "profile.not-kept": {
-    "text": "There is no custom profile {name}.",
-    "hint": "GET /api/profiles lists them."
+    "text": "The server has no custom profile {name}.",
+    "hint": "Choose one of the profiles that GET /api/profiles lists."
   },
   "profile.not-toml": {
-    "text": "The profile {name!r} is not TOML: {reason}.",
-    "hint": "Fix that line."
+    "text": "The profile {name!r} is not valid TOML: {reason}.",
+    "hint": "Correct this line."
   },
   "profile.not-utf8": {
     "text": "{name} is not UTF-8 text.",
@@ -2157,94 +2333,94 @@ export const TEXTS = {
   },
   "profile.shipped": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
-    "hint": "Save yours under another name; it can extend this one."
+    "hint": "Save your profile under another name; it can extend this one."
   },
   "profile.shipped-command": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
-    "hint": "Save yours under another --name."
+    "hint": "Choose another name with --name."
   },
   "profile.stale": {
-    "text": "Profile {name} is at version {version}, and this change was made from version {given}: another user changed it in between.",
-    "hint": "Check it again, then send your change with If-Match: \"{version}\"."
+    "text": "Another user has changed the profile {name}: it is at version {version}, but this change was made from version {given}.",
+    "hint": "Check the profile again, then send your change with If-Match: \"{version}\"."
   },
   "profile.too-long": {
-    "text": "The profile {name!r} is {size} kB long; the limit is {limit} kB.",
-    "hint": "One rule can take many layers, and * matches any letters."
+    "text": "The profile {name!r} has {size} kB; the limit is {limit} kB.",
+    "hint": "Combine rules: a rule can list many layers, and * matches any characters."
   },
   "profile.too-many": {
-    "text": "There are {limit} profiles already.",
-    "hint": "Delete one that is not used."
+    "text": "The server already has {limit} profiles, the largest number allowed.",
+    "hint": "Delete a profile that is not used."
   },
   "program.bad-tolerance": {
-    "text": "A tolerance of {tolerance} mm leaves nothing for the controller's path blending.",
+    "text": "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
     "hint": "Give 0.001 mm or more."
   },
   "program.control-byte": {
-    "text": "Line {line} has the byte 0x{byte}, which the controller would execute at once.",
-    "hint": "Compile the job again; a program contains none of ? ! ~ and no control bytes."
+    "text": "Line {line} of the program contains the byte 0x{byte}, a control command that the controller would execute at once.",
+    "hint": "Remove it, or compile the job again."
   },
   "program.line-too-long": {
-    "text": "Row {row} of the toolpath needs a line of {length} characters ({line} …), and {dialect} accepts {limit}.",
-    "hint": "Check the coordinates: they exceed any real table."
+    "text": "Row {row} of the toolpath needs a program line of {length} characters ({line} …), but {dialect} accepts only {limit}.",
+    "hint": "Check the coordinates of the drawing: they are larger than any table."
   },
   "program.line-too-long-to-send": {
-    "text": "Line {line} has {length} bytes; {name} accepts {limit}.",
-    "hint": "Compile the job again with shorter notes."
+    "text": "Line {line} of the program has {length} bytes, but {name} accepts only {limit}.",
+    "hint": "Compile the job again with shorter comments."
   },
   "program.no-placement": {
-    "text": "{program} does not state where on the sheet it places the drawing.",
-    "hint": "Give --placement X,Y, as its report states it."
+    "text": "{program} does not contain the position of the drawing on the sheet.",
+    "hint": "Give the position from its report with --placement X,Y."
   },
   "program.not-bytes": {
-    "text": "The program is a {type}, not bytes.",
-    "hint": "Give the bytes of the file."
+    "text": "The program is of type {type}, but must be bytes.",
+    "hint": "Pass the bytes of the file."
   },
   "program.not-fetched": {
-    "text": "The program of job {job} could not be fetched ({reason}); nothing was sent to the machine.",
+    "text": "The program of job {job} could not be loaded from the server ({reason}); nothing was sent to the machine.",
     "hint": "Queue the job again."
   },
   "program.too-large": {
-    "text": "The program has {bytes:,} bytes; at most {limit:,} are read.",
+    "text": "The program has {bytes:,} bytes; the limit is {limit:,}.",
     "hint": "Split the job into several sheets."
   },
   "program.too-many-lines": {
-    "text": "The program has {lines:,} lines; at most {limit:,} are read.",
+    "text": "The program has {lines:,} lines; the limit is {limit:,}.",
     "hint": "Split the job into several sheets."
   },
   "program.too-many-moves": {
-    "text": "The program has {moves:,} moves; at most {limit:,} are read.",
+    "text": "The program has {moves:,} moves; the limit is {limit:,}.",
     "hint": "Split the job into several sheets."
   },
   "program.wrong-checksum": {
-    "text": "The program of job {job} arrived with SHA-256 {arrived}…, not {expected}…; nothing was sent to the machine.",
-    "hint": "Queue the job again; if this is repeated, compile it again."
+    "text": "The program of job {job} was damaged on its way from the server (SHA-256 {arrived}… instead of {expected}…); nothing was sent to the machine.",
+    "hint": "Queue the job again. If this happens again, compile the job again."
   },
   "question.guess": {
-    "text": " Most likely {type} ({percent} %): {reason}.",
+    "text": " It is most likely {type} ({percent} %): {reason}.",
     "hint": ""
   },
   "question.line-type": {
-    "text": "{edges:# edge|# edges} on layer \"{layer}\", colour {colour}, linetype {linetype}, total length {length:,.1f} {unit:unit}, in a box of {width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}): what {edges:is it|are they}?{guess}",
+    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, linetype {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}). Which line type should {edges:it|they} get?{guess}",
     "hint": ""
   },
   "question.shape": {
-    "text": " By its {reason}.",
+    "text": " The shape of the drawing shows: {reason}.",
     "hint": ""
   },
   "question.tool": {
-    "text": "{machine} has no tool for {type} ({edges:# edge|# edges}). Which line type should they get?",
+    "text": "{machine} has no tool for {edges:# edge|# edges} of type {type}. Which line type should {edges:it|they} get?",
     "hint": ""
   },
   "question.unit": {
-    "text": "{reason} The drawing's size would be {sizes:, }.{evidence}",
+    "text": "{reason} In which unit is it drawn? Its size would be {sizes:, }.{evidence}",
     "hint": ""
   },
   "question.unit-contradicted": {
-    "text": "The file states {stated:unit} as its unit, but the drawing does not look like it.",
+    "text": "The file states the unit {stated:unit}, but the drawing does not fit this unit.",
     "hint": ""
   },
   "question.unit-doubtful": {
-    "text": "The file states {stated:unit} as its unit, but the drawing could also be in {other:unit}.",
+    "text": "The file states the unit {stated:unit}, but the drawing could also be in {other:unit}.",
     "hint": ""
   },
   "question.unit-evidence": {
@@ -2252,7 +2428,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit-not-stated": {
-    "text": "The file does not state its unit.",
+    "text": "The file does not state the unit of the drawing.",
     "hint": ""
   },
   "question.unit-size": {
@@ -2260,16 +2436,16 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit-unreadable": {
-    "text": "The file does not state a unit of length that is supported ({evidence}).",
+    "text": "The unit of the drawing is not known: {evidence}.",
     "hint": ""
   },
   "reading.crashed": {
-    "text": "{name}: the file is damaged and cannot be read ({reason}).",
-    "hint": "Export it again as DXF, CF2, SVG or PDF, from another program if necessary."
+    "text": "{name} is damaged and cannot be read ({reason}).",
+    "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program."
   },
   "reading.damaged": {
     "text": "The {format} is damaged and cannot be read ({reason}).",
-    "hint": "Export it again, from another program if necessary."
+    "hint": "Export the drawing again, if necessary from another program."
   },
   "reading.empty": {
     "text": "The file is empty.",
@@ -2280,7 +2456,7 @@ export const TEXTS = {
     "hint": "Export a single carton, with blocks and symbols expanded."
   },
   "reading.nested-too-deep": {
-    "text": "Blocks, symbols or groups of the {format} are nested more than {limit} deep.",
+    "text": "Blocks, symbols or groups of the {format} are nested more than {limit} levels deep.",
     "hint": "Explode them in the program that drew the file, and export again."
   },
   "reading.too-large": {
@@ -2300,171 +2476,175 @@ export const TEXTS = {
     "hint": "Export a single carton, without pictures made of lines."
   },
   "reading.too-slow": {
-    "text": "The {format} takes longer than {seconds:g} s to read.",
-    "hint": "Export a single carton, with curves as lines and arcs and without pictures."
+    "text": "Reading the {format} takes longer than {seconds:g} s.",
+    "hint": "Export a single carton without pictures, and convert curves to lines and arcs."
+  },
+  "reading.truncated": {
+    "text": "The {format} is truncated and cannot be read.",
+    "hint": "Send the complete file, or export the drawing again."
   },
   "reading.unexpected": {
-    "text": "The {format} is damaged in an unexpected way and cannot be read ({reason}).",
-    "hint": "Export it again, from another program if necessary."
+    "text": "The {format} is damaged and cannot be read (internal error {reason}).",
+    "hint": "Export the drawing again, if necessary from another program."
   },
   "reading.unknown-kind": {
     "text": "The file is {what}, not a drawing that can be read.",
     "hint": "Send the drawing as {formats:or}."
   },
   "request.body-too-large": {
-    "text": "A request may have at most {limit} MB here.",
-    "hint": "Send it in several requests."
+    "text": "The request is larger than {limit} MB, the limit at this address.",
+    "hint": "Send the data in several requests."
   },
   "request.foreign-origin": {
-    "text": "Cross-site request refused: a page of another origin sent it.",
-    "hint": "Send it from this server's page, or from a program that is not a browser."
+    "text": "Cross-site request refused: it was sent by a page of another website.",
+    "hint": "Send it from the page of this server, or from a program that is not a browser."
   },
   "request.foreign-page": {
-    "text": "Cross-site request refused: a page of {origin} sent it.",
-    "hint": "Send it from this server's page, or from a program that is not a browser."
+    "text": "Cross-site request refused: it was sent by a page of {origin}.",
+    "hint": "Send it from the page of this server, or from a program that is not a browser."
   },
   "request.html-form": {
-    "text": "The API does not accept {media}.",
-    "hint": "Send it with Content-Type: application/json."
+    "text": "The API does not accept data of type {media}.",
+    "hint": "Send JSON with Content-Type: application/json."
   },
   "request.invalid": {
-    "text": "The request cannot be read: {faults:; }.",
-    "hint": "See /api/openapi.json for what is expected."
+    "text": "The request is invalid: {faults:; }.",
+    "hint": "Correct these fields; /api/openapi.json describes them."
   },
   "request.key-needed": {
-    "text": "This request needs a key.",
-    "hint": "Send Authorization: Bearer KEY, or sign in at the page."
+    "text": "This request needs the key of the server.",
+    "hint": "Send the header Authorization: Bearer KEY, or sign in on the page."
   },
   "request.key-reused": {
-    "text": "The Idempotency-Key {key} was used for another request.",
-    "hint": "Use a new key for a new request."
+    "text": "The Idempotency-Key {key} was already used for a different request.",
+    "hint": "Use a new key for each new request."
   },
   "request.local-only": {
-    "text": "Without a key this server answers only requests from its own machine.",
+    "text": "This server has no key, so it accepts only requests from its own computer.",
     "hint": "Start it with --key-file PATH or --key KEY, or open it at http://localhost."
   },
   "request.no-host": {
-    "text": "A request needs exactly one Host header.",
-    "hint": "Use HTTP/1.1."
+    "text": "The request does not have exactly one Host header.",
+    "hint": "Send one Host header, as HTTP/1.1 requires."
   },
   "request.not-marked": {
-    "text": "The request does not show that it was not sent by a page of another site.",
-    "hint": "Send an X-Knifetip header with it (any value)."
+    "text": "The request has no header that shows that it does not come from a page of another website.",
+    "hint": "Send the header X-Knifetip with any value."
   },
   "request.not-storable": {
-    "text": "The request contains text or numbers that cannot be stored.",
-    "hint": ""
+    "text": "The request contains characters or numbers that the database cannot store.",
+    "hint": "Remove control characters, and use finite numbers."
   },
   "request.nothing-there": {
-    "text": "There is nothing at {path}.",
-    "hint": "See /api/openapi.json for the available paths."
+    "text": "The address {path} does not exist on this server.",
+    "hint": "Choose an address that /api/openapi.json describes."
   },
   "request.refused": {
-    "text": "{detail}",
+    "text": "The request was refused: {detail}.",
     "hint": ""
   },
   "request.upload-too-large": {
-    "text": "A request may have at most {limit} MB here.",
-    "hint": "Send a smaller drawing."
+    "text": "The file is larger than {limit} MB, the limit of this server.",
+    "hint": "Send a smaller file."
   },
   "request.wrong-host": {
-    "text": "This server does not answer requests for the host {host!r}.",
-    "hint": "Use its address, or start it with --allow-host and this name."
+    "text": "This server does not accept requests for the host {host!r}.",
+    "hint": "Use its IP address, or start it with --allow-host {host}."
   },
   "request.wrong-key": {
     "text": "The key is wrong.",
-    "hint": "Send Authorization: Bearer KEY."
+    "hint": "Send the key of this server in the header Authorization: Bearer KEY."
   },
   "request.wrong-method": {
-    "text": "{method} is not supported at {path}.",
-    "hint": "See /api/openapi.json for the supported methods."
+    "text": "The method {method} is not supported at {path}.",
+    "hint": "Choose a method that /api/openapi.json describes for this address."
   },
   "rs274.after-end": {
-    "text": "The line comes after the end of the program.",
-    "hint": ""
+    "text": "The line comes after the end of the program (M2 or M30).",
+    "hint": "Delete the line."
   },
   "rs274.axis-without-motion": {
-    "text": "The line has axis words and no G0, G1, G2 or G3.",
-    "hint": ""
+    "text": "The line has coordinates, but no motion word (G0, G1, G2 or G3).",
+    "hint": "Add the motion word."
   },
   "rs274.bad-arc": {
-    "text": "The ends of the arc differ in radius by more than {limit:g} mm.",
-    "hint": ""
+    "text": "The distances from the centre of the arc to its start and to its end differ by more than {limit:g} mm.",
+    "hint": "Correct the centre (I, J) or the end (X, Y) of the arc."
   },
   "rs274.bad-character": {
-    "text": "The character {character!r} has no meaning here.",
+    "text": "The character {character!r} is not allowed here.",
     "hint": "Remove it."
   },
   "rs274.bad-feed": {
     "text": "The feed (F) is not greater than 0.",
-    "hint": ""
+    "hint": "Give a feed greater than 0."
   },
   "rs274.bad-line-number": {
     "text": "The line number (N) is not a whole number of 0 or more.",
-    "hint": ""
+    "hint": "Correct or delete the line number."
   },
   "rs274.centre-without-arc": {
-    "text": "The line has the centre of an arc (I, J) and no G2 or G3.",
-    "hint": ""
+    "text": "The line has the centre of an arc (I, J), but no arc motion (G2 or G3).",
+    "hint": "Add G2 or G3, or delete I and J."
   },
   "rs274.change-without-station": {
-    "text": "The line changes the station (M6), and none has been called (T).",
-    "hint": ""
+    "text": "The line changes the tool (M6), but the program has not named a station (T) before.",
+    "hint": "Write the T word of the station before M6."
   },
   "rs274.control-byte": {
-    "text": "The byte {byte} acts on the controller at once, even in a comment.",
+    "text": "The byte {byte} is a control command that the controller would execute at once, even in a comment.",
     "hint": "Remove it."
   },
   "rs274.ends-lowered": {
-    "text": "The program ends with a station lowered.",
-    "hint": ""
+    "text": "The program ends while a station is lowered.",
+    "hint": "Release the station (M65) and lift the head before the end."
   },
   "rs274.ends-oscillating": {
-    "text": "The program ends while a tool oscillates or turns.",
-    "hint": ""
+    "text": "The program ends while a tool oscillates or rotates.",
+    "hint": "Switch it off (M5) before the end."
   },
   "rs274.ends-output-on": {
-    "text": "The program ends with an output on.",
-    "hint": ""
+    "text": "The program ends while an output is on.",
+    "hint": "Switch the output off (M65) before the end."
   },
   "rs274.ends-with-offset": {
-    "text": "The program ends with the offset of a station in force.",
-    "hint": "Cancel it (G49) before the end."
+    "text": "The program ends while the offset of a station is active.",
+    "hint": "Cancel the offset (G49) before the end."
   },
   "rs274.g64-unsupported": {
-    "text": "G64 is rejected by controllers without a tool table.",
+    "text": "G64 is not accepted by controllers without a tool table.",
     "hint": "Remove it."
   },
   "rs274.incomplete-arc": {
-    "text": "The arc lacks X, Y, I or J.",
-    "hint": ""
+    "text": "The arc has no X, Y, I or J.",
+    "hint": "Give all four."
   },
   "rs274.letter-without-number": {
     "text": "The letter {letter} has no number.",
-    "hint": ""
+    "hint": "Add the number or delete the letter."
   },
   "rs274.line-too-long": {
-    "text": "The line is longer than {limit} characters, more than a controller reads.",
-    "hint": ""
+    "text": "The line is longer than {limit} characters, the limit of the controller.",
+    "hint": "Shorten the line."
   },
   "rs274.missing-p": {
-    "text": "The line lacks its P word.",
-    "hint": ""
+    "text": "The line has no P word, which its other words need.",
+    "hint": "Add the P word."
   },
   "rs274.mode-g17": {
     "text": "the XY plane (G17)",
     "hint": ""
   },
   "rs274.mode-g21": {
-    "text": "millimetres (G21)",
+    "text": "the unit millimetre (G21)",
     "hint": ""
   },
   "rs274.mode-g40": {
-    "text": "no radius compensation (G40)",
+    "text": "radius compensation off (G40)",
     "hint": ""
   },
   "rs274.mode-g49": {
-    "text": "no tool length (G49)",
+    "text": "tool length compensation off (G49)",
     "hint": ""
   },
   "rs274.mode-g54": {
@@ -2472,107 +2652,135 @@ export const TEXTS = {
     "hint": ""
   },
   "rs274.mode-g90": {
-    "text": "absolute distances (G90)",
+    "text": "absolute coordinates (G90)",
     "hint": ""
   },
   "rs274.mode-g91-1": {
-    "text": "arc centres from the start (G91.1)",
+    "text": "arc centres relative to the start of the arc (G91.1)",
     "hint": ""
   },
   "rs274.mode-g94": {
-    "text": "the feed mode (G94)",
+    "text": "the feed in mm/min (G94)",
     "hint": ""
   },
   "rs274.motion-without-axis": {
-    "text": "The line has a motion word and no axis word.",
-    "hint": ""
+    "text": "The line has a motion word (G0 to G3), but no coordinates.",
+    "hint": "Add the coordinates or delete the motion word."
   },
   "rs274.moves-and-switches": {
-    "text": "The line moves and switches something at once.",
-    "hint": "Write them on two lines."
+    "text": "The line moves the head and switches something at the same time.",
+    "hint": "Write the move and the switching on two lines."
   },
   "rs274.moves-unstated": {
-    "text": "The line moves before the program states {mode}.",
-    "hint": ""
+    "text": "The line moves before the program has set {mode}.",
+    "hint": "Set it at the beginning of the program."
   },
   "rs274.nested-comment": {
-    "text": "A comment opens inside another comment.",
-    "hint": "Close the first one before it."
+    "text": "A comment begins inside another comment.",
+    "hint": "Close the first comment before it."
   },
   "rs274.no-end": {
-    "text": "The program ends without M2 or M30.",
-    "hint": ""
+    "text": "The program has no end (M2 or M30).",
+    "hint": "Add M2 as the last line."
   },
   "rs274.no-feed": {
-    "text": "The line feeds, and no F has been stated since the feed mode was set.",
-    "hint": ""
+    "text": "The line cuts, but no feed (F) has been set since the feed mode was chosen.",
+    "hint": "Add an F word."
   },
   "rs274.not-settled": {
-    "text": "The line moves before what was switched has settled.",
-    "hint": "Dwell (G4) before it."
+    "text": "The line moves before the switched tool or output has reached its state.",
+    "hint": "Add a dwell (G4) before it."
   },
   "rs274.number-too-large": {
-    "text": "A number is beyond 1,000,000.",
-    "hint": ""
+    "text": "A number is larger than 1,000,000.",
+    "hint": "Correct the number."
   },
   "rs274.offset-without-station": {
-    "text": "The line applies the offset of a station (G43), and none has been called (T).",
-    "hint": ""
+    "text": "The line applies the offset of a station (G43), but the program has not named a station (T) before.",
+    "hint": "Write the T word of the station before G43."
   },
   "rs274.open-comment": {
     "text": "A comment is not closed.",
-    "hint": "End it with ) on the same line."
+    "hint": "Close it with ) on the same line."
   },
   "rs274.repeated-word": {
-    "text": "Two words of the line set the same thing.",
-    "hint": ""
+    "text": "Two words of the line set the same value.",
+    "hint": "Delete one of them."
   },
   "rs274.speed-without-m3": {
-    "text": "The line has a speed (S) and no M3.",
-    "hint": ""
+    "text": "The line has a spindle speed (S), but no M3.",
+    "hint": "Add M3 or delete the speed."
   },
   "rs274.stray-p": {
-    "text": "The P word belongs to no other word of the line, or to two.",
-    "hint": ""
+    "text": "The P word belongs to no other word of the line, or to two of them.",
+    "hint": "Delete it, or write the words on separate lines."
   },
   "rs274.stray-q": {
     "text": "The Q word belongs to no other word of the line.",
-    "hint": ""
+    "hint": "Delete it."
   },
   "rs274.timed-without-f": {
-    "text": "The move is timed (G93) and has no F.",
-    "hint": ""
+    "text": "The move is timed (G93), but the line has no F word with its duration.",
+    "hint": "Add the F word."
   },
   "rs274.too-many-digits": {
     "text": "A number has more than 15 digits.",
-    "hint": ""
+    "hint": "Round the number."
   },
   "rs274.unbounded-rounding": {
-    "text": "The line works while nothing limits how far corners are rounded.",
-    "hint": "State the limit with G64 P before it."
+    "text": "The line cuts while the program does not limit how far the controller may round corners.",
+    "hint": "Set the limit with G64 P before it."
   },
   "rs274.unknown-letter": {
     "text": "The letter {letter} is not supported.",
-    "hint": ""
+    "hint": "Remove the word."
   },
   "rs274.unknown-output": {
-    "text": "{machine} has no such output.",
-    "hint": ""
+    "text": "{machine} does not have the output in this line.",
+    "hint": "Choose an output of the machine file."
   },
   "rs274.unknown-station": {
-    "text": "{machine} has no such station (T).",
-    "hint": ""
+    "text": "{machine} does not have the station (T) in this line.",
+    "hint": "Choose a station of the machine file."
   },
   "rs274.unknown-word": {
     "text": "{word} is not supported.",
-    "hint": ""
+    "hint": "Remove it."
   },
   "rs274.wrong-dwell": {
-    "text": "The dwell (G4) does not last as long as the machine needs ({settle:g} s).",
-    "hint": ""
+    "text": "The dwell (G4) is shorter than the {settle:g} s that the machine needs after switching.",
+    "hint": "Make the dwell {settle:g} s or longer."
   },
   "rs274.wrong-speed": {
-    "text": "M3 has another speed (S) than the tool's.",
+    "text": "The speed (S) at M3 is not the speed of the tool in the machine file.",
+    "hint": "Correct the speed, or compile the job again."
+  },
+  "rule.block": {
+    "text": "block {patterns:or}",
+    "hint": ""
+  },
+  "rule.colour": {
+    "text": "colour {colours:or}",
+    "hint": ""
+  },
+  "rule.conditions": {
+    "text": "{conditions:, }",
+    "hint": ""
+  },
+  "rule.entity": {
+    "text": "object type {kinds:or}",
+    "hint": ""
+  },
+  "rule.everything": {
+    "text": "every edge",
+    "hint": ""
+  },
+  "rule.layer": {
+    "text": "layer {patterns:or}",
+    "hint": ""
+  },
+  "rule.linetype": {
+    "text": "linetype {patterns:or}",
     "hint": ""
   },
   "run.executed": {
@@ -2588,39 +2796,39 @@ export const TEXTS = {
     "hint": ""
   },
   "segment.not-finite": {
-    "text": "Segment {segment} has a coordinate or a bulge that is not a number.",
-    "hint": "Draw it again."
+    "text": "Segment {segment} of the path has a coordinate or a bulge that is not a number.",
+    "hint": "Draw the segment again."
   },
   "server.address-in-use": {
-    "text": "Cannot listen on {host}:{port}: {reason}.",
-    "hint": "Stop the program that uses the port, or choose another with --port."
+    "text": "The server cannot use the address {host}:{port}: {reason}.",
+    "hint": "Stop the program that uses the port, or choose another port with --port."
   },
   "server.answered": {
-    "text": "{url} answered {status}.",
-    "hint": ""
+    "text": "The request to {url} failed with the HTTP status {status}.",
+    "hint": "Check the address of the server, and its log."
   },
   "server.busy": {
-    "text": "{waiting:# request waits|# requests wait} for a free process; this one was not started.",
+    "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
     "hint": "Send it again in {seconds} s."
   },
   "server.database-silent": {
-    "text": "The database does not answer.",
-    "hint": "Try again in a moment."
+    "text": "The database of the server does not respond.",
+    "hint": "Try again in a moment. If this happens again, check the database."
   },
   "server.internal-error": {
-    "text": "Internal error. Nothing was cut.",
-    "hint": "The server's log has the details."
+    "text": "Internal error of the server. Nothing was cut.",
+    "hint": "Report it with the log of the server."
   },
   "server.not-started": {
-    "text": "The server did not start with the database {database}.",
-    "hint": "The log lines above show the cause."
+    "text": "The server could not start with the database {database}.",
+    "hint": "Correct the cause, which the lines above show."
   },
   "server.stopping": {
-    "text": "The server is stopping.",
+    "text": "The server is shutting down and accepts no new requests.",
     "hint": "Try again in a moment."
   },
   "server.unreachable": {
-    "text": "Cannot reach {server}: {reason}.",
+    "text": "The server {server} cannot be reached: {reason}.",
     "hint": "Check --server and the network."
   },
   "settings.bad-host": {
@@ -2628,128 +2836,132 @@ export const TEXTS = {
     "hint": "Write NAME or NAME:PORT."
   },
   "settings.bad-key": {
-    "text": "{what} must have {shortest} to 200 ASCII characters without spaces; it has {length}.",
-    "hint": "With --key-file PATH a random key is generated."
+    "text": "{what} has {length} characters, but must have {shortest} to 200 ASCII characters without spaces.",
+    "hint": "Choose another key, or let --key-file PATH generate one."
   },
   "settings.key-file": {
-    "text": "Cannot use the key file {file}: {reason}.",
-    "hint": "Name a file that can be written."
+    "text": "The key file {file} cannot be used: {reason}.",
+    "hint": "Name a file that the server can read and write."
   },
   "settings.two-keys": {
-    "text": "Both a key and a key file are given.",
-    "hint": "Give one of them."
+    "text": "The server was given both a key and a key file.",
+    "hint": "Give only one of --key and --key-file."
   },
   "store.no-column": {
-    "text": "The {kind} {id} has no {column}.",
-    "hint": "The compile makes it; see the job's state and reason."
+    "text": "The {kind} {id} has no {column} yet.",
+    "hint": "Wait until it is compiled; its state and reason show why it may have failed."
   },
   "store.unknown": {
-    "text": "There is no {kind} {id}.",
-    "hint": "GET /api/{kind}s lists them."
+    "text": "The {kind} {id} does not exist.",
+    "hint": "Choose one that GET /api/{kind}s lists."
   },
   "stored.text": {
     "text": "{text}",
     "hint": "{hint}"
   },
   "svg.cut-short": {
-    "text": "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so lines may be missing.",
-    "hint": "Export it again, as plain SVG."
+    "text": "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so lines of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.damaged-at": {
     "text": "The SVG is damaged at line {line}, column {column}: {reason}.",
-    "hint": "Export it again, as plain SVG."
+    "hint": "Export the drawing again as plain SVG."
   },
   "svg.empty": {
-    "text": "The SVG is empty.",
-    "hint": "Export it again, as plain SVG."
+    "text": "The SVG contains no element.",
+    "hint": "Export the drawing again as plain SVG."
   },
   "svg.external-entity": {
-    "text": "The SVG's DOCTYPE has an entity {name!r} that refers to another file, which is not loaded.",
+    "text": "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is not loaded.",
     "hint": "Save it as plain SVG, without a DOCTYPE."
   },
   "svg.long-entity": {
-    "text": "The SVG's DOCTYPE has an entity {name!r} of {length:,} characters, which would expand the file too far.",
+    "text": "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which would expand the file too far.",
     "hint": "Save it as plain SVG, without a DOCTYPE."
   },
   "svg.markup-entity": {
-    "text": "The SVG's DOCTYPE has an entity {name!r} that contains markup.",
+    "text": "The DOCTYPE of the SVG has an entity {name!r} that contains markup.",
     "hint": "Save it as plain SVG, without a DOCTYPE."
   },
   "svg.nested-too-deep": {
-    "text": "Elements of the SVG are nested more than {limit} deep.",
+    "text": "The elements of the SVG are nested more than {limit} levels deep.",
     "hint": "Ungroup the drawing and export it again."
   },
   "svg.other-xml": {
-    "text": "The file is XML with the outermost element {element}, not svg.",
-    "hint": "Save it as plain SVG."
+    "text": "The file is XML, but its outermost element is {element} instead of svg.",
+    "hint": "Save the drawing as plain SVG."
   },
   "svg.packed-cut-short": {
-    "text": "The packed SVG (.svgz) is cut short.",
-    "hint": "Export it again, as plain SVG."
+    "text": "The compressed SVG (.svgz) is cut short.",
+    "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.packed-damaged": {
-    "text": "The packed SVG (.svgz) is damaged: {reason}.",
-    "hint": "Export it again, as plain SVG."
+    "text": "The compressed SVG (.svgz) is damaged: {reason}.",
+    "hint": "Export the drawing again as plain SVG."
   },
   "svg.too-many-rules": {
-    "text": "The SVG's style sheet has {count:,} rules; the limit is {limit:,}.",
-    "hint": "Export it with the style in each element."
+    "text": "The style sheet of the SVG has {count:,} rules; the limit is {limit:,}.",
+    "hint": "Export the drawing with the style in each element."
   },
   "svg.unpacks-too-far": {
-    "text": "The packed SVG (.svgz) holds more than {limit:.1f} MB.",
+    "text": "The compressed SVG (.svgz) is larger than {limit:.1f} MB when unpacked.",
     "hint": "Export a single carton, without pictures."
   },
   "tool.bad-radius": {
-    "text": "A tool's radius is not a number of 0 mm or more.",
-    "hint": "Correct the tool."
+    "text": "The radius of a tool is not a number of 0 mm or more.",
+    "hint": "Correct it in the machine file."
   },
   "tool.cannot-work": {
-    "text": "Station {station} ({name}) of {machine} cannot work: {reason}",
-    "hint": "Complete the tool in the machine's file."
+    "text": "Station {station} ({name}) of {machine} cannot be used: {reason}",
+    "hint": "Complete the tool in the machine file."
   },
   "tool.missing": {
-    "text": "{machine} has no tool for {type} ({count:# edge|# edges}).",
-    "hint": "Give them another line type, or choose another machine."
+    "text": "{machine} has no tool for {count:# edge|# edges} of type {type}.",
+    "hint": "Choose another line type for the edges, or another machine."
+  },
+  "tool.short-lead": {
+    "text": "its lead of {lead:g} mm must be 0 or greater than its radius of {radius:g} mm",
+    "hint": ""
   },
   "tool.tilted": {
-    "text": "The tool is tilted by {tilt:.2f}°, and moving along its axis lifts it only up to {limit:g}°.",
+    "text": "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be lifted along their axis.",
     "hint": "Choose a tool that is less tilted."
   },
   "tool.without-power": {
-    "text": "The laser has no power.",
-    "hint": ""
+    "text": "The power of the laser is 0.",
+    "hint": "Set its power in the machine file."
   },
   "tool.without-speed": {
-    "text": "The cutter has no spindle speed.",
-    "hint": ""
+    "text": "The spindle speed of the cutter is 0.",
+    "hint": "Set its speed in the machine file."
   },
   "toolpath.arc-too-long": {
-    "text": "{place} is an arc of more than half a turn: {move}.",
-    "hint": "Send the drawing with a report: an earlier stage went wrong."
+    "text": "Internal error: {place} is an arc of more than half a turn: {move}.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.empty": {
-    "text": "The toolpath has no moves.",
-    "hint": "Give at least one edge a line type that the machine makes."
+    "text": "The toolpath has no moves, so nothing would be cut.",
+    "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "toolpath.feed-too-fast": {
-    "text": "{place} has a feed beyond any machine: {move}.",
-    "hint": "Check the tool's feed."
+    "text": "{place} has a feed that no machine can reach: {move}.",
+    "hint": "Correct the feed of the tool in the machine file."
   },
   "toolpath.no-approach": {
-    "text": "{place} begins the work of station {station} and is not a rapid: the head is not there yet.",
-    "hint": "Begin each station with a rapid."
+    "text": "Internal error: {place} starts a cut with station {station} before a rapid move has reached its start.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.no-feed": {
     "text": "{place} has no feed: {move}.",
-    "hint": "Give the tool a feed."
+    "hint": "Set the feed of the tool in the machine file."
   },
   "toolpath.not-finite": {
-    "text": "{place} has a value that is not a number: {move}.",
-    "hint": "Send the drawing with a report: an earlier stage went wrong."
+    "text": "Internal error: {place} has a value that is not a number: {move}.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.rapid-arc": {
-    "text": "{place} is a rapid along an arc: {move}.",
-    "hint": "Send the drawing with a report: an earlier stage went wrong."
+    "text": "Internal error: {place} is a rapid move along an arc: {move}.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.row": {
     "text": "Row {row} of the toolpath ({motion})",
@@ -2760,359 +2972,547 @@ export const TEXTS = {
     "hint": ""
   },
   "toolpath.swivel-without-turn": {
-    "text": "Row {row} of the toolpath is a swivel that moves without turning, so its feed in degrees per minute has no meaning.",
-    "hint": "Make it a feed."
+    "text": "Internal error: row {row} of the toolpath is a swivel move without a turn, so its feed in degrees per minute has no meaning.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.too-far": {
-    "text": "{place} is farther than {limit:g} mm away: {move}.",
-    "hint": "Check the unit."
+    "text": "{place} is more than {limit:g} mm away from the origin: {move}.",
+    "hint": "Check the unit of the drawing."
   },
   "toolpath.unknown-motion": {
-    "text": "{place} has an unknown motion: {move}.",
-    "hint": "Send the drawing with a report: an earlier stage went wrong."
+    "text": "Internal error: {place} has an unknown motion type: {move}.",
+    "hint": "Report it with the drawing."
   },
   "toolpath.unknown-station": {
     "text": "{place} is for station {station}, which {machine} does not have.",
-    "hint": "Its stations are {known:, }."
+    "hint": "Choose one of the stations {known:, }."
   },
   "track.too-flat": {
-    "text": "Track {track} leaves the board at {angle:.2f}° from square, so its tool never leaves the board (limit {limit:g}°).",
+    "text": "The path of the tool meets the edge of the board at {angle:.2f}° from the perpendicular (limit {limit:g}°), so the tool does not leave the board (path {track}).",
     "hint": "End the line inside the board, or draw it across the edge."
   },
   "travel.above": {
-    "text": "{tool} (station {station}) would go {excess:.2f}{unit} above the travel of axis {axis} ({low:g} to {high:g}{unit}){place}.",
-    "hint": "Place the drawing elsewhere on the table, turn it, or choose a larger machine."
+    "text": "{tool} (station {station}) would exceed the upper end of the travel of axis {axis} ({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
+    "hint": "Move or turn the drawing on the table, or choose a larger machine."
   },
   "travel.below": {
-    "text": "{tool} (station {station}) would go {excess:.2f}{unit} below the travel of axis {axis} ({low:g} to {high:g}{unit}){place}.",
-    "hint": "Place the drawing elsewhere on the table, turn it, or choose a larger machine."
+    "text": "{tool} (station {station}) would exceed the lower end of the travel of axis {axis} ({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
+    "hint": "Move or turn the drawing on the table, or choose a larger machine."
+  },
+  "unit.cf2-inches": {
+    "text": "the CF2 states inches (record UI)",
+    "hint": ""
+  },
+  "unit.cf2-millimetres": {
+    "text": "the CF2 states millimetres (record UM)",
+    "hint": ""
+  },
+  "unit.cf2-none": {
+    "text": "the CF2 states no unit: it has neither a UM nor a UI record",
+    "hint": ""
+  },
+  "unit.cf2-scale-applied": {
+    "text": "its coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size that its records LL and UR state",
+    "hint": ""
+  },
+  "unit.cf2-scale-invalid": {
+    "text": "its record SCALE,{x:g},{y:g} is invalid and was ignored",
+    "hint": ""
+  },
+  "unit.cf2-scale-not-applied": {
+    "text": "its record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the size that its records LL and UR state",
+    "hint": ""
+  },
+  "unit.cf2-scale-undecided": {
+    "text": "its record SCALE,{x:g},{y:g} was not applied, because its records LL and UR do not show whether the coordinates are already scaled",
+    "hint": ""
+  },
+  "unit.cf2-scaled": {
+    "text": "{unit}; {scale}",
+    "hint": ""
+  },
+  "unit.dimensions-larger": {
+    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times larger than {others:# other|# others}.",
+    "hint": "Check which dimensions belong to the carton, and delete details at another scale."
+  },
+  "unit.dimensions-smaller": {
+    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times smaller than {others:# other|# others}.",
+    "hint": "Check which dimensions belong to the carton, and delete details at another scale."
+  },
+  "unit.drawn-in-imperial": {
+    "text": "fractions of inches that are stored in {unit:unit}",
+    "hint": ""
+  },
+  "unit.drawn-in-inches": {
+    "text": "fractions of inches",
+    "hint": ""
+  },
+  "unit.drawn-in-metric": {
+    "text": "round millimetres that are stored in {unit:unit}",
+    "hint": ""
+  },
+  "unit.drawn-in-millimetres": {
+    "text": "millimetres",
+    "hint": ""
   },
   "unit.given": {
-    "text": "given",
+    "text": "set by the user",
     "hint": ""
   },
   "unit.header": {
-    "text": "$INSUNITS = {value}",
+    "text": "the header states the unit ($INSUNITS = {value})",
+    "hint": ""
+  },
+  "unit.header-decimal-inches": {
+    "text": "the header displays lengths in feet and decimal inches ($LUNITS = 3)",
+    "hint": ""
+  },
+  "unit.header-factor": {
+    "text": "the header multiplies the displayed dimensions by {factor:g} ({variable})",
+    "hint": ""
+  },
+  "unit.header-fractions": {
+    "text": "the header displays lengths in feet and fractions of inches ($LUNITS = 4)",
+    "hint": ""
+  },
+  "unit.header-imperial": {
+    "text": "the header sets imperial units ($MEASUREMENT = 0)",
+    "hint": ""
+  },
+  "unit.header-metric": {
+    "text": "the header sets metric units ($MEASUREMENT = 1)",
     "hint": ""
   },
   "unit.header-missing": {
-    "text": "the file has no $INSUNITS",
+    "text": "the file states no unit ($INSUNITS is missing)",
     "hint": ""
   },
   "unit.header-not-a-number": {
-    "text": "$INSUNITS = {value!r} is not a number",
+    "text": "the header states no valid unit: $INSUNITS = {value!r} is not a number",
     "hint": ""
   },
   "unit.header-undefined": {
-    "text": "$INSUNITS = {value} has no meaning",
+    "text": "the header states no valid unit: $INSUNITS = {value} is not defined",
     "hint": ""
   },
   "unit.header-unitless": {
-    "text": "$INSUNITS = 0: the file states that it has no unit",
+    "text": "the header states that the drawing has no unit ($INSUNITS = 0)",
     "hint": ""
   },
   "unit.header-unsupported": {
-    "text": "$INSUNITS = {value}: {name}, which are not supported",
+    "text": "the header states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
     "hint": ""
   },
-  "unit.in-file": {
-    "text": "{statement}",
+  "unit.imprecise": {
+    "text": "in {unit:unit} the lengths are too imprecise to show whether they are multiples of a round number",
     "hint": ""
   },
   "unit.inconclusive": {
-    "text": "{stated}; the drawing does not give enough evidence for {unit:unit}",
+    "text": "{stated}, but the drawing does not give enough evidence for {unit:unit}",
+    "hint": ""
+  },
+  "unit.multiples": {
+    "text": "in {unit:unit} {count} of {all} different lengths ({percent:.0f} % of their total) are multiples of {grid}",
+    "hint": ""
+  },
+  "unit.no-number-matches": {
+    "text": "in {unit:unit} none of {all:# number|# numbers} on the sheet is the length of an edge",
     "hint": ""
   },
   "unit.not-given": {
     "text": "the unit is not known",
     "hint": ""
   },
+  "unit.number": {
+    "text": "{text}",
+    "hint": ""
+  },
+  "unit.number-in": {
+    "text": "{text} ({unit:unit})",
+    "hint": ""
+  },
+  "unit.numbers-match": {
+    "text": "in {unit:unit} {count} of {all} numbers on the sheet {count:is the length|are the lengths} of an edge: {numbers:, }",
+    "hint": ""
+  },
+  "unit.numbers-match-often": {
+    "text": "in {unit:unit} {count} of {all} numbers on the sheet are the lengths of edges: {numbers:, } …",
+    "hint": ""
+  },
   "unit.overruled": {
     "text": "{stated}; the drawing supports {unit:unit}: {reason}",
     "hint": ""
   },
+  "unit.page-in-pixels": {
+    "text": "the file states its size without a unit, as pages in pixels or points do",
+    "hint": ""
+  },
+  "unit.page-in-points": {
+    "text": "the file was written by Illustrator, which uses points",
+    "hint": ""
+  },
+  "unit.paper-size": {
+    "text": "in {unit:unit} the drawing has exactly the size of a sheet of paper ({sheet})",
+    "hint": ""
+  },
+  "unit.part-drawn-twice": {
+    "text": "The drawing contains the same part at two sizes: one is {factor:.3g} times larger than the other. One of them is a detail, or was inserted with a wrong unit.",
+    "hint": "Delete the part with the wrong size, or ignore its edges."
+  },
+  "unit.parts-differ": {
+    "text": "Parts of the drawing have different units: one part is drawn in {one}, another part in {other}.",
+    "hint": "Scale one of the parts in the CAD program and export the drawing again."
+  },
+  "unit.pdf": {
+    "text": "the PDF states its coordinates in points of 1/72 inch",
+    "hint": ""
+  },
+  "unit.pdf-scaled": {
+    "text": "the PDF states coordinate units of {scale:g} points of 1/72 inch (UserUnit)",
+    "hint": ""
+  },
+  "unit.read-against-evidence": {
+    "text": "The drawing is most likely in {best:unit}: {best_width:mm} × {best_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
+    "hint": "Check the size, and choose another unit if it is wrong."
+  },
+  "unit.read-against-header": {
+    "text": "The header states {stated:unit}, so the drawing would measure {stated_width:mm} × {stated_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
+    "hint": "Check the size, and choose another unit if it is wrong."
+  },
+  "unit.scale-mentioned": {
+    "text": "A text on the sheet mentions the scale {scales:, }, so the drawing may not have its true size.",
+    "hint": "Check the size of the drawing."
+  },
+  "unit.share-stated": {
+    "text": "the header states {stated:unit}; {percent:.3g} % of the drawings with such a header are in {unit:unit}",
+    "hint": ""
+  },
+  "unit.share-unstated": {
+    "text": "the file states no unit; {percent:.3g} % of such drawings are in {unit:unit}",
+    "hint": ""
+  },
+  "unit.shortest-edges": {
+    "text": "in {unit:unit} its shortest edges are {length:mm} mm long",
+    "hint": ""
+  },
+  "unit.size-unusual": {
+    "text": "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, an unusual size for a carton",
+    "hint": ""
+  },
+  "unit.size-usual": {
+    "text": "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, a usual size for a carton",
+    "hint": ""
+  },
+  "unit.svg-no-size": {
+    "text": "the SVG has neither a width nor a height; {pixel}",
+    "hint": ""
+  },
+  "unit.svg-no-unit": {
+    "text": "the SVG states its size without a unit of length ({size: }); {pixel}",
+    "hint": ""
+  },
+  "unit.svg-pixel": {
+    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator",
+    "hint": ""
+  },
+  "unit.svg-pixel-illustrator": {
+    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator, which wrote the file",
+    "hint": ""
+  },
+  "unit.svg-size": {
+    "text": "the SVG states its size ({size: }) for a viewBox of {width:g} × {height:g}",
+    "hint": ""
+  },
+  "unit.svg-size-in-pixels": {
+    "text": "the SVG states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 inch",
+    "hint": ""
+  },
+  "unit.text-states": {
+    "text": "a text on the sheet states the unit: “{text}”",
+    "hint": ""
+  },
   "unit.unsupported": {
     "text": "{unit!r} is not a supported unit of length.",
-    "hint": "Choose one of {known:, }."
+    "hint": "Choose one of {known:or}."
   },
   "verify.bad-tolerance": {
-    "text": "A tolerance of {tolerance} mm is not a length.",
+    "text": "The tolerance of the check is {tolerance} mm, which is not a valid length.",
     "hint": "Give a number greater than 0, usually 0.01 mm."
   },
   "verify.beam-on-rapid": {
-    "text": "The beam is on along a rapid of {length:.3f} mm.",
-    "hint": ""
+    "text": "The laser beam is on during a rapid move of {length:.3f} mm.",
+    "hint": "Switch the beam off (M5) before the rapid move."
   },
   "verify.beam-refocused": {
-    "text": "The beam is on while its focus moves by {height:.3f} mm.",
-    "hint": ""
+    "text": "The laser beam is on while its focus moves up or down by {height:.3f} mm.",
+    "hint": "Switch the beam off (M5) before the height changes."
   },
   "verify.beside-line": {
-    "text": "The {tool:tool} is {distance:.3f} mm off the line.",
-    "hint": ""
+    "text": "The path of the {tool:tool} is {distance:.3f} mm away from the drawn line.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.beyond-rotation": {
-    "text": "Joint {joint} turns to {position:.3f}°; its travel is {low:g} to {high:g}°.",
-    "hint": ""
+    "text": "Axis {joint} turns to {position:.3f}°, but its travel is {low:g}° to {high:g}°.",
+    "hint": "Turn the drawing on the table, or choose a machine with more travel."
   },
   "verify.beyond-travel": {
-    "text": "Joint {joint} goes to {position:.3f} mm; its travel is {low:g} to {high:g} mm.",
-    "hint": ""
+    "text": "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
+    "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too near a sharp corner.",
-    "hint": ""
+    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too close to a sharp corner.",
+    "hint": "Compile the job again, or choose a smaller spacing of bridges for the board."
   },
   "verify.bridge-spacing": {
-    "text": "From the bridge at {place:.3f} mm along the contour it is {distance:.3f} mm to the next; the board allows {most:g} mm.",
-    "hint": ""
+    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm away from the next bridge, but the board allows at most {most:g} mm.",
+    "hint": "Compile the job again, or allow a larger spacing of bridges for the board."
   },
   "verify.bridge-spare": {
-    "text": "The bridge at {place:.3f} mm along the contour is not needed: without it the next two are {distance:.3f} mm apart.",
-    "hint": ""
+    "text": "The bridge at {place:.3f} mm along the contour is not needed, because its two neighbours are only {distance:.3f} mm apart.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-width": {
-    "text": "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face; the board needs {planned:g} mm.",
-    "hint": ""
+    "text": "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face of the board, but the board needs {planned:g} mm.",
+    "hint": "Compile the job again for this board."
   },
   "verify.centre-off-path": {
-    "text": "The cutter's centre is {distance:.4f} mm off its path, and the controller may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
-    "hint": ""
+    "text": "The centre of the cutter is {distance:.4f} mm away from its planned path, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
+    "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.cleaning-beyond": {
-    "text": "Cleaning: the edge is worked where nothing was drawn.",
-    "hint": ""
+    "text": "Internal error in cleaning: the cleaned edge extends beyond everything that was drawn.",
+    "hint": "Report it with the drawing."
   },
   "verify.cleaning-dropped": {
-    "text": "Cleaning dropped {length:.3f} mm of the edge.",
-    "hint": ""
+    "text": "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
+    "hint": "Report it with the drawing."
   },
   "verify.cleaning-incomplete": {
-    "text": "Cleaning: the stretches of the edge do not add up to its length.",
-    "hint": ""
+    "text": "Internal error in cleaning: the kept, merged and dropped parts of the edge do not add up to its length.",
+    "hint": "Report it with the drawing."
   },
   "verify.cleaning-invented": {
-    "text": "Cleaning: no part of the edge was drawn.",
-    "hint": ""
+    "text": "Internal error in cleaning: the cleaned edge has no counterpart in the drawing.",
+    "hint": "Report it with the drawing."
   },
   "verify.cleaning-moved": {
-    "text": "Cleaning moved the edge by {distance:.4f} mm.",
-    "hint": ""
+    "text": "Internal error in cleaning: the edge was moved by {distance:.4f} mm.",
+    "hint": "Report it with the drawing."
   },
   "verify.cleaning-type": {
-    "text": "Cleaning: the edge is {drawn} and is worked as {worked}.",
-    "hint": ""
+    "text": "Internal error in cleaning: the drawn edge is {drawn}, but the cleaned edge is {worked}.",
+    "hint": "Report it with the drawing."
   },
   "verify.comes-out-anywhere": {
-    "text": "The knife comes out neither where an edge ends nor where it went in.",
-    "hint": ""
+    "text": "The knife leaves the board at a point that is neither the end of an edge nor the point where it entered.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.comes-out-past": {
-    "text": "The knife comes out {distance:.3f} mm past where it should.",
-    "hint": ""
+    "text": "The knife leaves the board {distance:.3f} mm beyond the end of the edge.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.comes-out-short": {
-    "text": "The knife comes out {distance:.3f} mm short of where it should.",
-    "hint": ""
+    "text": "The knife leaves the board {distance:.3f} mm before the end of the edge.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.crease-too-short": {
-    "text": "The crease is too short for the wheel.",
-    "hint": ""
+    "text": "The crease is too short for the creasing wheel.",
+    "hint": "Join it to a collinear crease, set it to ignored, or choose a smaller wheel."
   },
   "verify.cuts-part": {
-    "text": "The cutter takes {depth:.3f} mm off the part.",
-    "hint": ""
+    "text": "The cutter removes {depth:.3f} mm from a part that must remain whole.",
+    "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
-    "text": "The cutter works while it does not turn.",
-    "hint": ""
+    "text": "The cutter moves through the board while its spindle is off.",
+    "hint": "Start the spindle (M3) before the cutter enters the board."
   },
   "verify.flank-inside": {
-    "text": "A flank comes out {distance:.4f} mm inside its place on the top face; the tolerance is {tolerance:g} mm.",
-    "hint": ""
+    "text": "The flank of the V-groove meets the top face {distance:.4f} mm inside its planned position; the tolerance is {tolerance:g} mm.",
+    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile again."
   },
   "verify.flank-outside": {
-    "text": "A flank comes out {distance:.4f} mm outside its place on the top face; the tolerance is {tolerance:g} mm.",
-    "hint": ""
+    "text": "The flank of the V-groove meets the top face {distance:.4f} mm outside its planned position; the tolerance is {tolerance:g} mm.",
+    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile again."
   },
   "verify.flank-through-cut": {
-    "text": "A flank goes {depth:.3f} mm through the cut at edge {edge}, which lies {distance:.3f} mm beside the groove, {place:.1f} mm from its start.",
-    "hint": ""
+    "text": "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}, which lies {distance:.3f} mm beside the groove, at {place:.1f} mm from the start of the groove.",
+    "hint": "Move the groove and the cut further apart, or make the groove less deep."
   },
   "verify.goes-in-anywhere": {
-    "text": "The knife goes in where no edge begins.",
-    "hint": ""
+    "text": "The knife enters the board at a point where no edge begins.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.groove-arc": {
-    "text": "The groove is an arc, which a tilted blade cannot follow.",
-    "hint": ""
+    "text": "The V-groove is an arc, which a tilted blade cannot follow.",
+    "hint": "Draw it with straight lines, or give it another line type."
   },
   "verify.groove-past-ends": {
-    "text": "The blade runs {length:.2f} mm past the ends of the groove; the board allows {most:.2f} mm.",
-    "hint": ""
+    "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows {most:.2f} mm.",
+    "hint": "Choose a narrower blade, or allow a longer overcut for this board."
   },
   "verify.groove-shallower": {
-    "text": "The V-cutter goes {depth:.3f} mm deep after an earlier pass of {before:.3f} mm.",
-    "hint": ""
+    "text": "The V-cutter cuts {depth:.3f} mm deep although an earlier pass was already {before:.3f} mm deep.",
+    "hint": "Order the passes by increasing depth."
   },
   "verify.inside-part": {
-    "text": "The cutter works at X{x:.3f} Y{y:.3f} of the sheet, inside a part.",
-    "hint": ""
+    "text": "The cutter cuts into a part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
+    "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.knife-at-rest": {
     "text": "The oscillating knife cuts while its oscillation is off.",
-    "hint": ""
+    "hint": "Start the oscillation (M3) before the knife enters the board."
   },
   "verify.laser-off": {
-    "text": "The laser cuts while it is off.",
-    "hint": ""
+    "text": "The laser moves along an edge while its beam is off, so the edge is not cut.",
+    "hint": "Switch the beam on (M3) before the edge."
   },
   "verify.loose-piece": {
-    "text": "The edge is worked at X{x:.3f} Y{y:.3f} of the sheet, on a piece that line {line} has already cut loose.",
-    "hint": "Cut the contour around the piece afterwards."
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a piece that line {line} has already cut loose, so the piece may move.",
+    "hint": "Make this edge before the contour around the piece is cut."
   },
   "verify.lowers-second": {
-    "text": "The line lowers station {station} while station {other} may be lowered.",
+    "text": "The line lowers station {station} while station {other} may still be lowered.",
     "hint": "Release station {other} first (M65 P{output})."
   },
   "verify.moves-before-stated": {
-    "text": "The program moves before it states {thing}.",
-    "hint": "Until it is stated, lift only, straight up to joint Z {height:.3f} mm or higher."
+    "text": "The program moves the head before it switches off {thing}.",
+    "hint": "Switch it off first, or only lift the head straight up to Z {height:.3f} mm or higher."
   },
   "verify.moves-with-beam": {
-    "text": "The program moves before it states the spindle (M5), so a beam may still be on.",
-    "hint": ""
+    "text": "The program moves the head before it switches the spindle off (M5), so a laser beam may still be on.",
+    "hint": "Write M5 before the first move."
   },
   "verify.never-stated": {
-    "text": "The program ends without stating {thing}.",
-    "hint": ""
+    "text": "The program never switches off {thing}, so it may still be on.",
+    "hint": "Switch it off at the beginning of the program."
   },
   "verify.no-station": {
-    "text": "The line feeds, and no station has been chosen.",
-    "hint": ""
+    "text": "The line cuts, but the program has not selected a station (T and M6) before.",
+    "hint": "Select the station before the first cut."
   },
   "verify.not-worked": {
     "text": "{length:.3f} mm of the edge are not {work}{where}.",
-    "hint": ""
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.off-line": {
-    "text": "The {tool:tool} is {distance:.4f} mm off the line, and the controller may round {rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
-    "hint": ""
+    "text": "The path of the {tool:tool} is {distance:.4f} mm away from the drawn line, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
+    "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.oscillation-on": {
-    "text": "Station {station} works while the oscillation is on.",
-    "hint": ""
+    "text": "Station {station} processes the board while the oscillation is on, although its tool must not oscillate.",
+    "hint": "Switch the oscillation off (M5) before this station is used."
   },
   "verify.other-placement": {
-    "text": "The program states the placement X{x:.4f} Y{y:.4f}; the job has X{job_x:.4f} Y{job_y:.4f}.",
-    "hint": ""
+    "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
+    "hint": "Compile the job again, or verify the program with its own placement."
   },
   "verify.output": {
     "text": "output {output} (M65 P{output})",
     "hint": ""
   },
   "verify.output-off": {
-    "text": "Station {station} works while its output {output} is off.",
-    "hint": ""
+    "text": "Station {station} processes the board while its output {output} is off, so its tool is not lowered.",
+    "hint": "Switch output {output} on (M64) before the station is used."
   },
   "verify.pass-too-deep": {
-    "text": "The {tool:tool} goes {depth:.3f} mm deep along {length:.3f} mm that no earlier pass has prepared; at most {step:g} mm at once is allowed.",
-    "hint": ""
+    "text": "The {tool:tool} cuts {depth:.3f} mm deep at once along {length:.3f} mm without an earlier pass, but at most {step:g} mm per pass are allowed.",
+    "hint": "Add a shallower pass, or allow deeper passes for this board."
   },
   "verify.past-end": {
-    "text": "The {tool:tool} runs {length:.3f} mm past the end of the edge.",
-    "hint": ""
+    "text": "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-open-cut": {
-    "text": "The cutter goes {length:.3f} mm past the end of an open cut.",
-    "hint": ""
+    "text": "The cutter cuts {length:.3f} mm beyond the end of an open cut.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-stop": {
-    "text": "The {tool:tool} works {length:.3f} mm past where it should stop.",
-    "hint": ""
+    "text": "The {tool:tool} continues {length:.3f} mm beyond the point where it must stop.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.perforation-cut": {
-    "text": "A perforation has a cut of {length:.3f} mm; {planned:.3f} mm is planned.",
-    "hint": ""
+    "text": "A cut of the perforation is {length:.3f} mm long instead of {planned:.3f} mm.",
+    "hint": "Compile the job again for this board."
   },
   "verify.perforation-gap": {
-    "text": "The perforation has a gap of {length:.3f} mm, {place:.3f} mm from its start; the board needs gaps of {planned:g} mm.",
-    "hint": ""
+    "text": "A gap of the perforation is {length:.3f} mm long at {place:.3f} mm from its start, but the board needs gaps of {planned:g} mm.",
+    "hint": "Compile the job again for this board."
   },
   "verify.rapid-in-board": {
-    "text": "A rapid takes station {station} {depth:.3f} mm below the top of the board.",
-    "hint": ""
+    "text": "A rapid move takes station {station} {depth:.3f} mm below the top of the board.",
+    "hint": "Lift the tool above the board before the rapid move."
   },
   "verify.slanted": {
-    "text": "Station {station} goes {distance:.3f} mm sideways off its own line while it plunges or lifts in the board.",
-    "hint": ""
+    "text": "Station {station} moves {distance:.3f} mm sideways out of its line while it enters or leaves the board.",
+    "hint": "Enter and leave the board along the axis of the tool."
   },
   "verify.spindle": {
     "text": "the spindle (M5)",
     "hint": ""
   },
   "verify.stray": {
-    "text": "The {tool:tool} works {length:.3f} mm at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
-    "hint": ""
+    "text": "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no edge is there.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-along": {
-    "text": "The {tool:tool} works {length:.3f} mm along edge {edge}, which is {type} and does not ask for it.",
-    "hint": ""
+    "text": "The {tool:tool} processes {length:.3f} mm along edge {edge}, whose line type ({type}) must not be processed with this tool.",
+    "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.stray-plunge": {
-    "text": "The {tool:tool} goes down at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
-    "hint": ""
+    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no edge is there.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-plunge-along": {
-    "text": "The {tool:tool} goes down on edge {edge}, which is {type} and does not ask for it.",
-    "hint": ""
+    "text": "The {tool:tool} enters the board on edge {edge}, whose line type ({type}) must not be processed with this tool.",
+    "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.switches-at-unknown-height": {
-    "text": "The line switches at a height that no line before it states.",
-    "hint": "Lift to {needed:.3f} mm first."
+    "text": "The line switches an output or the spindle before the program has set the height of the head.",
+    "hint": "Lift the head to {needed:.3f} mm first."
   },
   "verify.switches-low": {
-    "text": "The line switches at joint Z {height:.3f} mm.",
-    "hint": "Lift to {needed:.3f} mm first."
+    "text": "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
+    "hint": "Lift the head to {needed:.3f} mm first."
   },
   "verify.too-few-bridges": {
-    "text": "{bridges:# bridge holds|# bridges hold} the part; the board needs at least {fewest}.",
-    "hint": ""
+    "text": "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest}.",
+    "hint": "Compile the job again, or require fewer bridges for this board."
   },
   "verify.turn-at-feed": {
-    "text": "C turns by {degrees:.4f}° at a feed in mm/min.",
-    "hint": "State how long the move takes (G93)."
+    "text": "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the turn is not defined.",
+    "hint": "Give the duration of the line (G93)."
   },
   "verify.turn-in-board": {
-    "text": "C turns by {degrees:.3f}° in the board; at most {most:.2f}° is allowed.",
-    "hint": ""
+    "text": "Axis C turns by {degrees:.3f}° while the tool is in the board; at most {most:.2f}° is allowed.",
+    "hint": "Lift the tool before it turns."
   },
   "verify.turn-off-path": {
-    "text": "C turns by {degrees:.3f}° in the board while the path turns by {path:.3f}°.",
-    "hint": ""
+    "text": "Axis C turns by {degrees:.3f}° in the board, although the path turns by {path:.3f}°.",
+    "hint": "Turn the tool by the same angle as the path."
   },
   "verify.two-lowered": {
-    "text": "Station {station} works while station {other} is lowered too (output {output}).",
-    "hint": ""
+    "text": "Station {station} processes the board while station {other} is lowered too (output {output} is on).",
+    "hint": "Release station {other} first (M65 P{output})."
   },
   "verify.unclassified": {
-    "text": "The edge has no line type, so its work is not known.",
-    "hint": "Give it a line type."
+    "text": "The edge has no line type, so it is not known how it must be processed.",
+    "hint": "Give the edge a line type."
   },
   "verify.unknown-position": {
-    "text": "The line moves from or to a position that no line before it states.",
-    "hint": ""
+    "text": "The line starts or ends at a position that the program has not set.",
+    "hint": "Give X, Y, Z and C before this line."
   },
   "verify.where-from-start": {
     "text": ", beginning {place:.3f} mm from its start",
     "hint": ""
   },
   "verify.where-past-end": {
-    "text": ", where the tool must run out past its end",
+    "text": ", where the tool must continue beyond its end",
     "hint": ""
   },
   "verify.where-past-start": {
-    "text": ", where the tool must run out past its start",
+    "text": ", where the tool must begin before its start",
     "hint": ""
   },
   "verify.work-creased": {
@@ -3128,28 +3528,28 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.work-grooved-from-end": {
-    "text": "grooved from its end",
+    "text": "grooved in the direction from its end to its start",
     "hint": ""
   },
   "verify.work-grooved-from-start": {
-    "text": "grooved from its start",
+    "text": "grooved in the direction from its start to its end",
     "hint": ""
   },
   "verify.wrong-depth": {
-    "text": "The {tool:tool} goes {depth:.3f} mm below the top of the board; {planned:.3f} mm is planned.",
-    "hint": ""
+    "text": "The {tool:tool} is {depth:.3f} mm below the top of the board instead of {planned:.3f} mm.",
+    "hint": "Compile the job again for this board."
   },
   "verify.wrong-feed": {
-    "text": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g}.",
-    "hint": ""
+    "text": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g} mm/min.",
+    "hint": "Compile the job again with the present machine file."
   },
   "verify.wrong-heading": {
-    "text": "The {tool:tool} is turned {degrees:.3f}° off the line, so that it swings {swing:.3f} mm.",
-    "hint": ""
+    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which moves its edge {swing:.3f} mm sideways.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.wrong-time": {
-    "text": "Station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
-    "hint": ""
+    "text": "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
+    "hint": "Compile the job again with the present machine file."
   },
   "waiting.confirmed": {
     "text": "Confirmed; {machine} is starting.",
@@ -3204,15 +3604,15 @@ export const TEXTS = {
     "hint": "Look at the table. Confirm to let the job go on, or cancel it."
   },
   "worker.died": {
-    "text": "The worker process ended unexpectedly (exit code {code}), as happens when memory runs out.",
+    "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because the memory was full.",
     "hint": "Send a smaller drawing, or split this one."
   },
   "worker.memory": {
-    "text": "The drawing needs more than the {limit} GB of memory that one drawing may use.",
+    "text": "The drawing needs more than {limit} GB of memory, the limit for one drawing.",
     "hint": "Send a smaller drawing, or split this one."
   },
   "worker.timeout": {
-    "text": "Stage {stage} was not finished after {seconds:.0f} s.",
+    "text": "The stage {stage} took longer than {seconds:.0f} s.",
     "hint": "Send a smaller drawing, or split this one."
   }
 } as const satisfies Catalogue;
@@ -3225,7 +3625,26 @@ export const UNITS: Readonly<Record<string, string>> = {
   "in": "inches",
   "ft": "feet",
   "pt": "points",
-  "px": "pixels"
+  "px": "pixels",
+  "mi": "miles",
+  "km": "kilometres",
+  "uin": "microinches",
+  "mil": "mils",
+  "yd": "yards",
+  "angstrom": "ångströms",
+  "nm": "nanometres",
+  "um": "micrometres",
+  "dm": "decimetres",
+  "dam": "decametres",
+  "hm": "hectometres",
+  "Gm": "gigametres",
+  "au": "astronomical units",
+  "ly": "light years",
+  "pc": "parsecs",
+  "survey-ft": "US survey feet",
+  "survey-in": "US survey inches",
+  "survey-yd": "US survey yards",
+  "survey-mi": "US survey miles"
 };
 
 export const TOOLS: Readonly<Record<string, string>> = {

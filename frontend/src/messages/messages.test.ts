@@ -32,9 +32,9 @@ describe("rendering", () => {
       guess,
     };
     expect(renderText({ code: "question.line-type", arguments: line })).toBe(
-      '1,246 edges on layer "A: B", colour 1, linetype CONTINUOUS, total length 1,389.0 mm, ' +
-        "in a box of 229.0 × 155.0 mm at (0.0, 345.2): what are they? " +
-        "Most likely v-groove (55 %): divides two panels.",
+      '1,246 edges on layer "A: B" (colour 1, linetype CONTINUOUS) have no line type: ' +
+        "total length 1,389.0 mm, extent 229.0 × 155.0 mm at (0.0, 345.2). " +
+        "Which line type should they get? It is most likely v-groove (55 %): divides two panels.",
     );
     expect(
       renderText({ code: "question.line-type", arguments: { ...line, edges: 1, guess: null } }),
@@ -51,8 +51,8 @@ describe("rendering", () => {
     expect(
       renderText({ code: "question.unit", arguments: { reason, sizes, evidence: null } }),
     ).toBe(
-      "The file does not state its unit. " +
-        "The drawing's size would be 101.6 × 76.2 mm in inches, 4000 × 76.2 mm in metres.",
+      "The file does not state the unit of the drawing. In which unit is it drawn? " +
+        "Its size would be 101.6 × 76.2 mm in inches, 4000 × 76.2 mm in metres.",
     );
   });
 

@@ -32,7 +32,7 @@ export function InheritedRules({ title, rules }: Props) {
       {open &&
         rules?.map((rule, at) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
-          <RuleSummary key={`${at} ${rule.words}`} rule={rule} />
+          <RuleSummary key={`${at} ${rule.conditions.text}`} rule={rule} />
         ))}
     </div>
   );

@@ -4,6 +4,7 @@ import { Button, TextInput } from "@mantine/core";
 import { IconBulb } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import type { Profile, Proposal } from "../api/client";
+import { renderText } from "../messages/render";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { saveLearnedRule } from "../state/profiles";
@@ -39,7 +40,7 @@ export function LearnedPanel() {
       <div data-testid="learned">
         {learned.slice(0, limit).map((proposal) => (
           <LearnedRule
-            key={`${proposal.rule.type} ${proposal.rule.words}`}
+            key={`${proposal.rule.type} ${proposal.rule.conditions.text}`}
             proposal={proposal}
             profile={profile}
           />
@@ -71,7 +72,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
       onBlur={() => set({ retypePreviews: [] })}
     >
       <div className={css.lessonHead}>
-        Always treat <b>{rule.words}</b> as{" "}
+        Always treat <b>{renderText(rule.conditions)}</b> as{" "}
         <span style={{ whiteSpace: "nowrap" }}>
           <Swatch type={rule.type} />
           <b>{LINE_STYLES[rule.type].title.toLowerCase()}</b>

@@ -3,6 +3,7 @@
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, Unit } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
 import { patchDrawing } from "../state/actions";
 import { formatSize } from "../state/format";
 import { useDrawing } from "../state/queries";
@@ -33,9 +34,9 @@ export function UnitPanel() {
         </span>
       }
     >
-      {warnings.map((text) => (
-        <p key={text} className={panels.warning}>
-          {text}
+      {warnings.map((warning) => (
+        <p key={warning.text} className={panels.warning}>
+          {renderText(warning)} {renderHint(warning)}
         </p>
       ))}
       <UnitChoices drawing={drawing} />
@@ -104,9 +105,9 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
               </span>
               <span className={css.unitInches}>{formatInches(width, height)}</span>
             </span>
-            {reasons.slice(0, REASONS).map(({ text }) => (
-              <span key={text} className={css.reason}>
-                {text}
+            {reasons.slice(0, REASONS).map((reason) => (
+              <span key={reason.text} className={css.reason}>
+                {renderText(reason)}
               </span>
             ))}
           </button>

@@ -13,7 +13,20 @@ import {
   updateRule,
 } from "./draft";
 
-const RULE = { type: "cut", words: "", colour: [], linetype: [], entity: [], block: [] } as const;
+const CONDITIONS = {
+  code: "rule.everything",
+  arguments: {},
+  text: "every edge",
+  hint: "",
+} as const;
+const RULE = {
+  type: "cut",
+  conditions: CONDITIONS,
+  colour: [],
+  linetype: [],
+  entity: [],
+  block: [],
+} as const;
 
 const PROFILE = {
   name: "acme",

@@ -26,7 +26,7 @@ test("a question without a guess shows the shape, or nothing", () => {
 test("a question of another kind is shown whole", () => {
   const given = { edges: 12, type: "crease", machine: "demo-table" };
   expect(edgeQuestionText({ code: "question.tool", arguments: given }).text).toBe(
-    "demo-table has no tool for crease (12 edges). Which line type should they get?",
+    "demo-table has no tool for 12 edges of type crease. Which line type should they get?",
   );
 });
 
@@ -34,7 +34,7 @@ test("a question for the unit shows why it is unknown", () => {
   const why = { code: "question.unit-doubtful", arguments: { stated: "in", other: "mm" } };
   const given = { reason: why, sizes: [], evidence: null };
   expect(unitQuestionText({ code: "question.unit", arguments: given })).toBe(
-    "The file states inches as its unit, but the drawing could also be in mm.",
+    "The file states the unit inches, but the drawing could also be in mm.",
   );
 });
 

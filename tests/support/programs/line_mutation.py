@@ -122,7 +122,7 @@ def hazard(text: bytes, machine: Machine) -> str:
             datum = 0.0
         if code in (3.0, 5.0, 64.0, 65.0):
             if joint < low - 1e-3:
-                return f"line {number} switches at joint Z {joint:g}"
+                return f"line {number} while axis Z is at {joint:g}"
             unknown.discard(output)
             lowered.discard(output)
             if code == 64.0 and (lowered | unknown) - {math.inf}:

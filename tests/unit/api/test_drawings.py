@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from knifetip.api.drawing_requests import drawing_name
+from knifetip.api.schemas.drawings import UnitFindingOut
 from knifetip.presentation.columns import unpack_columns
 from tests.support.serving.server import square, uploaded
 from tests.support.writers import dxf_text as text
@@ -102,12 +103,29 @@ def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(
 ) -> None:
     finding = uploaded(client, square())["unit_finding"]
     assert (finding["stated"], finding["ranking"][0], finding["warnings"]) == ("mm", "mm", [])
-    assert set(finding["evidence"][0]) == {"unit", "text", "weight"}
+    first = finding["evidence"][0]
+    assert set(first) == {"unit", "code", "arguments", "text", "hint", "weight"}
+    assert first["arguments"]["unit"] == first["unit"]
     assert finding["evidence"][0]["weight"] > 1.0
     id = uploaded(client, square())["id"]
     told = client.patch(f"/api/drawings/{id}", json={"unit": "in"}).json()
     assert (told["unit"], told["width"]) == ("in", 2540.0)
-    assert told["unit_finding"]["warnings"][0].startswith("The header states mm, which would make")
+    warning = told["unit_finding"]["warnings"][0]
+    assert warning["code"] == "unit.read-against-header"
+    assert (warning["arguments"]["stated"], warning["arguments"]["unit"]) == ("mm", "in")
+
+
+def test_unit_evidence_that_was_stored_as_sentences_stays_readable() -> None:
+    stored = {
+        "stated": "mm",
+        "ranking": ["mm", "in"],
+        "evidence": [{"unit": "mm", "text": "in mm it is large", "weight": 2.0}],
+        "warnings": ["The header is wrong."],
+    }
+    finding = UnitFindingOut.model_validate(stored)
+    assert finding.evidence[0].text == "in mm it is large"
+    assert finding.warnings[0].code == "stored.text"
+    assert finding.warnings[0].text == "The header is wrong."
 
 
 @pytest.mark.parametrize(
@@ -123,7 +141,7 @@ def test_an_override_answers_the_question_and_can_be_taken_back(
     said = override(client, id, {"type": "crease", **who}).json()
     assert (said["questions"], said["overrides"]) == ([], 1)
     edge = edges(client, id)[4]
-    assert (edge["type"], edge["rule"], edge["length"]) == ("crease", "override", 80.0)
+    assert (edge["type"], edge["rule"], edge["length"]) == ("crease", "set by the user", 80.0)
     taken = override(client, id, {"type": None, **who}).json()
     assert (len(taken["questions"]), taken["overrides"]) == (1, 0)
 
@@ -147,9 +165,9 @@ def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Cli
 @pytest.mark.parametrize(
     ("who", "words"),
     [
-        ({"edges": [4]}, "no edge 4"),
-        ({"edges": [-1]}, "no edge -1"),
-        ({"edges": [10**30]}, "no edge 1000000000"),
+        ({"edges": [4]}, "Edge 4 does not"),
+        ({"edges": [-1]}, "Edge -1 does not"),
+        ({"edges": [10**30]}, "Edge 1000000000"),
         ({"handles": ["FFFF"]}, "handle 'FFFF'"),
         ({"layer": "NOWHERE"}, "layer 'NOWHERE'"),
         ({"colour": 10**30}, "colour 1000"),

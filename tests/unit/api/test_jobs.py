@@ -157,7 +157,7 @@ def test_what_is_not_in_the_library_is_named(
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", field: value})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
-    assert answer.json()["hint"].startswith("Available: ")
+    assert answer.json()["hint"].startswith("Choose one of ")
 
 
 def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
@@ -206,7 +206,7 @@ def test_corners_are_kept_with_the_job_and_change_its_program(
 def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx.Client) -> None:
     job = milled(client, corners={"at": [{"x": 3.0, "y": 0.0, "type": "C"}]})
     assert job["state"] == "refused"
-    assert job["reason"].startswith("No corner of a milled contour is within 0.5 mm of (3, 0)")
+    assert job["reason"].startswith("No corner of a milled contour lies within 0.5 mm of (3, 0)")
     assert "3.00 mm away" in job["reason"]
     assert "(0.00, 0.00)" in job["hint"]
 
@@ -218,7 +218,10 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
     assert answer.status_code == 422
     assert answer.headers["content-type"] == "application/problem+json"
     assert "has no rotating cutter" in answer.json()["detail"]
-    assert answer.json()["hint"] == "Leave the corner types out, or choose a machine that mills."
+    assert (
+        answer.json()["hint"]
+        == "Leave the corner types out, or choose a machine with a rotating cutter."
+    )
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ def test_an_empty_file_a_folder_and_two_keys_are_refused(tmp_path: Path) -> None
     for wrong in (empty, tmp_path):
         with pytest.raises(SettingsError, match=str(wrong)):
             keys.load_key("", wrong)
-    with pytest.raises(SettingsError, match="Both"):
+    with pytest.raises(SettingsError, match="both"):
         keys.load_key("long-enough", tmp_path / "key")
     assert not (tmp_path / "key").exists()
 

@@ -69,7 +69,7 @@ def test_the_wrong_side_is_noticed(client: httpx.Client) -> None:
     order = {**MEASURED, "side": "right"}
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
-    assert "drawn into the board" in answer.json()["detail"]
+    assert "pulled into the board" in answer.json()["detail"]
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_the_wrong_side_is_noticed(client: httpx.Client) -> None:
     [
         ({"tool": "V-cutter"}, "has no cutter 'V-cutter'"),
         ({"machine": "demo-table"}, "has no cutter 'Router'"),
-        ({"machine": "no-table"}, "There is no machine 'no-table'"),
+        ({"machine": "no-table"}, "The machine 'no-table' does not exist"),
         ({"points": []}, "body.points"),
         ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),
     ],

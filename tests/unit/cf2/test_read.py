@@ -17,6 +17,7 @@ from knifetip.cf2.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
@@ -35,7 +36,11 @@ def test_a_line_has_ends_type_and_layer() -> None:
     assert drawing.ends.tolist() == [[[1, 2], [11, 2]], [[0, 0], [0, 5]]]
     assert [drawing.linetypes[row] for row in drawing.linetype] == ["CF2 1 2pt", "CF2 3 aux 8 3pt"]
     assert drawing.layers == ("carton",)
-    assert (drawing.unit, drawing.stated, str(drawing.evidence)) == ("mm", "mm", "UM")
+    assert (drawing.unit, drawing.stated, drawing.evidence.code) == (
+        "mm",
+        "mm",
+        "unit.cf2-millimetres",
+    )
 
 
 @pytest.mark.parametrize(("direction", "top"), [(1, 10.0), (-1, 0.0)])
@@ -64,15 +69,18 @@ def test_an_arc_that_ends_where_it_starts_is_a_whole_circle() -> None:
 def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
     drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
-    assert reasons(drawing)["#1"] == "kept: its centre is 10 from one end and 10.5 from the other"
+    assert (
+        reasons(drawing)["#1"]
+        == "kept: the centre of the arc is 10 away from its start, but 10.5 away from its end"
+    )
 
 
 def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert report_reasons(drawing) == (
-        "kept: 3 bridges of 6 in the die board",
-        "kept: 1 bridge of 4.5 in the die board",
+        "kept: the rule in the die has 3 bridges of 6 (file units)",
+        "kept: the rule in the die has 1 bridge of 4.5 (file units)",
     )
 
 
@@ -91,7 +99,7 @@ def test_variants_of_other_programs_are_read() -> None:
 def test_records_without_a_header_are_read() -> None:
     drawing = read(b"L,2,1,0,0,0,10,0,0,0\nA,2,2,0,5,0,-5,0,0,0,1,0,0\n")
     assert len(drawing) == 2
-    assert (drawing.unit, str(drawing.evidence)) == ("", "the file has neither UM nor UI")
+    assert (drawing.unit, drawing.evidence.code) == ("", "unit.cf2-none")
 
 
 def test_inches_are_converted() -> None:
@@ -147,8 +155,8 @@ def test_invalid_calls_are_reported() -> None:
     reason = reasons(drawing)
     assert reason["#1/#4/#5"] == "the subroutine A contains itself"
     assert reason["#2"] == "the subroutine NONE does not exist"
-    assert reason["#3"] == "its position is not a number"
-    assert reason["IDLE"] == "the subroutine IDLE with 1 record is never called"
+    assert reason["#3"] == "the position of the object is not a number"
+    assert reason["IDLE"] == "the subroutine IDLE with 1 record is not used in the drawing"
 
 
 def test_without_calls_subroutines_keep_their_coordinates() -> None:
@@ -171,7 +179,7 @@ def test_a_scale_is_applied_if_the_corners_require_it(corner: str, length: float
 def test_an_unexplained_scale_leaves_the_unit_open() -> None:
     drawing = read(cf2(line(0, 0, 10, 0), head=("UM", "SCALE,2,2")))
     assert (drawing.unit, drawing.lengths.tolist()) == ("", [10.0])
-    assert "SCALE,2,2 is not applied" in str(drawing.evidence)
+    assert drawing.evidence.arguments["scale"] == Message("unit.cf2-scale-undecided", x=2, y=2)
 
 
 # ── Profiles ──────────────────────────────────────────────────────────────────────────────────
@@ -257,7 +265,7 @@ def test_a_file_truncated_anywhere_is_refused_or_complete() -> None:
 
 def test_decimal_commas_are_refused_with_the_reason() -> None:
     rows = ["L,2,1,0,54,623664,10,09647,54,637004,10,16879,0,0"] * 9
-    assert "decimals seem to use commas" in refused(cf2(*rows))
+    assert "seems to use decimal commas" in refused(cf2(*rows))
 
 
 def test_single_damaged_records_are_dropped_with_a_reason() -> None:
@@ -274,10 +282,12 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
         )
     )
     reason = reasons(drawing)
-    assert reason["#2"] == "it cannot be read: could not convert string to float: 'x'"
-    assert reason["#3"] == "line 11 has 6 fields"
-    assert reason["#4"].startswith("a coordinate is not a number")
-    assert reason["#5"] == "a coordinate is 1e+308; the limit is 1e+07"
+    assert reason["#2"] == "its coordinates are not all numbers: 0, x, 1, 0"
+    assert reason["#3"] == (
+        "line 11 of the file has 6 fields, which is too few or too many for its record"
+    )
+    assert reason["#4"].startswith("a coordinate of the object is not a number")
+    assert reason["#5"] == "a coordinate of the object is 1e+308; the limit is 1e+07"
     assert reason["#6"] == "records of this type are not supported"
     assert "does not exist" in reason["#8"] or "cannot be read" in reason["#8"]
     assert drawing.lengths.tolist() == [1.0]
@@ -289,7 +299,7 @@ def test_expansion_bombs_and_deep_calls_are_refused() -> None:
     ) + "\r\n" + sub("S12", line(0, 0, 1, 0))  # fmt: skip
     assert "expand to more than" in refused(cf2("C,S0,0,0,0,1,1", subs=bomb), DrawingTooLarge)
     tower = "\r\n".join(sub(f"S{k}", f"C,S{k + 1},0,0,0,1,1") for k in range(5000))
-    assert "more than 16 deep" in refused(cf2("C,S0,0,0,0,1,1", subs=tower), DrawingTooLarge)
+    assert "more than 16 levels deep" in refused(cf2("C,S0,0,0,0,1,1", subs=tower), DrawingTooLarge)
     nested = "SUB,A\r\n" * 20_000 + "END\r\n" * 20_000
     assert len(read(cf2(line(0, 0, 1, 0), subs=nested))) == 1
 

@@ -39,7 +39,7 @@ def test_with_meaningless_layers_shape_decides_the_outline_and_asks_the_rest() -
 def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> None:
     dieline = seen(drawn((BLANK, plain(colour=cut)), (FOLDS, plain(colour=crease))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert "fits: the outline closes, 2 of 2 dividing lines are folds" in why(dieline, 4)
+    assert ": the outline closes, and 2 of 2 dividing lines are folds" in why(dieline, 4)
     assert dieline.confidence[4] < dieline.confidence[0]
 
 
@@ -51,7 +51,7 @@ def test_colours_of_no_convention_are_asked() -> None:
 def test_an_unknown_layer_name_and_shape_decide_together() -> None:
     dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert 'its layer name contains "plis"' in why(dieline, 4)
+    assert 'the name of its layer contains "plis"' in why(dieline, 4)
     # Neither of them alone does.
     assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
 
@@ -81,7 +81,7 @@ def test_a_profile_with_the_wrong_colours_is_detected() -> None:
 def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None:
     dieline = seen(drawn((BLANK[1:], plain("CUT")), (BLANK[:1] + FOLDS, plain("CREASE"))))
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
-    assert "the board ends there" in why(dieline, 3)
+    assert "where the board ends" in why(dieline, 3)
 
 
 def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:

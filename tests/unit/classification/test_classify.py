@@ -60,7 +60,7 @@ def test_the_first_rule_that_matches_decides() -> None:
         'profile house: layer "die", colour 1',
         'profile house: layer "die"',
         "profile house: colour 4",
-        "no rule of profile house",
+        "no rule of the profile house matches",
     ]
 
 
@@ -128,8 +128,8 @@ def test_an_override_comes_last_and_is_the_reason() -> None:
     changed = apply_overrides(dieline, given)
     assert words(changed) == ["v-groove", "cut", "crease"]
     assert [str(changed.rules[row]) for row in changed.rule] == [
-        "override",
-        "override",
+        "set by the user",
+        "set by the user",
         'profile house: layer "die"',
     ]
     assert changed.confidence.tolist() == [1.0, 1.0, 0.95]
@@ -140,7 +140,7 @@ def test_overriding_twice_adds_one_reason() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     once = apply_overrides(dieline, np.array([LineType.CUT], np.uint8))
     twice = apply_overrides(once, np.array([LineType.CREASE], np.uint8))
-    assert [str(rule) for rule in twice.rules].count("override") == 1
+    assert [str(rule) for rule in twice.rules].count("set by the user") == 1
     assert words(twice) == ["crease"]
 
 
@@ -187,8 +187,8 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
 
 def test_a_question_gives_number_length_and_position() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
-        '2 edges on layer "b", colour 2, linetype C, total length 20.0 mm, in a box of '
-        "30.0 × 0.0 mm at (0.0, 0.0): what are they?"
+        '2 edges on layer "b" (colour 2, linetype C) have no line type: total length 20.0 mm, '
+        "extent 30.0 × 0.0 mm at (0.0, 0.0). Which line type should they get?"
     ]
 
 
@@ -254,7 +254,7 @@ def test_the_outline_is_cut_and_what_lies_inside_is_asked_with_the_likeliest_fir
     )
     dieline = classify(sheet, RULES)
     assert words(dieline)[:4] == ["cut"] * 4
-    assert str(dieline.rules[dieline.rule[0]]) == "shape: it closes the outline of a blank"
+    assert str(dieline.rules[dieline.rule[0]]) == "the edge closes the outline of a blank"
     put = list_questions(sheet, dieline)
     assert [(q.layer, q.choices[0]) for q in put] == [("b", "crease"), ("c", "cut")]
 
@@ -348,7 +348,9 @@ def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, ki
 
 def test_the_default_decides_nothing_by_a_bare_colour_or_line_style() -> None:
     for rule in load.profile("default").rules:
-        assert rule.layer or all(name.startswith("CF2 ") for name in rule.linetype), rule.words
+        assert rule.layer or all(name.startswith("CF2 ") for name in rule.linetype), str(
+            rule.conditions
+        )
 
 
 S, D = "CONTINUOUS", "DASHED"

@@ -10,6 +10,7 @@ from knifetip.classification.decision.profile_rules import (
     narrow_rule,
     rule_confidence,
 )
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
@@ -71,4 +72,8 @@ def test_a_rule_on_name_and_colour_has_the_highest_confidence(
 
 def test_a_narrowed_rule_has_only_the_patterns_that_matched() -> None:
     rule = LineRule(LineType.CREASE, ("FOLD", "SCORE"), (1, 5), ("DASHED", "HIDDEN"))
-    assert narrow_rule(rule, 1, 5, 0, 0).words == 'layer "SCORE", colour 5, linetype "DASHED"'
+    assert narrow_rule(rule, 1, 5, 0, 0).conditions.arguments["conditions"] == (
+        Message("rule.layer", patterns=['"SCORE"']),
+        Message("rule.colour", colours=["5"]),
+        Message("rule.linetype", patterns=['"DASHED"']),
+    )

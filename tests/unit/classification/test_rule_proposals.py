@@ -39,7 +39,7 @@ def test_a_layer_with_a_name_is_a_rule_by_itself() -> None:
 def test_a_meaningless_layer_is_combined_with_a_colour() -> None:
     rows = [("Design", 1, C), ("Design", 7, C)]
     (one,) = proposals(rows, {0: LineType.CREASE})
-    assert one.rule.words == 'layer "Design", colour 1'
+    assert str(one.rule.conditions) == 'layer "Design", colour 1'
 
 
 def test_undecided_edges_are_listed_as_changes() -> None:
@@ -53,7 +53,7 @@ def test_rules_do_not_contradict_edges_without_override() -> None:
     rows = [("X", 1, C), ("X", 7, C)]
     profile = LineRules("own", "", (LineRule(LineType.CUT, layer=("X",)),))
     (one,) = proposals(rows, {0: LineType.CREASE}, profile)
-    assert one.rule.words == 'layer "X", colour 1'
+    assert str(one.rule.conditions) == 'layer "X", colour 1'
 
 
 def test_overrides_that_attributes_cannot_separate_yield_no_rule() -> None:

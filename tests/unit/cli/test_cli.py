@@ -104,7 +104,8 @@ def test_read_prints_the_size_in_millimetres_for_every_unit(
     code, out, _ = knifetip("read", tmp_path / "carton.pdf")
     assert code == 0
     assert out.splitlines()[0] == (
-        "carton.pdf: 200.00 × 80.00 mm, 111 segments; a PDF is in points of 1/72 in"
+        "carton.pdf: 200.00 × 80.00 mm, 111 segments; the PDF states its "
+        "coordinates in points of 1/72 inch"
     )
 
 
@@ -149,7 +150,7 @@ def test_verify_takes_the_placement_of_a_program_without_comments_from_an_option
     code, _, err = knifetip("program", drawing, *cutter, "-o", out)
     assert (code, "accepted" in err) == (0, True)
     code, _, err = knifetip("verify", out, "--drawing", drawing, *cutter)
-    assert (code, "Give --placement X,Y" in err) == (3, True)
+    assert (code, "with --placement X,Y" in err) == (3, True)
     for placement, expected in (("20,20", 0), ("20.1, 20", 1), ("20", 2)):
         options = ("--placement", placement)
         assert knifetip("verify", out, "--drawing", drawing, *cutter, *options)[0] == expected
@@ -196,13 +197,13 @@ def test_the_layer_option_sets_the_line_type_of_a_layer(knifetip: Command, folde
     ("words", "expected"),
     [
         (("read", "nowhere.dxf"), "nowhere.dxf"),
-        (("program", "{}", *RIGID, "--machine", "none", "-o", "x"), "no machine 'none'"),
-        (("program", "{}", *RIGID, "--board", "none", "-o", "x"), "no board 'none'"),
-        (("classify", "{}", "--profile", "none"), "no profile 'none'"),
+        (("program", "{}", *RIGID, "--machine", "none", "-o", "x"), "machine 'none' does not"),
+        (("program", "{}", *RIGID, "--board", "none", "-o", "x"), "board 'none' does not"),
+        (("classify", "{}", "--profile", "none"), "The profile 'none' does not exist"),
         (("classify", "{}", "--layer", "nothing=cut"), "no layer 'nothing'"),
-        (("classify", "{}", "--layer", "CUT=sawn"), "'sawn' is not a line type"),
-        (("classify", "{}", "--layer", "CUT"), "is not NAME=TYPE"),
-        (("machine", "none"), "no machine 'none'"),
+        (("classify", "{}", "--layer", "CUT=sawn"), "The line type in the option"),
+        (("classify", "{}", "--layer", "CUT"), "does not have the form NAME=TYPE"),
+        (("machine", "none"), "machine 'none' does not"),
     ],
 )  # fmt: skip
 def test_unusable_input_is_reported_with_exit_code_3(
@@ -303,13 +304,13 @@ GROOVE = load.board("greyboard-3.0").groove_depth
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (("--corner-at", "3,3=C"), "No corner of a milled contour is within 0.5 mm of (3, 3)"),
-        (("--corner-at", "50,0"), "is not X,Y=TYPE"),
-        (("--corner-at", "nan,0=C"), "is not X,Y=TYPE"),
-        (("--corner-at", "50,0=E"), "no corner type 'E' at (50, 0)"),
-        (("--corner-at", "50,0=D:1"), "corner parameter k at (50, 0) is 1"),
-        (("--k", "nan"), "corner parameter k is nan"),
-        (("--k", "1.5"), "corner parameter k is 1.5"),
+        (("--corner-at", "3,3=C"), "No corner of a milled contour lies within 0.5 mm of (3, 3)"),
+        (("--corner-at", "50,0"), "does not have the form X,Y=TYPE"),
+        (("--corner-at", "nan,0=C"), "does not have the form X,Y=TYPE"),
+        (("--corner-at", "50,0=E"), "The corner type 'E' at (50, 0) does not exist"),
+        (("--corner-at", "50,0=D:1"), "parameter k of the D corner at (50, 0) is 1"),
+        (("--k", "nan"), "parameter k of the D corner is nan"),
+        (("--k", "1.5"), "parameter k of the D corner is 1.5"),
     ],
 )
 def test_invalid_corner_options_are_reported_with_exit_code_3(
@@ -352,9 +353,9 @@ def test_calibrate_prints_the_deflection_and_writes_a_usable_board_file(
     [
         ("azimuth,dx,dy\n0,0,0.05\n", "Measure one more point where the contour runs along Y"),
         ("azimuth,dx,dy\n", "0 measured points"),
-        ("azimuth,dx\n0,0.05\n", "line 2: dy is missing"),
-        ("azimuth,dx,dy\n0,near,0.05\n", "line 2: could not convert"),
-        ("azimuth,dx,dy\n45,nan,0.05\n", "not a number"),
+        ("azimuth,dx\n0,0.05\n", "has no value for dy"),
+        ("azimuth,dx,dy\n0,near,0.05\n", "Line 2 of"),
+        ("azimuth,dx,dy\n45,nan,0.05\n", "must be numbers"),
     ],
 )
 def test_calibrate_refuses_missing_or_invalid_points(

@@ -179,14 +179,14 @@ def test_an_error_without_a_message_is_reported_with_its_status(
     fake_server.answer = answer
     code, _, err = knifetip("job", "hold", "abc", "--server", fake_server.url)
     assert code == 3
-    assert f"answered {answer[0]}" in err
+    assert f"HTTP status {answer[0]}" in err
 
 
 @pytest.mark.parametrize("url", ["http://127.0.0.1:9", "nonsense"])
 def test_an_unreachable_server_is_named(knifetip: Command, url: str) -> None:
     code, _, err = knifetip("job", "list", "--server", url)
     assert code == 3
-    assert "Cannot reach" in err
+    assert "cannot be reached" in err
 
 
 def test_a_slash_in_a_job_id_is_escaped(knifetip: Command, fake_server: FakeServer) -> None:

@@ -49,7 +49,7 @@ def test_an_imported_profile_is_stored_and_found_by_name(knifetip: Command, tmp_
     code, out, _ = knifetip(*words)
     assert (code, "stored as version 1" in out) == (0, True)
     code, _, err = knifetip(*words)
-    assert (code, "already, at version 1" in err) == (3, True)
+    assert (code, "already exists, at version 1" in err) == (3, True)
     assert "version 2" in knifetip(*words, "--replace")[1]
     assert knifetip("profile", "export", "acme", "--database", database)[1] == ACME
     assert "acme" in knifetip("profile", "list", "--database", database)[1]
@@ -70,7 +70,7 @@ def test_every_command_finds_a_stored_profile(
     assert (code, json.loads(out)["questions"] != []) == (2, True)
     assert {edge["rule"] for edge in json.loads(out)["edges"] if edge["layer"] == "CUT"} != set()
     code, _, err = knifetip("classify", tmp_path / "tuck-end-carton.dxf", "--profile", "nobody")
-    assert (code, "Available: acme, boxes-py" in err) == (3, True)
+    assert (code, "Choose one of acme, boxes-py" in err) == (3, True)
 
 
 @pytest.mark.parametrize(

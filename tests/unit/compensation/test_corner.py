@@ -154,9 +154,9 @@ def test_each_corner_may_have_its_own_k() -> None:
 
 
 def test_an_invalid_type_or_k_is_refused_with_its_edge() -> None:
-    with pytest.raises(CompensationError, match="no corner type 'E'"):
+    with pytest.raises(CompensationError, match=r"corner type 'E'.* does not exist"):
         select_corner_types(operation(corner="E"))
-    with pytest.raises(CompensationError, match=r"edge 2 begins is 1\.5"):
+    with pytest.raises(CompensationError, match=r"edge 2 is 1\.5"):
         select_corner_types(operation(corner="D", k_at=[0.5, 0.5, 1.5, 0.5]))
     with pytest.raises(CompensationError, match="is nan"):
         select_corner_types(operation(corner="D", k=np.nan))

@@ -106,12 +106,12 @@ def test_a_groove_of_two_edges_is_cut_without_lifting() -> None:
 
 def test_an_arc_is_refused() -> None:
     line = dieline((LineType.V_GROOVE, EAST), bulge={0: 0.1})
-    with pytest.raises(CurvedGroove, match="1 V-groove edge is an arc"):
+    with pytest.raises(CurvedGroove, match="1 V-groove is an arc"):
         vgroove_toolpath(plan(line, MACHINE, BOARD)[0])
 
 
 def test_a_groove_shorter_than_the_blade_is_refused() -> None:
-    with pytest.raises(EdgeTooShort, match=r"2\.90 mm long, and the blade is 3\.00 mm"):
+    with pytest.raises(EdgeTooShort, match=r"2\.90 mm long, but the blade is 3\.00 mm"):
         grooved(edges(((0, 0), (2.9, 0))))
 
 
@@ -121,5 +121,5 @@ def test_a_groove_through_the_board_is_refused() -> None:
 
 
 def test_a_blade_that_overruns_the_ends_by_more_than_allowed_is_refused() -> None:
-    with pytest.raises(GrooveTooDeep, match=r"runs 3\.00 mm past each end"):
+    with pytest.raises(GrooveTooDeep, match=r"cuts 3\.00 mm beyond each end"):
         grooved(EAST, overcut=2.9)

@@ -96,18 +96,24 @@ def test_line_is_one_row_from_start_to_end() -> None:
 def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: laid flat from z = 7"
+    assert only(drawing) == "kept: moved from the height z = 7 to z = 0"
 
 
 def test_line_that_rises_is_dropped_with_its_heights() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 0), (11, 5), (21, 0), (31, 7))))
     assert len(drawing) == 0
-    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: z goes from 0 to 7"
+    assert (
+        only(drawing, ImportOutcome.DROPPED)
+        == "the object is not flat: its height z varies from 0 to 7"
+    )
 
 
 def test_line_without_its_second_end_is_dropped() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0))))
-    assert only(drawing, ImportOutcome.DROPPED) == "it is incomplete: it has no second end"
+    assert (
+        only(drawing, ImportOutcome.DROPPED)
+        == "the object is incomplete: its second end is missing"
+    )
 
 
 def test_line_ignores_its_extrusion() -> None:
@@ -143,13 +149,18 @@ def test_mirrored_arc_lies_left_of_the_axis_and_turns_right() -> None:
 def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt() -> None:
     tilted = ((210, 1.0), (220, 0.0), (230, 1.0))
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *tilted)))
-    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: its plane is tilted by 45°"
+    assert (
+        only(drawing, ImportOutcome.DROPPED) == "the object is not flat: its plane is tilted by 45°"
+    )
 
 
 @pytest.mark.parametrize("radius", [0, -3])
 def test_arc_without_radius_is_dropped_with_the_measure(radius: int) -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 0), (20, 0), (40, radius))))
-    assert only(drawing, ImportOutcome.DROPPED) == f"its radius is {radius}"
+    assert (
+        only(drawing, ImportOutcome.DROPPED)
+        == f"the radius is {radius}, but must be greater than 0"
+    )
 
 
 def test_circle_is_two_half_turns() -> None:
@@ -161,7 +172,7 @@ def test_circle_is_two_half_turns() -> None:
 def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
     assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
-    assert only(drawing) == "kept: laid flat from z = 2"
+    assert only(drawing) == "kept: moved from the height z = 2 to z = 0"
 
 
 def test_lwpolyline_keeps_bulges_and_closes() -> None:
@@ -192,19 +203,19 @@ def test_bulge_of_more_than_half_a_turn_becomes_two_rows() -> None:
 def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
     assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
-    assert only(drawing) == "kept: laid flat from z = 4"
+    assert only(drawing) == "kept: moved from the height z = 4 to z = 0"
 
 
 def test_vertices_in_one_place_give_no_row_and_are_counted() -> None:
     text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
-    assert only(drawing) == "kept: 1 of 2 pieces have no length"
+    assert only(drawing) == "kept: 1 of 2 segments have no length"
 
 
 def test_polyline_of_one_vertex_is_dropped() -> None:
     assert only(read(dxf(polyline([(1, 1)]))), ImportOutcome.DROPPED).startswith(
-        "it has 1 vertices"
+        "the polyline has 1 vertex"
     )
 
 
@@ -225,7 +236,7 @@ def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     text = polyline(flat, flags=8).replace("30\n0\n30\n3", "30\n3")
     drawing = read(dxf(text))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: laid flat from z = 3"
+    assert only(drawing) == "kept: moved from the height z = 3 to z = 0"
 
 
 def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
@@ -243,7 +254,9 @@ def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
     true = np.stack([50.0 * np.cos(t), 25.0 * np.sin(t)], axis=1)
     far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
     assert far <= 0.0105
-    fitted = f"curves fitted with {len(drawing)} lines and arcs within 0.01 file units"
+    fitted = (
+        f"its curves became {len(drawing)} lines and arcs, which deviate by at most 0.01 file units"
+    )
     assert only(drawing) == f"kept: {fitted}"
 
 
@@ -273,7 +286,9 @@ def test_spline_through_fit_points_passes_them() -> None:
         (70, 8), (71, 3), (74, 3), *body,
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
-    assert only(drawing).startswith("kept: drawn through its fit points; curves fitted with")
+    assert only(drawing).startswith(
+        "kept: the curve was drawn through its fit points; its curves became"
+    )
     joints = drawing.ends.reshape(-1, 2)
     for x, y in points:
         assert np.hypot(*(joints - (x, y)).T).min() < 0.5
@@ -282,13 +297,16 @@ def test_spline_through_fit_points_passes_them() -> None:
 def test_spline_in_space_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 9), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
-    assert only(drawing, ImportOutcome.DROPPED) == "it is not flat: z goes from 0 to 9"
+    assert (
+        only(drawing, ImportOutcome.DROPPED)
+        == "the object is not flat: its height z varies from 0 to 9"
+    )
 
 
 def test_spline_with_too_few_knots_is_dropped() -> None:
     control = [(0, 0, 0), (0, 50, 0), (100, 50, 0), (100, 0, 0)]
     drawing = read(dxf(spline(3, [0, 0, 1], control), version="AC1015"))
-    assert only(drawing, ImportOutcome.DROPPED).startswith("it is damaged")
+    assert only(drawing, ImportOutcome.DROPPED).startswith("the object is damaged")
 
 
 @pytest.mark.parametrize("bad", ["nan", "inf", "1e308", "-1e308"])
@@ -322,19 +340,22 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
 
 def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
-    assert report_reasons(drawing) == ("a coordinate is 2e+07; the limit is 1e+07", "kept")
+    assert report_reasons(drawing) == (
+        "a coordinate of the object is 2e+07; the limit is 1e+07",
+        "kept",
+    )
 
 
 @pytest.mark.parametrize(
     ("kind", "reason"),
     [
-        ("TEXT", "text is not cut"),
-        ("POINT", "a point has no length"),
-        ("3DFACE", "it is a solid or a face, not a flat line"),
-        ("SOLID", "a filled area has no line of its own"),
-        ("XLINE", "a construction line without end"),
+        ("TEXT", "texts are not cut"),
+        ("POINT", "the object is a point, which has no length"),
+        ("3DFACE", "the object is a solid or a face, not a flat line"),
+        ("SOLID", "the object is a filled area without a line"),
+        ("XLINE", "the object is a construction line of infinite length"),
         ("DIMENSION", "dimensions and notes are not cut"),
-        ("NONSENSE", "NONSENSE is not a kind of line that is read"),
+        ("NONSENSE", "objects of type NONSENSE cannot be read"),
     ],
 )
 def test_what_is_no_line_is_dropped_with_the_reason(kind: str, reason: str) -> None:

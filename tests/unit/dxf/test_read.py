@@ -144,7 +144,7 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
         ImportOutcome.MERGED,
         ImportOutcome.KEPT,
     ]
-    assert report_reasons(drawing)[1] == "it is drawn twice: the same as 2F3"
+    assert report_reasons(drawing)[1] == "the object is drawn twice: it lies exactly on 2F3"
     assert_array_equal(drawing.import_report.length, [10, 0, 0, 11])
 
 
@@ -186,7 +186,7 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
         + tags((0, "SEQEND"))
     )
     drawing = read(dxf(line(0, 0, 10, 0, (5, "B2")), square))
-    assert reasons(drawing)["A1"] == "kept: 1 of 2 pieces are drawn twice, with B2"
+    assert reasons(drawing)["A1"] == "kept: 1 of 2 segments are drawn twice: they lie exactly on B2"
     assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
     assert drawing.handles == ["B2", "A1"]
 
@@ -194,7 +194,7 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
 def test_line_without_length_is_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(5, 5, 5, 5.0000000001), line(0, 0, 1, 0)))
     assert drawing.import_report.outcome[0] == ImportOutcome.DROPPED
-    assert report_reasons(drawing)[0].startswith("it has no length: 1e-10")
+    assert report_reasons(drawing)[0].startswith("the object has no length (1e-10)")
     assert len(drawing) == 1
 
 
@@ -207,19 +207,22 @@ def test_entities_without_handles_are_numbered_in_the_order_of_the_file() -> Non
 
 def test_paper_space_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (67, 1)), line(0, 0, 5, 0)))
-    assert report_reasons(drawing) == ("it is in paper space", "kept")
+    assert report_reasons(drawing) == (
+        "the object is in a layout (paper space), not in the model",
+        "kept",
+    )
 
 
 def test_invisible_line_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (60, 1)), line(0, 0, 5, 0), version="AC1015"))
-    assert report_reasons(drawing)[0] == "it is marked as invisible"
+    assert report_reasons(drawing)[0] == "the object is marked as invisible"
 
 
 def test_block_that_nothing_places_is_named() -> None:
     drawing = read(dxf(line(0, 0, 1, 0), blocks=(block("SPARE", line(0, 0, 5, 0)),)))
     assert drawing.import_report.kind == ("LINE", "BLOCK")
     assert report_reasons(drawing)[1] == (
-        "the block SPARE of 1 entity: no INSERT places it on the sheet"
+        "the block SPARE with 1 object is not used in the drawing"
     )
 
 
@@ -256,7 +259,10 @@ def test_layer_that_is_off_or_frozen_is_read_and_says_so() -> None:
         )
     )
     assert drawing.colour.tolist() == [3, 4]
-    assert report_reasons(drawing) == ("kept: its layer is off", "kept: its layer is frozen")
+    assert report_reasons(drawing) == (
+        "kept: the layer of the object is switched off",
+        "kept: the layer of the object is frozen",
+    )
 
 
 def test_block_contents_take_layer_colour_and_linetype_of_their_insert() -> None:
@@ -326,7 +332,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     starts = {tuple(start) for start in np.round(drawing.ends[:, 0]).tolist()}
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
-        "kept: places the block PART; 3 columns × 2 rows",
+        "kept: inserts the block PART; a grid of copies (3 columns × 2 rows)",
         "kept: drawn 6 times",
     )
     assert_allclose(drawing.import_report.length, [0, 6])
@@ -342,13 +348,16 @@ def test_mirrored_insert_turns_arcs_around() -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        (insert("NOWHERE"), "its block 'NOWHERE' is not in the file"),
-        (insert("PART", 0, 0, (41, 0)), "its scale is 0 × 1: nothing is left of it"),
-        (insert("PART", 0, 0, (50, "nan")), "its place, scale or rotation is not a number"),
-        (insert("PART", "inf", 0), "its place, scale or rotation is not a number"),
+        (insert("NOWHERE"), "the block 'NOWHERE' is not in the file"),
+        (insert("PART", 0, 0, (41, 0)), "the object is scaled by 0 × 1, so it has no size"),
+        (
+            insert("PART", 0, 0, (50, "nan")),
+            "the position, scale or rotation of the object is not a number",
+        ),
+        (insert("PART", "inf", 0), "the position, scale or rotation of the object is not a number"),
         (
             insert("PART", 0, 0, (210, 1), (220, 0), (230, 0)),
-            "it is not flat: its plane is tilted by 90°",
+            "the object is not flat: its plane is tilted by 90°",
         ),
     ],
 )
@@ -455,12 +464,12 @@ def test_grid_of_polylines_is_counted_in_segments() -> None:
 
 def test_blocks_nested_deeper_than_the_limit_are_refused() -> None:
     assert len(read(bomb(16, 1))) == 1
-    with pytest.raises(DrawingTooLarge, match="17 deep; the limit is 16"):
+    with pytest.raises(DrawingTooLarge, match="17 levels deep; the limit is 16"):
         read(bomb(17, 1))
 
 
 def test_two_thousand_nested_blocks_do_not_exhaust_the_stack() -> None:
-    with pytest.raises(DrawingTooLarge, match="2000 deep"):
+    with pytest.raises(DrawingTooLarge, match="2000 levels deep"):
         read(bomb(2000, 1))
 
 
@@ -473,9 +482,9 @@ def test_blocks_that_contain_themselves_are_dropped_and_named() -> None:
     )
     drawing = read(dxf(insert("A"), insert("SELF"), insert("OVER"), blocks=blocks))
     assert_array_equal(drawing.lengths, [4])
-    assert reasons(drawing)["#1"] == "its block 'A' contains itself"
-    assert reasons(drawing)["#2"] == "its block 'SELF' contains itself"
-    assert reasons(drawing)["#3/#1"] == "its block 'A' contains itself"
+    assert reasons(drawing)["#1"] == "the block 'A' contains itself"
+    assert reasons(drawing)["#2"] == "the block 'SELF' contains itself"
+    assert reasons(drawing)["#3/#1"] == "the block 'A' contains itself"
 
 
 def test_reading_stops_when_its_time_is_up() -> None:

@@ -71,7 +71,7 @@ def test_a_spline_of_any_version_has_its_degree_and_its_layer(version: str, mark
 def test_a_spline_of_r12_in_paper_space_stays_there(marks: bool) -> None:
     found = read_alike(drawing("AC1009", marked(SPLINE, "AcDbSpline", marks, paper=1)))
     assert len(found) == 0
-    assert report_reasons(found) == ("it is in paper space",)
+    assert report_reasons(found) == ("the object is in a layout (paper space), not in the model",)
 
 
 def test_markers_stand_before_what_other_programs_added() -> None:

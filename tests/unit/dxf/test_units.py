@@ -8,6 +8,7 @@ from numpy.testing import assert_array_equal
 from knifetip.dxf.read import read
 from knifetip.dxf.units import hints, stated
 from knifetip.errors import NoSuchUnit
+from knifetip.messages import Message
 from tests.support.writers.dxf_text import dxf, line
 
 
@@ -18,7 +19,7 @@ from tests.support.writers.dxf_text import dxf, line
 def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=code))
     assert (drawing.unit, drawing.stated) == (unit, unit)
-    assert str(drawing.evidence) == f"$INSUNITS = {code}"
+    assert drawing.evidence == Message("unit.header", value=code)
     assert_array_equal(drawing.ends[0], [[0, 0], [2 * millimetres, 0]])
     assert drawing.import_report.length[0] == 2 * millimetres
 
@@ -26,19 +27,19 @@ def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015", "AC1027"])
 def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=None, version=version))
-    assert (drawing.unit, str(drawing.evidence)) == ("", "the file has no $INSUNITS")
+    assert (drawing.unit, drawing.evidence.code) == ("", "unit.header-missing")
     assert_array_equal(drawing.ends[0], [[0, 0], [2, 0]])
 
 
 @pytest.mark.parametrize(
     ("written", "evidence"),
     [
-        ("0", "$INSUNITS = 0: the file states that it has no unit"),
-        ("9", "$INSUNITS = 9: mils, which are not supported"),
-        ("77", "$INSUNITS = 77 has no meaning"),
-        ("-1", "$INSUNITS = -1 has no meaning"),
-        ("MM", "$INSUNITS = 'MM' is not a number"),
-        ("1E999", "$INSUNITS = '1E999' is not a number"),
+        ("0", "the header states that the drawing has no unit ($INSUNITS = 0)"),
+        ("9", "the header states a unit that is not supported: mils ($INSUNITS = 9)"),
+        ("77", "the header states no valid unit: $INSUNITS = 77 is not defined"),
+        ("-1", "the header states no valid unit: $INSUNITS = -1 is not defined"),
+        ("MM", "the header states no valid unit: $INSUNITS = 'MM' is not a number"),
+        ("1E999", "the header states no valid unit: $INSUNITS = '1E999' is not a number"),
     ],
 )
 def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
@@ -50,12 +51,12 @@ def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
 
 def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=4), "in")
-    assert (drawing.unit, str(drawing.evidence), drawing.stated) == ("in", "given", "mm")
+    assert (drawing.unit, drawing.evidence.code, drawing.stated) == ("in", "unit.given", "mm")
     assert_array_equal(drawing.ends[0], [[0, 0], [50.8, 0]])
 
 
 def test_unknown_unit_is_refused_with_the_known_ones() -> None:
-    with pytest.raises(NoSuchUnit, match="mm, cm, m, in, ft, pt, px"):
+    with pytest.raises(NoSuchUnit, match="mm, cm, m, in, ft, pt or px"):
         read(dxf(line(0, 0, 2, 0)), "furlong")
 
 

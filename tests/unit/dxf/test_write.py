@@ -117,5 +117,5 @@ def test_no_paths_are_an_empty_drawing() -> None:
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_coordinate_that_is_no_number_is_refused(bad: float) -> None:
-    with pytest.raises(GeometryError, match="Layer CUT has a coordinate that is not a number"):
+    with pytest.raises(GeometryError, match="A coordinate on the layer CUT is not a number"):
         drawn([(CUT, one((0.0, 0.0), (bad, 1.0)))])

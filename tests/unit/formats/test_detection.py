@@ -75,4 +75,4 @@ def test_the_pipeline_reads_them_all(data: bytes) -> None:
 
 @pytest.mark.parametrize("data", [CF2, SVG, PDF])
 def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes) -> None:
-    assert (read(data, "in").unit, str(read(data, "in").evidence)) == ("in", "given")
+    assert (read(data, "in").unit, read(data, "in").evidence.code) == ("in", "unit.given")

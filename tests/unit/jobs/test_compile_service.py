@@ -130,9 +130,8 @@ def test_a_refusal_keeps_reason_mend_and_source(
     assert job.message is not None
     assert (job.state, str(job.message), hint(job.message), job.source) == (
         "refused",
-        "1 V-groove edge is an arc, the first of them edge 7; "
-        "a straight blade cannot follow an arc.",
-        "Draw straight lines, or give them another line type.",
+        "1 V-groove is an arc (first: edge 7), which a straight blade cannot follow.",
+        "Draw straight lines, or choose another line type.",
         ["2F4"],
     )
 
@@ -161,7 +160,7 @@ def test_a_compile_that_takes_too_long_refuses_the_job(
     compiles_by(crew_tasks.hang_in_verify)
     service.limit = 4.0
     service.compile(begin(store, service))
-    assert str(store.jobs.get(job.id).message) == "Stage verify was not finished after 4 s."
+    assert str(store.jobs.get(job.id).message) == "The stage verify took longer than 4 s."
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(

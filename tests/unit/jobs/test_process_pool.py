@@ -55,7 +55,7 @@ def test_a_process_is_kept_for_the_next_task(pool: ProcessPool) -> None:
 def test_an_error_comes_back_with_mend_and_source(pool: ProcessPool) -> None:
     with pytest.raises(CurvedGroove) as caught:
         pool.run(crew_tasks.refuse, limit=30.0)
-    assert caught.value.hint == "Draw straight lines, or give them another line type."
+    assert caught.value.hint == "Draw straight lines, or choose another line type."
     assert caught.value.source == ("2F4",)
 
 
@@ -69,7 +69,7 @@ def test_a_failure_that_nobody_foresaw_leaves_the_process_alive(pool: ProcessPoo
 def test_a_task_that_hangs_is_killed_and_another_process_takes_its_place(pool: ProcessPool) -> None:
     before = pool.run(crew_tasks.process_id, limit=30.0)
     began = time.monotonic()
-    with pytest.raises(DrawingTooLarge, match="Stage plan was not finished after 0 s"):
+    with pytest.raises(DrawingTooLarge, match="The stage plan took longer than 0 s"):
         pool.run(crew_tasks.hang, limit=0.4)
     assert time.monotonic() - began < 15.0
     assert gone(before)

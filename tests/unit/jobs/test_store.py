@@ -230,7 +230,7 @@ def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
     with pytest.raises(NoSuchJob, match="no job 'nothing'"):
         store.jobs.cancel("nothing")
-    with pytest.raises(NoSuchJob, match="no drawing"):
+    with pytest.raises(NoSuchJob, match="does not exist"):
         store.drawings.get("nothing")
 
 
@@ -1134,7 +1134,7 @@ def test_a_database_that_cannot_be_used_is_refused_with_a_mend(url: str) -> None
 def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Store) -> None:
     first = store.profiles.save("acme", "Acme", "title = 'Acme'", None)
     assert first.version == 1
-    with pytest.raises(WrongState, match="already, at version 1"):
+    with pytest.raises(WrongState, match="already exists, at version 1"):
         store.profiles.save("acme", "Other", "", None)
     assert store.profiles.save("acme", "B", "title = 'B'", 1).version == 2
     with pytest.raises(StaleVersion, match=r"at version 2.*from version 1") as caught:

@@ -74,10 +74,12 @@ def test_an_invalid_file_is_refused_with_the_reason(
 
 
 def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
-    with pytest.raises(LibraryError, match=r"cannot be driven with HPGL.*own language is grblhal"):
+    with pytest.raises(LibraryError, match=r"cannot be driven with HPGL.*Choose grblhal"):
         with_language(load.machine("demo-table"), "hpgl")
 
 
 def test_hpgl_has_no_driver_and_a_hint_to_download() -> None:
-    with pytest.raises(ControllerError, match=r"HPGL cannot be streamed.*Download the program"):
+    with pytest.raises(
+        ControllerError, match=r"in HPGL cannot be sent to a machine.*Download the program"
+    ):
         find_language("hpgl").load_driver()

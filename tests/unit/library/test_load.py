@@ -186,24 +186,24 @@ def test_each_tool_has_a_kind_name(tool: Knife | CreaseWheel | VCutter | Cutter,
     [
         ("caliper = 2.0\n", "", "caliper is missing"),
         ('title = "A board"\n', "", "title is missing"),
-        ("caliper = 2.0", 'caliper = "thick"', "caliper is 'thick', not a number"),
-        ("caliper = 2.0", "caliper = true", "caliper is True, not a number"),
-        ("caliper = 2.0", "caliper = nan", "caliper is nan, not a number"),
-        ("caliper = 2.0", "caliper = inf", "caliper is inf, not a number"),
+        ("caliper = 2.0", 'caliper = "thick"', "caliper is 'thick', but must be a number"),
+        ("caliper = 2.0", "caliper = true", "caliper is True, but must be a number"),
+        ("caliper = 2.0", "caliper = nan", "caliper is nan, but must be a number"),
+        ("caliper = 2.0", "caliper = inf", "caliper is inf, but must be a number"),
         ("caliper = 2.0", "caliper = 0", "caliper is 0, but must be greater than 0"),
         ("caliper = 2.0", "caliper = -2.0", "caliper is -2.0, but must be greater than 0"),
         (
             "groove_depth = 1.3",
             "groove_depth = 2.5",
-            "groove_depth is 2.5, but must be less than",
+            "groove_depth is 2.5 mm, but must be less than",
         ),
         (
             "end_clearance = 0.2",
             "end_clearance = -1",
             "end_clearance is -1, but must be at least",
         ),
-        ("[3.0, 2.0]", "[3.0]", "perforation has 1 values, but needs at least 2"),
-        ("[3.0, 2.0]", "3.0", "perforation is 3.0, not a list"),
+        ("[3.0, 2.0]", "[3.0]", "perforation has 1 value, but needs at least 2"),
+        ("[3.0, 2.0]", "3.0", "perforation is 3.0, but must be a list"),
         ("[3.0, 2.0]", "[3.0, nan]", "perforation 2 is nan"),
         ('"press"', '"maybe"', "short_crease is 'maybe', but must be 'press' or 'refuse'"),
         ("caliper = 2.0", "caliper = = 2", "Invalid value"),
@@ -227,9 +227,9 @@ def test_the_fault_of_an_invalid_board_is_reported(
             '"axe"',
             "station 1 → tool has the unknown kind 'axe'; known kinds are 'knife', 'crease",
         ),
-        ('kind = "v-cutter"\n', "", "station 1 → tool has no 'kind'"),
+        ('kind = "v-cutter"\n', "", "station 1 → tool has no field 'kind'"),
         ("tilt = 45.0", "tilt = 90.0", "station 1 → tool → tilt is 90.0, but must be less than 90"),
-        ("tilt = 45.0", "tilt = nan", "tilt is nan, not a number"),
+        ("tilt = 45.0", "tilt = nan", "tilt is nan, but must be a number"),
         ("tilt = 45.0", "", "tilt is missing"),
         ("back = 6.0", "back = 0.0", "back is 0.0, but must be greater than 0"),
         ("back = 6.0", "", "back"),
@@ -239,11 +239,11 @@ def test_the_fault_of_an_invalid_board_is_reported(
             "number = 0",
             "station 1 → number is 0, but must be greater than 0",
         ),
-        ("number = 3", "number = 1.5", "number is 1.5, not a whole number"),
-        ("number = 3", 'number = "three"', "number is 'three', not a whole number"),
+        ("number = 3", "number = 1.5", "number is 1.5, but must be a whole number"),
+        ("number = 3", 'number = "three"', "number is 'three', but must be a whole number"),
         ("width = 1300.0", "width = inf", "width is inf"),
-        ("origin = [20.0, 20.0]", "origin = 20.0", "origin is 20.0, not a list"),
-        ("high = 1400.0", "high = -1.0", "axes → x → high is -1.0, but must be greater than low"),
+        ("origin = [20.0, 20.0]", "origin = 20.0", "origin is 20.0, but must be a list"),
+        ("high = 1400.0", "high = -1.0", "axes → x → high is -1, but must be greater than low"),
         (
             "velocity = 500.0",
             "velocity = 0.0",
@@ -303,13 +303,13 @@ def test_an_error_names_the_file_and_the_path_of_its_field(put: Put) -> None:
 
 
 def test_a_machine_with_an_unknown_language_is_refused(put: Put) -> None:
-    with pytest.raises(LibraryError, match=r"dialect is 'fanuc', but must be one of .*grblhal"):
+    with pytest.raises(LibraryError, match=r"dialect is fanuc, but must be .*grblhal"):
         load.machine(put(re.sub('dialect = ".*"', 'dialect = "fanuc"', MACHINE)))
 
 
 def test_two_stations_with_one_number_are_refused(put: Put) -> None:
     station = MACHINE[MACHINE.index("[[station]]") :]
-    with pytest.raises(LibraryError, match=r"station numbers \[3, 3\] must differ"):
+    with pytest.raises(LibraryError, match=r"station contains the numbers 3, 3"):
         load.machine(put(MACHINE + station))
 
 
@@ -321,48 +321,48 @@ def test_two_stations_with_one_number_are_refused(put: Put) -> None:
         (
             'type = "cut"',
             'type = "burn"',
-            "'burn' is not a line type; they are unclassified, cut",
+            "type is 'burn', but must be a line type: unclassified, cut",
         ),
         (
             'layer = "RIEFE"',
             'laser = "RIEFE"',
             "rule 2 → laser is not a field",
         ),
-        ('layer = "RIEFE"', "layer = 20", "rule 2 → layer 1 is 20, not text"),
+        ('layer = "RIEFE"', "layer = 20", "rule 2 → layer 1 is 20, but must be text"),
         (
             "colour = [1, 7]",
             'colour = "red"',
-            "rule 1 → colour 1 is 'red', not a whole number",
+            "rule 1 → colour 1 is 'red', but must be a whole number",
         ),
         (
             "colour = [1, 7]",
             "colour = [1.5]",
-            "rule 1 → colour 1 is 1.5, not a whole number",
+            "rule 1 → colour 1 is 1.5, but must be a whole number",
         ),
         (
             "colour = [1, 7]",
             "colour = true",
-            "rule 1 → colour 1 is True, not a whole number",
+            "rule 1 → colour 1 is True, but must be a whole number",
         ),
         (
             "colour = [1, 7]",
             "colour = 256",
-            "rule 1 → colour 1 is 256, but must lie in 1 … 255",
+            "rule 1 → colour 1 is 256, but must be a whole number from 1 to 255",
         ),
         (
             "colour = [1, 7]",
             "colour = nan",
-            "rule 1 → colour 1 is nan, not a whole number",
+            "rule 1 → colour 1 is nan, but must be a whole number",
         ),
         (
             'title = "Ours"',
             'title = "Ours"\nextends = "mine"',
-            "extends is 'mine', which is not a profile",
+            "extends is 'mine', but must be a profile of the library",
         ),
         (
             'title = "Ours"',
             'title = "Ours"\nextends = 3',
-            "extends is 3, not text",
+            "extends is 3, but must be text",
         ),
     ],
 )
@@ -432,8 +432,8 @@ def test_a_router_has_a_default_lead_of_one_and_a_half_radii(put: Put) -> None:
     ("line", "expected"),
     [
         ("speed = -1.0", "speed is -1.0, but must be at least 0"),
-        ("lead = 3.0", "has a lead of 3.0, which must be more than the radius"),
-        ("step = nan", "step is nan, not a number"),
+        ("lead = 3.0", "its lead of 3 mm must be 0 or greater than its radius of 3 mm"),
+        ("step = nan", "step is nan, but must be a number"),
         ("dwell = -0.1", "dwell is -0.1, but must be at least 0"),
         ("teeth = 2", "tool → teeth is not a field"),
     ],
@@ -460,7 +460,7 @@ def test_a_board_has_the_deflection_of_each_tool(put: Put) -> None:
             "[deflection.Router]\nx = -0.08\ny = 0.0",
             "deflection → Router → x is -0.08, but must be",
         ),
-        ("[deflection]\nRouter = 3", "deflection → Router is 3, not a table"),
+        ("[deflection]\nRouter = 3", "deflection → Router is 3, but must be a table"),
     ],
 )
 def test_the_fault_of_an_invalid_deflection_is_reported(
@@ -478,7 +478,7 @@ def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put: Put) -> None
     text = PROFILE + '[[rule]]\ntype = "crease"\ncolour = [5, "#00AEEF"]\nblock = "LID*"\n'
     rule = load.profile(put(text)).rules[-1]
     assert (rule.colour, rule.true_colour, rule.block) == ((5,), (0x00AEEF,), ("LID*",))
-    assert rule.words == 'colour 5 or #00aeef, block "LID*"'
+    assert str(rule.conditions) == 'colour 5 or #00aeef, block "LID*"'
 
 
 @pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])
@@ -510,7 +510,7 @@ def test_inherited_rules_are_not_written() -> None:
         text = load.profile_toml(own, "default")
         assert text.count("[[rule]]") == 1
         assert load.parse_profile("own", tomllib.loads(text)) == own
-    with pytest.raises(ProfileError, match="are not those of"):
+    with pytest.raises(ProfileError, match="cannot be written as an extension of"):
         load.profile_toml(LineRules("own", "", (mine,)), "default")
 
 
@@ -528,7 +528,7 @@ def test_names_from_the_network_open_no_file(put: Put) -> None:
     path = put(PROFILE)
     assert load.profile(path).rules
     for shelf in (load.profile, load.machine, load.board):
-        with pytest.raises(LibraryError, match="There is no"):
+        with pytest.raises(LibraryError, match="does not exist"):
             shelf(path, files=False)
 
 

@@ -573,7 +573,7 @@ def test_a_coordinate_that_is_not_finite_is_refused(value: float) -> None:
     start = np.array(SQUARE, float)
     end = np.roll(start, -1, axis=0)
     start[2, 1] = value
-    with pytest.raises(GeometryError, match="Segment 2 has a coordinate"):
+    with pytest.raises(GeometryError, match="Segment 2 of the path has a coordinate"):
         offset_paths(paths_of(start, end, np.zeros(4), [0, 4]), 1.0, 1)
 
 
@@ -587,7 +587,7 @@ def test_a_segment_without_length_is_refused() -> None:
     [
         ({"distance": np.nan}, "distance"),
         ({"distance": -1.0}, "distance"),
-        ({"side": 0}, "neither left nor right"),
+        ({"side": 0}, "must be .1 .left. or -1"),
         ({"interference": "ignore"}, "'ignore'"),
         ({"corner": 7}, "type 7"),
         ({"corner": Corner.D, "k": np.nan}, "k = nan"),

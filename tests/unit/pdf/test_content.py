@@ -49,16 +49,16 @@ def test_an_inline_image_is_one_operator() -> None:
 
 
 @pytest.mark.parametrize(
-    ("data", "where"),
+    ("data", "code"),
     [
-        (b"(abc", "inside a text"),
-        (b"[1 2", "inside an array"),
-        (b"BI /W 1 ID xxxx", "inside an image"),
-        (b"[" * 100, "nested too deep"),
+        (b"(abc", "pdf.open-text"),
+        (b"[1 2", "pdf.open-array"),
+        (b"BI /W 1 ID xxxx", "pdf.open-image"),
+        (b"[" * 100, "pdf.nested-arrays"),
     ],
 )
-def test_a_truncated_stream_raises_an_error(data: bytes, where: str) -> None:
-    with pytest.raises(TruncatedStream, match=where):
+def test_a_truncated_stream_raises_an_error(data: bytes, code: str) -> None:
+    with pytest.raises(TruncatedStream, match=code):
         parse(data)
 
 

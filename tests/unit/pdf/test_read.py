@@ -114,19 +114,19 @@ def test_a_point_is_a_seventy_second_of_an_inch() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"))
     assert_allclose(drawing.ends, [[[0.0, 0.0], [25.4, 12.7]]])
     assert (drawing.unit, drawing.stated) == ("pt", "pt")
-    assert str(drawing.evidence) == "a PDF is in points of 1/72 in"
+    assert drawing.evidence.code == "unit.pdf"
 
 
 def test_a_user_unit_makes_the_page_larger() -> None:
     drawing = read(pdf("0 0 m 72 36 l S", page="/UserUnit 10"))
     assert_allclose(drawing.ends, [[[0, 0], [254, 127]]])
-    assert str(drawing.evidence) == "UserUnit = 10 points of 1/72 in"
+    assert drawing.evidence == Message("unit.pdf-scaled", scale=10)
 
 
 def test_the_unit_of_the_user_has_priority() -> None:
     drawing = read(pdf("0 0 m 72 36 l S"), "mm")
     assert_allclose(drawing.ends, [[[0, 0], [72, 36]]])
-    assert (drawing.unit, str(drawing.evidence), drawing.stated) == ("mm", "given", "pt")
+    assert (drawing.unit, drawing.evidence.code, drawing.stated) == ("mm", "unit.given", "pt")
 
 
 @pytest.mark.parametrize(
@@ -155,8 +155,8 @@ def test_lines_outside_the_crop_box_are_dropped() -> None:
     assert_allclose(drawing.ends[0] * MM, [[10, 10], [20, 20]])
     assert outcomes(drawing) == [
         ("path", "kept"),
-        ("path", "it lies outside the visible area of the page"),
-        ("path", "kept: part of it lies outside the visible area of the page"),
+        ("path", "the object lies outside the visible area of the page"),
+        ("path", "kept: a part of the object lies outside the visible area of the page"),
     ]
 
 
@@ -369,7 +369,7 @@ def test_graphics_state_dictionary_sets_dashes_and_opacity() -> None:
         )
     )
     assert drawing.linetypes == ("dashed",)
-    assert reasons(drawing)["#2"] == "it is fully transparent"
+    assert reasons(drawing)["#2"] == "the object is completely transparent"
 
 
 # ── Hidden layers ─────────────────────────────────────────────────────────────────
@@ -391,7 +391,10 @@ def test_a_layer_that_is_off_is_hidden(default: str, shown: list[int]) -> None:
     assert [("Cut", "Perf").index(name) for name in drawing.layers] == shown
     for row in {0, 1} - set(shown):
         name = ("Cut", "Perf")[row]
-        assert report_reasons(drawing)[row] == f"it is hidden: the layer {name} is switched off"
+        assert (
+            report_reasons(drawing)[row]
+            == f"the object is hidden, because the layer {name} is switched off"
+        )
         assert drawing.import_report.layer[row] == name
 
 
@@ -420,7 +423,10 @@ def test_a_visible_layer_inside_a_hidden_one_is_hidden() -> None:
             default="/OFF [6 0 R]",
         )
     )
-    assert report_reasons(drawing) == ("it is hidden: the layer Cut is switched off", "kept")
+    assert report_reasons(drawing) == (
+        "the object is hidden, because the layer Cut is switched off",
+        "kept",
+    )
 
 
 # ── Forms ─────────────────────────────────────────────────────────────────────────────────────
@@ -466,7 +472,7 @@ def test_the_box_of_a_form_clips_its_content() -> None:
     )
     assert [outcome for _, outcome in outcomes(drawing)] == [
         "kept",
-        "it lies outside the visible area of the page",
+        "the object lies outside the visible area of the page",
     ]
 
 
@@ -478,7 +484,7 @@ def test_a_form_that_contains_itself_is_dropped() -> None:
             more=[form("0 0 m 5 0 l S /B Do"), form("/A Do 0 9 m 5 9 l S")],
         )
     )
-    assert reasons(drawing)["A/B/#2"] == "it contains itself"
+    assert reasons(drawing)["A/B/#2"] == "the object contains itself"
     assert len(drawing) == 2
 
 
@@ -508,21 +514,21 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
     )
     assert outcomes(drawing) == [
         ("path", "kept"),
-        ("path", "a filled area without a stroke, on a page with strokes"),
-        ("path", "it is only a clipping path"),
-        ("path", "it has neither a stroke nor a fill"),
+        ("path", "the object is a filled area without a line, and the page has lines"),
+        ("path", "the object is only a clipping path"),
+        ("path", "the object has neither a line nor a fill"),
         ("image", "images are not cut"),
-        ("form", "no form or image has the name 'Gone'"),
+        ("form", "the PDF has no form or image with the name 'Gone'"),
         ("image", "images are not cut"),
         ("shading", "shadings are not cut"),
-        ("path", "its path is empty"),
-        ("path", "a coordinate is not a number"),
-        ("path", "the operands of its operator 'm' are invalid"),
-        ("text", "text is not cut"),
-        ("operator", "the operator 'frobnicate' is unknown"),
-        ("path", "it is fully transparent"),
-        ("path", "the page ends before the path is painted"),
-        ("annotation", "2 notes and form fields on the page are not cut"),
+        ("path", "the path of the object is empty"),
+        ("path", "a coordinate of the object is not a number"),
+        ("path", "the PDF operator 'm' has invalid operands"),
+        ("text", "texts are not cut"),
+        ("operator", "the PDF operator 'frobnicate' is not supported"),
+        ("path", "the object is completely transparent"),
+        ("path", "the path is never painted, because the page ends before"),
+        ("annotation", "2 notes and form fields on the page: not cut"),
     ]
 
 
@@ -530,7 +536,9 @@ def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     drawing = read(pdf("1 0 0 rg 0 0 9 9 re f"))
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
-    assert reasons(drawing)["#1"] == ("kept: outline of a filled area: the page has no strokes")
+    assert reasons(drawing)["#1"] == (
+        "kept: outline of a filled area, because the page has no lines"
+    )
 
 
 def test_only_the_first_page_is_read_and_others_are_reported() -> None:
@@ -579,7 +587,10 @@ def test_texts_are_decoded_by_the_table_of_their_font() -> None:
     (words,) = drawing.annotations
     assert words.text == "AB ß C"
     assert_allclose(np.array([words.x, words.y, words.height]) * MM, [30, 40, 20])
-    assert outcomes(drawing)[1] == ("text", "text is not cut, and its encoding is unknown")
+    assert outcomes(drawing)[1] == (
+        "text",
+        "texts are not cut, and the characters of this text cannot be read",
+    )
 
 
 def test_objects_may_be_packed_into_a_stream() -> None:

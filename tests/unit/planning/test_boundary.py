@@ -55,7 +55,7 @@ def test_a_gap_before_the_edge_is_added_to_the_run_out() -> None:
 
 
 def test_a_groove_along_the_edge_is_refused() -> None:
-    with pytest.raises(FlankOutside, match=r"edge 7 meets the board's edge at 4\.0°"):
+    with pytest.raises(FlankOutside, match=r"edge 7 meets the edge of the board at only 4\.0°"):
         out((50, 100), (np.cos(np.radians(4)), np.sin(np.radians(4))))
 
 
@@ -116,14 +116,14 @@ def test_a_run_out_that_would_reach_board_beyond_a_slot_is_refused() -> None:
     )
     towards = (0.5, 3**0.5 / 2.0)
     assert out((50, 60), towards, slot, width=1.0) == pytest.approx((3**0.5 / 2.0, True))
-    with pytest.raises(FlankOutside, match=r"edge 7 would run 3\.46 mm over .* board beyond"):
+    with pytest.raises(FlankOutside, match=r"edge 7 would continue 3\.46 mm beyond .* next part"):
         out((50, 60), towards, slot, width=4.0)
 
 
 def test_a_run_out_into_the_neighbouring_blank_is_refused() -> None:
     two = np.concatenate([SQUARE, SQUARE + np.array([101.0, 0.0])])
     assert out((100, 50), (1, 0), two) == pytest.approx((0.0, True), abs=1e-12)
-    with pytest.raises(FlankOutside, match="board beyond"):
+    with pytest.raises(FlankOutside, match="next part"):
         out((100, 50), (1, 1), two, width=3.0)
 
 

@@ -50,11 +50,13 @@ def test_a_groove_along_a_cut_is_refused_with_the_cut_and_the_distance(
     with pytest.raises(FlankOutside) as refused:
         planned(edges(((25, y), (175, y))))
     error = refused.value
-    assert f"its flank runs {1.0 - aside:.2f} mm through the cut at edge {2 if far else 0}" in str(
-        error
+    assert (
+        f"its flank extends {1.0 - aside:.2f} mm beyond the cut at edge {2 if far else 0}"
+        in str(error)
     )
-    assert f"lies {aside:.2f} mm beside it, 75.0 mm from where the groove begins" in str(error)
-    assert f"Move them {1.0 - aside:.2f} mm further apart" in error.hint
+    assert f"lies {aside:.2f} mm beside it" in str(error)
+    assert "75.0 mm from its start" in str(error)
+    assert f"Move the groove and the cut {1.0 - aside:.2f} mm further apart" in error.hint
     assert error.source == ("4", "2" if far else "0")
 
 

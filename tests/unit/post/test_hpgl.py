@@ -156,13 +156,13 @@ def test_the_speed_is_written_when_it_changes() -> None:
         ([*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]], "whole cm/s from 1 to 80"),
         (
             [*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]],
-            "changes its depth while it works",
+            "changes its depth while it cuts",
         ),
         ([SQUARE[0], (1, P, 21, 20, -0.3, 0, 6000)], "along a slope"),
-        ([*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)], "presses the tool in one place"),
+        ([*SQUARE[:2], (1, L, 20, 20, 5, 0, 6000)], "presses the tool into the board at one point"),
         ([*SQUARE[:3], (1, S, 121, 20, -0.3, 0, CUT)], "turns the head"),
-        ([*SQUARE, (2, P, 120, 20, 0.1, 0, 6000)], "no rapid leads there"),
-        ([SQUARE[0]], "never goes down"),
+        ([*SQUARE, (2, P, 120, 20, 0.1, 0, 6000)], "before a rapid move has reached its start"),
+        ([SQUARE[0]], "never lowers a tool"),
     ],
 )
 def test_a_move_that_hpgl_cannot_express_is_refused(moves: list[Move], what: str) -> None:
@@ -174,5 +174,5 @@ def test_a_kind_of_work_without_a_pen_is_refused() -> None:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
     bare = replace(MACHINE, controller=replace(plotter, pens=plotter.pens[1:]))
-    with pytest.raises(ProgramError, match="no pen for cut with station 1"):
+    with pytest.raises(ProgramError, match="no pen to cut with station 1"):
         process(toolpath(*SQUARE), bare)

@@ -98,7 +98,8 @@ def test_c_also_unwinds_in_the_air_within_a_track() -> None:
 def test_the_error_names_the_head_that_would_leave_the_machine() -> None:
     narrow = replace(MACHINE, x=Axis(-500.0, 100.0, 1500.0, 8000.0))
     with pytest.raises(
-        TravelExceeded, match=r"Wheel \(station 2\) would go 10\.00 mm above .* axis X"
+        TravelExceeded,
+        match=r"Wheel \(station 2\) would exceed the upper end .* axis X .* by 10\.00 mm",
     ):
         sequenced((LineType.CREASE, edges(((50, 10), (50, 90)))), machine=narrow)
 

@@ -82,12 +82,12 @@ def test_a_use_bomb_is_refused_before_it_is_expanded() -> None:
 def test_deep_chains_of_use_are_refused() -> None:
     chain = [f'<g id="g{k}"><use href="#g{k + 1}"/></g>' for k in range(5000)]
     message = refused(svg("<defs>", *chain, "</defs>", '<use href="#g0"/>'), DrawingTooLarge)
-    assert "nested more than 16 deep" in message
+    assert "nested more than 16 levels deep" in message
 
 
 def test_deep_nesting_is_refused() -> None:
     data = svg("<g>" * 100_000 + "</g>" * 100_000)
-    assert "nested more than 256 deep" in refused(data, DrawingTooLarge)
+    assert "nested more than 256 levels deep" in refused(data, DrawingTooLarge)
     assert len(read(svg("<g>" * 200 + '<path d="M0 0h1"/>' + "</g>" * 200))) == 1
 
 
@@ -100,7 +100,7 @@ def test_limits_are_kept() -> None:
     assert "more than 90 lines and curves" in refused(curves, DrawingTooLarge, segments=90)
     assert "the limit is 0.0 MB" in refused(many, DrawingTooLarge, bytes=100)
     packed = gzip.compress(b"<svg " + b" " * 10_000_000)
-    assert "holds more than 1.0 MB" in refused(packed, DrawingTooLarge, bytes=2**20)
+    assert "is larger than 1.0 MB" in refused(packed, DrawingTooLarge, bytes=2**20)
     sheet = svg("<style>" + "".join(f".a{k}{{fill:red}}" for k in range(2001)) + "</style>")
     assert "2,001 rules" in refused(sheet, DrawingTooLarge)
 
@@ -119,19 +119,19 @@ def test_a_file_truncated_anywhere_is_refused() -> None:
 def test_a_packed_file_truncated_anywhere_is_refused() -> None:
     whole = gzip.compress(carton())
     for length in range(2, len(whole), 7):
-        assert "packed SVG" in refused(whole[:length])
+        assert "compressed SVG" in refused(whole[:length])
 
 
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (b"<html><body/></html>", "outermost element html, not svg"),
-        (b'<svg xmlns="urn:other"/>', "outermost element svg, not svg"),
+        (b"<html><body/></html>", "outermost element is html instead of svg"),
+        (b'<svg xmlns="urn:other"/>', "outermost element is svg instead of svg"),
         (b"<svg></g>", "damaged at line 1"),
         (b"<svg><path d='&nbsp;'/></svg>", "undefined entity"),
         (b"<svg>\xff\xfe</svg>", "not well-formed"),
         (b"\x00\x01\x02", "damaged"),
-        (b"\x1f\x8bnonsense", "packed SVG (.svgz) is damaged"),
+        (b"\x1f\x8bnonsense", "compressed SVG (.svgz) is damaged"),
     ],
 )
 def test_other_files_are_refused_with_their_kind(data: bytes, words: str) -> None:

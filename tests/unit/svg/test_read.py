@@ -17,6 +17,7 @@ from knifetip.dxf import read as dxf
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.svg.read import read
 from knifetip.units.evidence import find_unit
@@ -40,7 +41,9 @@ def test_y_is_upwards_from_the_lower_edge_of_the_page() -> None:
     drawing = only('<line x1="10" y1="10" x2="30" y2="40"/>')
     assert drawing.ends.tolist() == [[[10, 90], [30, 60]]]
     assert drawing.unit == drawing.stated == "mm"
-    assert str(drawing.evidence) == 'width = "100mm" and height = "100mm", viewBox 100 × 100'
+    assert drawing.evidence == Message(
+        "unit.svg-size", size=['width="100mm"', 'height="100mm"'], width=100, height=100
+    )
 
 
 def test_groups_transform_their_content() -> None:
@@ -108,7 +111,7 @@ def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth() -> None:
     x, y = (points.reshape(-1, 2) - [45, 50]).T
     # A point at distance e from the ellipse has a value that differs from 1 by about 2 e / 10.
     assert np.abs((x / 30) ** 2 + (y / 10) ** 2 - 1).max() < 2 * 0.0101 / 10
-    assert "fitted with" in reasons(drawing)["#1"]
+    assert "its curves became" in reasons(drawing)["#1"]
 
 
 def test_a_straight_curve_becomes_a_line() -> None:
@@ -232,7 +235,7 @@ def test_the_unit_of_the_user_has_priority() -> None:
     assert_allclose(read(data, "px").lengths, [25.4])
     assert_allclose(read(data, "pt").lengths, [96 * 25.4 / 72])
     assert_allclose(read(data, "mm").lengths, [96.0])
-    assert (str(read(data, "px").evidence), read(data, "px").stated) == ("given", "")
+    assert (read(data, "px").evidence.code, read(data, "px").stated) == ("unit.given", "")
 
 
 def test_a_packed_file_is_the_same_drawing() -> None:
@@ -283,7 +286,10 @@ def test_rules_of_a_style_sheet_apply_by_specificity() -> None:
     assert [f"{colour:06x}" for colour in drawing.true_colour] == [
         *("111111", "222222", "333333", "444444", "888888", "777777", "222222")
     ]
-    assert reasons(drawing)["style"] == "rules that are not supported: @media print, line + path"
+    assert (
+        reasons(drawing)["style"]
+        == "the style sheet has rules that are not supported: @media print, line + path"
+    )
 
 
 def test_selectors_with_ancestors_and_attributes_apply() -> None:
@@ -368,8 +374,8 @@ def test_hidden_groups_are_dropped_with_their_content() -> None:
     )
     assert drawing.lengths.tolist() == [3.0]
     reason = reasons(drawing)
-    assert reason["a"] == reason["b"] == "it is hidden"
-    assert reason["d"] == reason["e"] == "it has neither a stroke nor a fill"
+    assert reason["a"] == reason["b"] == "the object is hidden"
+    assert reason["d"] == reason["e"] == "the object has neither a line nor a fill"
 
 
 def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
@@ -377,10 +383,15 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     alone = only(area)
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
-    assert reasons(alone)["area"] == ("kept: outline of a filled area: the drawing has no strokes")
+    assert reasons(alone)["area"] == (
+        "kept: outline of a filled area, because the drawing has no lines"
+    )
     beside = only(area + '<path d="M0 0h1"/>')
     assert len(beside) == 1
-    assert reasons(beside)["area"] == "a filled area without a stroke, in a drawing with strokes"
+    assert (
+        reasons(beside)["area"]
+        == "the object is a filled area without a line, and the drawing has lines"
+    )
 
 
 def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
@@ -397,22 +408,27 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     )
     reason = reasons(drawing)
     assert reason["a"] == (
-        "kept: its path data is wrong at character 8 ('oops'): read up to there, as in a browser"
+        "kept: the path data of the object is invalid at character 8 ('oops'); "
+        "the path was read up to there, as browsers do"
     )
     assert reason["n"] == (
-        "kept: its path data ends inside a command: read up to there, as in a browser"
+        "kept: the path data of the object ends inside a command; "
+        "the path was read up to there, as browsers do"
     )
-    assert reason["b"] == "its width and height are -3 and 2"
-    assert reason["c"].startswith("its x1 cannot be read: '1lightyear'")
-    assert reason["d"] == "it has no points"
-    assert reason["e"] == "its transform cannot be read: spin(1 numbers) is not a transform"
-    assert reason["f"] == "a coordinate is 1e+09; the limit is 1e+07"
-    assert reason["g"].startswith("a coordinate is 2e+300")
-    assert reason["h"] == "its radius is 0"
+    assert reason["b"] == "the object has no size: its width is -3 and its height 2"
+    assert reason["c"].startswith("the attribute x1 of the object cannot be read: '1lightyear'")
+    assert reason["d"] == "the object has no points"
+    assert reason["e"] == (
+        "the attribute transform of the object cannot be read: "
+        "the transform spin does not take 1 number"
+    )
+    assert reason["f"] == "a coordinate of the object is 1e+09; the limit is 1e+07"
+    assert reason["g"].startswith("a coordinate of the object is 2e+300")
+    assert reason["h"] == "the radius is 0, but must be greater than 0"
     assert reason["j"] == "pictures are not cut"
-    assert reason["k"] == "its content is not SVG"
-    assert reason["l"] == "it refers to another file, 'other.svg#x', which is not fetched"
-    assert reason["m"] == "no element has the id 'nobody'"
+    assert reason["k"] == "the content of the object is not SVG"
+    assert reason["l"] == "the object is in another file, 'other.svg#x', which is not loaded"
+    assert reason["m"] == "no object has the id 'nobody', to which this object refers"
     assert_allclose(drawing.lengths.sum(), 10.0 + 6 * math.pi)
 
 
@@ -458,8 +474,8 @@ def test_use_that_contains_itself_is_dropped() -> None:
     )
     assert drawing.lengths.tolist() == [1.0]
     reason = reasons(drawing)
-    assert reason["u"] == "it contains itself"
-    assert reason["x/v/w"] == "it contains itself"
+    assert reason["u"] == "the object contains itself"
+    assert reason["x/v/w"] == "the object contains itself"
 
 
 # ── Files of other programs ───────────────────────────────────────────────────────────────────

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from knifetip.geometry.columns import F64
+from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.model.unit import MILLIMETRES, UnitFinding, UnitHint
 from knifetip.units import weights
@@ -158,7 +159,7 @@ def test_hints_of_the_header_have_little_weight() -> None:
     from dataclasses import replace
 
     drawing = drawn(METRIC, "mm", "mm")
-    hinted = replace(drawing, hints=(UnitHint("imperial", "$MEASUREMENT = 0"),))
+    hinted = replace(drawing, hints=(UnitHint("imperial", Message("unit.header-imperial")),))
     assert find_unit(hinted).unit == "mm"
     assert weight(find_unit(hinted), "in", "header") - weight(
         find_unit(drawing), "in", "header"
@@ -178,7 +179,9 @@ def test_detail_at_a_larger_scale_is_a_warning() -> None:
     both = np.concatenate([ends, ends * 0.1 + [3000.0, 0.0]])
     finding = find_unit(drawing_of(both, "mm"))
     assert finding.unit == "mm"
-    assert "once 10 times larger" in finding.warnings[0]
+    (warning,) = finding.warnings
+    assert warning.code == "unit.part-drawn-twice"
+    assert warning.arguments["factor"] == pytest.approx(10.0)
     # Without a header no unit is chosen for a sheet with two scales.
     assert find_unit(drawing_of(both, "")).unit == ""
 
@@ -190,8 +193,11 @@ def test_block_inserted_with_the_wrong_unit_is_a_warning() -> None:
     finding = find_unit(drawing_of(both, ""))
     assert finding.unit == ""
     assert finding.warnings == (
-        "Parts of the drawing have different units: one is drawn in millimetres, another in "
-        "millimetres written as inches.",
+        Message(
+            "unit.parts-differ",
+            one=Message("unit.drawn-in-millimetres"),
+            other=Message("unit.drawn-in-metric", unit="in"),
+        ),
     )
 
 
@@ -207,24 +213,28 @@ def test_dimensions_of_two_scales_are_a_warning() -> None:
     words = [text_of(str(size), size) for size in (300.0, 200.0, 150.0)]
     words += [text_of(str(size * 5), size) for size in (40.0, 37.0)]
     finding = find_unit(drawing_of(drawn(METRIC, "mm", "").ends, "mm", tuple(words)))
-    assert "2 of them are drawn 5 times smaller than 3 others" in finding.warnings[0]
+    (warning,) = finding.warnings
+    assert warning.code == "unit.dimensions-smaller"
+    assert (warning.arguments["count"], warning.arguments["others"]) == (2, 3)
+    assert warning.arguments["factor"] == pytest.approx(5.0)
 
 
 def test_decision_against_the_header_is_a_warning() -> None:
     from knifetip.units.rescale import rescale
 
     warnings = find_unit(rescale(drawn(METRIC, "mm", "m"), "mm")).warnings
-    assert warnings[0].startswith("The header states metres, which would make the drawing ")
-    assert "it is read in mm: " in warnings[0]
+    assert warnings[0].code == "unit.read-against-header"
+    assert (warnings[0].arguments["stated"], warnings[0].arguments["unit"]) == ("m", "mm")
 
 
 def test_given_unit_against_the_evidence_is_a_warning() -> None:
     from knifetip.units.rescale import rescale
 
     warnings = find_unit(rescale(drawn(METRIC, "mm", "mm"), "in")).warnings
-    assert [text[:24] for text in warnings] == ["The header states mm, wh"]
+    assert [warning.code for warning in warnings] == ["unit.read-against-header"]
     silent = find_unit(rescale(drawn(METRIC, "mm", ""), "in")).warnings
-    assert [text[:25] for text in silent] == ["The evidence supports mm:"]
+    assert [warning.code for warning in silent] == ["unit.read-against-evidence"]
+    assert silent[0].arguments["best"] == "mm"
 
 
 def test_drawings_with_few_edges_keep_their_stated_unit() -> None:

@@ -33,10 +33,11 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert question.choices[0] == "mm"
     assert set(question.choices) == {"mm", "cm", "m", "in", "ft"}
     assert question.text.startswith(
-        "The file does not state its unit. The drawing's size would be 250.0 × 180.0 mm in mm, "
+        "The file does not state the unit of the drawing. In which unit is it drawn? "
+        "Its size would be 250.0 × 180.0 mm in mm, "
         "2500 × 1800 mm in cm, 6350 × 4572 mm in inches,"
     )
-    assert "Strongest evidence for mm: in mm 2 of 2 lengths" in question.text
+    assert "Strongest evidence for mm: in mm 2 of 2 different lengths" in question.text
 
 
 def test_small_numbers_put_centimetres_and_inches_first() -> None:
@@ -55,12 +56,12 @@ def test_pixels_are_offered_where_they_are_likely() -> None:
 
 def test_question_names_an_unsupported_unit() -> None:
     assert question_about(dxf(*BOX, units=9)).text.startswith(
-        "The file does not state a unit of length that is supported "
-        "($INSUNITS = 9: mils, which are not supported)."
+        "The unit of the drawing is not known: "
+        "the header states a unit that is not supported: mils ($INSUNITS = 9)."
     )
 
 
 def test_question_states_that_the_evidence_contradicts_the_header() -> None:
     assert question_about(dxf(*BOX, units=6)).text.startswith(
-        "The file states metres as its unit, but the drawing does not look like it. "
+        "The file states the unit metres, but the drawing does not fit this unit. "
     )

@@ -29,7 +29,7 @@ def test_giving_a_unit_scales_ends_report_and_texts() -> None:
     assert_allclose(inches.import_report.length[:2], [6350, 4572])
     assert inches.annotations[0].x == 127.0
     assert_allclose(inches.import_report.location_boxes.box, [[127.0, 152.4, 127.0, 152.4]])
-    assert (inches.unit, str(inches.evidence)) == ("in", "given")
+    assert (inches.unit, inches.evidence.code) == ("in", "unit.given")
     assert_array_equal(inches.bulge, silent.bulge)
 
 

@@ -52,15 +52,16 @@ def test_a_line_that_became_an_arc_is_found() -> None:
     made = clean(LINE)
     bulge = made.dieline.bulge.copy()
     bulge[1] = 0.001
-    assert "moved the edge by 0.0500 mm" in findings_text(with_changes(made, bulge=bulge))
+    assert "the edge was moved by 0.0500 mm" in findings_text(with_changes(made, bulge=bulge))
 
 
 def test_an_edge_that_is_ignored_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
-    assert "Edge 2: Cleaning: the edge is cut and is worked as ignored" in findings_text(
-        with_changes(made, line_type=kinds)
+    assert (
+        "Edge 2: Internal error in cleaning: the drawn edge is cut, but the cleaned edge is ignored"
+        in findings_text(with_changes(made, line_type=kinds))
     )
 
 
@@ -68,8 +69,9 @@ def test_a_cut_that_became_a_crease_is_found() -> None:
     made = clean(LINE)
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
-    assert "Edge 1: Cleaning: the edge is cut and is worked as crease" in findings_text(
-        with_changes(made, line_type=kinds)
+    assert (
+        "Edge 1: Internal error in cleaning: the drawn edge is cut, but the cleaned edge is crease"
+        in findings_text(with_changes(made, line_type=kinds))
     )
 
 
@@ -87,7 +89,7 @@ def test_an_edge_that_was_not_drawn_is_found() -> None:
     )
     assert (
         findings_text(replace(made, dieline=more))
-        == "Edge 3: Cleaning: no part of the edge was drawn."
+        == "Edge 3: Internal error in cleaning: the cleaned edge has no counterpart in the drawing."
     )
 
 
@@ -95,8 +97,9 @@ def test_a_lengthened_edge_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 103)
-    assert "Edge 1: Cleaning: the edge is worked where nothing was drawn" in findings_text(
-        with_changes(made, ends=ends)
+    assert (
+        "Edge 1: Internal error in cleaning: the cleaned edge extends beyond everything"
+        in findings_text(with_changes(made, ends=ends))
     )
 
 
@@ -104,7 +107,7 @@ def test_a_shortened_edge_is_found() -> None:
     made = clean(LINE)
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 99.9)
-    assert "Edge 1: Cleaning moved the edge by 0.1000 mm" in findings_text(
+    assert "Edge 1: Internal error in cleaning: the edge was moved by 0.1000 mm" in findings_text(
         with_changes(made, ends=ends)
     )
 
@@ -116,8 +119,9 @@ def test_a_stretch_without_a_record_is_found() -> None:
     short = Stretches(
         parts.row[keep], parts.begin[keep], parts.end[keep], parts.cleaned[keep], parts.given[keep]
     )
-    assert "Edge 6: Cleaning: the stretches of the edge do not add up" in findings_text(
-        replace(made, stretches=short)
+    assert (
+        "Edge 6: Internal error in cleaning: the kept, merged and dropped parts"
+        in findings_text(replace(made, stretches=short))
     )
 
 
@@ -128,4 +132,6 @@ def test_an_edge_that_was_dropped_is_found() -> None:
     kinds[1] = LineType.IGNORED
     gone = replace(parts, cleaned=np.where(parts.row == 1, -1, parts.cleaned))
     lost = replace(with_changes(made, line_type=kinds), stretches=gone)
-    assert "Edge 1: Cleaning dropped 100.000 mm" in findings_text(lost)
+    assert "Edge 1: Internal error in cleaning: 100.000 mm of the edge were lost" in findings_text(
+        lost
+    )

@@ -75,7 +75,7 @@ def test_a_cut_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     finding = find_finding("deviation", SLIT, list(verdict_of(text).findings))
     assert finding.measure == pytest.approx(0.03)
-    assert "The knife is 0.030 mm off the line" in finding.text
+    assert "The path of the knife is 0.030 mm away from the drawn line" in finding.text
 
 
 def test_the_rounding_of_the_controller_is_added_to_the_distance() -> None:
@@ -93,7 +93,7 @@ def test_work_far_from_every_edge_is_a_stray() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y38.0000").encode()
     findings = list(verdict_of(text).findings)
     assert any(
-        finding.kind == "stray" and "X40.000 Y38.000 of the sheet" in finding.text
+        finding.kind == "stray" and "X40.000 Y38.000 (coordinates of the sheet)" in finding.text
         for finding in findings
     )
     assert find_finding("uncut", SLIT, findings).measure == pytest.approx(20.0)
@@ -104,7 +104,7 @@ def test_a_knife_on_a_crease_is_a_stray_with_the_edge() -> None:
         "G0 X90 Y34.4 Z20 C90", "G0 Z4", "G1 Z-0.3 F6000", "G1 Y60 F24000", "G1 Z4 F6000"
     )
     strays = [finding for finding in verdict_of(text).findings if finding.kind == "stray"]
-    assert "along edge 10, which is crease" in strays[0].text
+    assert "along edge 10, whose line type (crease)" in strays[0].text
 
 
 def test_work_on_an_ignored_edge_is_a_stray() -> None:
@@ -112,13 +112,13 @@ def test_work_on_an_ignored_edge_is_a_stray() -> None:
         "G0 X20 Y90 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", "G1 X60 F24000", "G1 Z4 F6000"
     )
     strays = [finding for finding in verdict_of(text).findings if finding.kind == "stray"]
-    assert "along edge 13, which is ignored" in strays[0].text
+    assert "along edge 13, whose line type (ignored)" in strays[0].text
 
 
 def test_a_slit_must_stop_where_the_cut_in_the_top_face_ends() -> None:
     far = find_finding("overcut", SLIT, findings_of("G1 X59.5944 F24000", "G1 X60.0000 F24000"))
     assert far.measure == pytest.approx(0.4056, abs=1e-4)
-    assert "0.406 mm past where it should" in far.text
+    assert "0.406 mm beyond the end of the edge" in far.text
     short = find_finding("uncut", SLIT, findings_of("G1 X59.5944 F24000", "G1 X59.5000 F24000"))
     assert short.measure == pytest.approx(0.0944, abs=1e-4)
 
@@ -133,10 +133,12 @@ def test_a_cut_that_meets_another_must_run_over_by_its_slant() -> None:
 
 
 def test_a_closed_contour_must_run_over_its_start() -> None:
-    for x, past, measure in (("70.4527", "past", 0.1), ("70.2527", "short of", 0.1)):
+    for x, side, measure in (("70.4527", "beyond", 0.1), ("70.2527", "before", 0.1)):
         findings = findings_of("G1 X70.3527\n", f"G1 X{x}\n")
-        assert [finding.kind for finding in findings] == ["overcut" if past == "past" else "uncut"]
-        assert f"0.100 mm {past} where it should" in findings[0].text
+        assert [finding.kind for finding in findings] == [
+            "overcut" if side == "beyond" else "uncut"
+        ]
+        assert f"0.100 mm {side} the end of the edge" in findings[0].text
         assert findings[0].measure == pytest.approx(measure, abs=1e-4)
 
 
@@ -177,7 +179,7 @@ def test_a_groove_needs_both_its_passes() -> None:
     findings = findings_of(back, "")
     finding = find_finding("uncut", GROOVE, findings)
     assert finding.measure == pytest.approx(40.0)
-    assert "not grooved from its end" in finding.text
+    assert "not grooved in the direction from its end" in finding.text
 
 
 def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width() -> None:
@@ -199,7 +201,7 @@ def test_a_groove_whose_tip_is_mirrored_is_refused() -> None:
 
 def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray() -> None:
     findings = findings_of("G1 Z1.0000 F6000", "G1 Z-0.3000 F6000")
-    assert any("which is half-cut" in finding.text for finding in findings)
+    assert any("line type (half-cut)" in finding.text for finding in findings)
     assert find_finding("uncut", HALF, findings).measure == pytest.approx(40.0)
 
 

@@ -80,7 +80,7 @@ def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
     far = verdict_of(
         cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
     ).findings
-    assert any("flank comes out 0.0109 mm outside" in finding.text for finding in far)
+    assert any("meets the top face 0.0109 mm outside" in finding.text for finding in far)
 
 
 def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:
@@ -115,7 +115,7 @@ def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
     short = groove_findings(28.75, 100.0)
     assert {finding.kind for finding in short} == {"uncut"}
     assert short[0].measure == pytest.approx(0.05)
-    assert "where the tool must run out past its start" in short[0].text
+    assert "where the tool must begin before its start" in short[0].text
     assert {finding.kind for finding in groove_findings(28.7, 99.9)} == {"uncut"}
     # No farther: there is none of this board, but a neighbour may lie there.
     assert {finding.kind for finding in groove_findings(28.6, 100.0)} == {"overcut"}
@@ -289,7 +289,7 @@ def test_bridges_too_far_apart_too_near_a_corner_or_too_few_are_refused() -> Non
     far = verdict_of(square_with_bridges(18.0, 42.0 + 0.0), SQUARE, NICKED).findings
     assert far == ()
     wide = verdict_of(square_with_bridges(18.0, 18.0), SQUARE, NICKED)
-    assert any("124.000 mm to the next" in finding.text for finding in wide.findings)
+    assert any("124.000 mm away from the next" in finding.text for finding in wide.findings)
     corner = verdict_of(square_with_bridges(4.0, 56.0), SQUARE, NICKED)
     assert kinds(corner) == {("deviation", 0), ("deviation", 2)}
     assert corner.findings[0].measure == pytest.approx(5.25 - 4.0, abs=1e-3)

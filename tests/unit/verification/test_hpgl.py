@@ -113,7 +113,7 @@ def test_any_text_can_be_read(text: str) -> None:
 
 
 def test_a_text_that_is_too_large_is_refused() -> None:
-    with pytest.raises(ProgramUnreadable, match="at most"):
+    with pytest.raises(ProgramUnreadable, match="limit is"):
         READER.read(b" " * (MAX_BYTES + 1), MACHINE, BOARD)
 
 

@@ -38,14 +38,17 @@ def with_head(program: bytes, head: str) -> bytes:
 @pytest.mark.parametrize(
     ("gone", "what"),
     [
-        ("M65 P0\n", "moves before it states output 0 (M65 P0)"),
-        ("M65 P1\n", "moves before it states output 1 (M65 P1)"),
+        ("M65 P0\n", "moves the head before it switches off output 0 (M65 P0)"),
+        ("M65 P1\n", "moves the head before it switches off output 1 (M65 P1)"),
         (
             "M65 P2\n",
-            "lowers station 2 while station 3 may be lowered. Release station 3 first (M65 P2)",
+            "while station 3 may still be lowered. Release station 3 first (M65 P2)",
         ),
-        ("M5\n", "moves before it states the spindle (M5)"),
-        ("G0 Z20.0000\n", "switches at a height that no line before it states. Lift to 20.000 mm"),
+        ("M5\n", "moves the head before it switches off the spindle (M5)"),
+        (
+            "G0 Z20.0000\n",
+            "before the program has set the height of the head. Lift the head to 20.000 mm",
+        ),
     ],
 )
 def test_each_line_of_the_header_is_needed(program: bytes, gone: str, what: str) -> None:
@@ -65,14 +68,29 @@ def test_each_line_of_the_header_is_needed(program: bytes, gone: str, what: str)
     ("head", "what"),
     [
         # Lower than the travel height, and down again before the stations are released.
-        (HEAD.replace("Z20.0000", "Z19.9000"), "Lift to 20.000 mm"),
-        (HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"), "moves before it states output"),
+        (HEAD.replace("Z20.0000", "Z19.9000"), "Lift the head to 20.000 mm"),
+        (
+            HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"),
+            "moves the head before it switches off output",
+        ),
         # Sideways or turned while a tool may be in the board.
-        (HEAD.replace("Z20.0000", "X5.0000 Z20.0000"), "moves before it states output 0"),
-        (HEAD.replace("Z20.0000", "Z20.0000 C90.0000"), "moves before it states output 0"),
-        (HEAD.replace("G0 Z20.0000", "G0 X5.0000\nG0 Z20.0000"), "moves before it states"),
+        (
+            HEAD.replace("Z20.0000", "X5.0000 Z20.0000"),
+            "moves the head before it switches off output 0",
+        ),
+        (
+            HEAD.replace("Z20.0000", "Z20.0000 C90.0000"),
+            "moves the head before it switches off output 0",
+        ),
+        (
+            HEAD.replace("G0 Z20.0000", "G0 X5.0000\nG0 Z20.0000"),
+            "moves the head before it switches off",
+        ),
         # Released in the board, and lifted afterwards.
-        (HEAD.split("\n", 1)[1] + "G0 Z20.0000\n", "switches at a height that no line before it"),
+        (
+            HEAD.split("\n", 1)[1] + "G0 Z20.0000\n",
+            "before the program has set the height of the head",
+        ),
         (HEAD.replace("M65 P2\n", "M64 P2\n"), "lowers station 3 while"),
     ],
 )
@@ -80,7 +98,7 @@ def test_only_lifts_may_come_before_all_states_are_set(
     program: bytes, head: str, what: str
 ) -> None:
     if head.endswith("M64 P2\nM5\n"):
-        what = "lowers station 2 while station 3 may be lowered"
+        what = "lowers station 2 while station 3 may still be lowered"
     lines = program_findings(with_head(program, head))
     assert any(what in line for line in lines), lines
 
@@ -89,8 +107,8 @@ def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
     low = program_findings(lift.encode(), long, drawn=False)
-    assert "lift only, straight up to joint Z 26.000 mm or higher" in low[0]
-    assert "Line 3: The line switches at joint Z 20.000 mm. Lift to 26.000 mm first." in low
+    assert "only lift the head straight up to Z 26.000 mm or higher" in low[0]
+    assert any("while axis Z is at 20.000 mm, which is too low" in line for line in low)
     assert program_findings(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
 
 
@@ -101,7 +119,7 @@ def test_a_station_is_changed_at_the_travel_height(program: bytes, lift: str | N
     at = text.index("G0 Z", text.index("F30000"))
     line = text[at : text.index("\n", at) + 1]
     mutant = text[:at] + ("" if lift is None else lift + "\n") + text[at + len(line) :]
-    assert any("switches at joint Z" in found for found in program_findings(mutant.encode()))
+    assert any("while axis Z is at" in found for found in program_findings(mutant.encode()))
 
 
 @BOTH
@@ -110,7 +128,10 @@ def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     at = text.rindex("G0 Z20.0000\n")
     lines = program_findings((text[:at] + text[at + 12 :]).encode())
     assert lines == [lines[0]]
-    assert "switches at joint Z 4.000 mm. Lift to 20.000 mm first." in lines[0]
+    assert (
+        "while axis Z is at 4.000 mm, which is too low. Lift the head to 20.000 mm first."
+        in lines[0]
+    )
 
 
 @BOTH
@@ -120,7 +141,7 @@ def test_a_station_is_lowered_after_the_previous_one_is_raised(program: bytes) -
     down = text.index("M64 P2\n")
     swapped = text[:at] + "M64 P2\n" + text[at + 7 : down] + "M65 P1\n" + text[down + 7 :]
     assert any(
-        "lowers station 3 while station 2 may be lowered" in f
+        "lowers station 3 while station 2 may still be lowered" in f
         for f in program_findings(swapped.encode())
     )
 
@@ -130,16 +151,20 @@ def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
     plunge = "G1 Z1.0000 F6000\nG1 X79.8237 F24000"
     again = "G1 Z1.0000 F6000\nM5\nM3 S1\nG4 P0.15\nG1 X79.8237 F24000"
     lines = program_findings(changed(program, plunge, again))
-    assert any("switches at joint Z 1.000 mm" in line for line in lines), lines
+    assert any("while axis Z is at 1.000 mm" in line for line in lines), lines
 
 
 def test_a_program_without_work_must_set_all_states() -> None:
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
     assert program_findings(bare, drawn=False) == [
-        "The program ends without stating output 0 (M65 P0).",
-        "The program ends without stating output 1 (M65 P1).",
-        "The program ends without stating output 2 (M65 P2).",
-        "The program ends without stating the spindle (M5).",
+        f"The program never switches off {thing}, so it may still be on. "
+        "Switch it off at the beginning of the program."
+        for thing in (
+            "output 0 (M65 P0)",
+            "output 1 (M65 P1)",
+            "output 2 (M65 P2)",
+            "the spindle (M5)",
+        )
     ]
 
 

@@ -66,7 +66,7 @@ def test_lines_may_end_with_crlf_and_the_last_one_without_an_end() -> None:
         (b"G1 X-\n", "The letter X has no number"),
         (b"G1 X1.2.3\n", "The character '.'"),
         (b"X1234567890123456\n", "more than 15 digits"),
-        (b"X1000001\n", "beyond 1,000,000"),
+        (b"X1000001\n", "larger than 1,000,000"),
         (b"(" + b"a" * 260 + b")\n", "longer than 255"),
         (b"(" + b"a" * 260 + b")", "longer than 255"),
     ],
@@ -83,9 +83,9 @@ def test_any_bytes_are_read_without_an_error() -> None:
 
 
 def test_other_types_and_too_large_texts_raise_an_error() -> None:
-    with pytest.raises(ProgramUnreadable, match="a str, not bytes"):
+    with pytest.raises(ProgramUnreadable, match="of type str"):
         parse_words(cast(bytes, "G0 X1\n"))
-    with pytest.raises(ProgramUnreadable, match="at most 67,108,864"):
+    with pytest.raises(ProgramUnreadable, match="limit is 67,108,864"):
         parse_words(bytes(MAX_BYTES + 1))
 
 

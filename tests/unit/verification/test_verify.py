@@ -91,8 +91,8 @@ def test_a_tool_table_brings_its_own_datum() -> None:
 def test_another_placement_is_refused_with_both_in_the_message() -> None:
     verdict = verify(LINUXCNC, DIELINE, (20.0, 21.0), MACHINE, BOARD)
     assert not verdict.accepted
-    assert any("X20.0000 Y20.0000; the job has X20.0000 Y21.0000" in finding.text
-               for finding in verdict.findings)  # fmt: skip
+    both = "X20.0000 Y20.0000 on the sheet, but the job places it at X20.0000 Y21.0000"
+    assert any(both in finding.text for finding in verdict.findings)
 
 
 def test_an_unclassified_edge_is_refused() -> None:
@@ -130,7 +130,7 @@ def test_invalid_arguments_raise_an_error_with_the_reason() -> None:
         verify(LINUXCNC, dieline((CUT, 0, 0, 1, 0, 0), (CUT, 0, 0, np.inf, 0, 0)), PLACEMENT,
                MACHINE, BOARD)  # fmt: skip
     for tolerance in (0.0, -1.0, float("nan"), float("inf")):
-        with pytest.raises(ProgramError, match="is not a length"):
+        with pytest.raises(ProgramError, match="is not a valid length"):
             verify(LINUXCNC, DIELINE, PLACEMENT, MACHINE, BOARD, tolerance=tolerance)
 
 

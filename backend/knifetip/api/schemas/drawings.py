@@ -110,11 +110,10 @@ class CleaningOut(BaseModel):
     rows: list[CleaningRow]
 
 
-class UnitEvidenceOut(BaseModel):
+class UnitEvidenceOut(MessageOut):
     """One observation that supports a unit for the drawing."""
 
     unit: Unit
-    text: str
     weight: float = Field(description="Logarithm of the likelihood ratio to the least likely unit")
 
 
@@ -126,7 +125,7 @@ class UnitFindingOut(BaseModel):
     )
     ranking: list[Unit] = Field(description="Units, most likely first")
     evidence: list[UnitEvidenceOut] = Field(description="Highest weight first")
-    warnings: list[str] = Field(description="Contradictions that the user should check")
+    warnings: list[MessageOut] = Field(description="Contradictions that the user should check")
 
 
 class ReportGroup(BaseModel):

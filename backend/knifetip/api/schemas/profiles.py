@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import BaseModel, Field, StrictInt, StrictStr
 
 from knifetip.api.schemas.common import Count, LineTypeWord, Name, Strict
+from knifetip.api.schemas.messages import MessageOut
 
 Patterns = Annotated[list[str], Field(max_length=500)]
 Colours = Annotated[
@@ -48,7 +49,7 @@ class RuleOut(BaseModel):
     """One rule of a profile."""
 
     type: LineTypeWord
-    words: str
+    conditions: MessageOut = Field(description="Conditions that an edge must fulfil")
     layer: list[str] = []
     colour: list[int | str] = []
     linetype: list[str] = []

@@ -183,7 +183,7 @@ class Classifier:
         kind = LineType(int(self.matches.line_type[style]))
         confidence = float(self.matches.confidence[style])
         rule = Message(
-            "classification.rule", profile=self.profile.name, rule=self.matches.words[style]
+            "classification.rule", profile=self.profile.name, rule=self.matches.conditions[style]
         )
         if kind == LineType.UNCLASSIFIED:
             return Decision(kind, 0.0, rule)

@@ -26,6 +26,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, I32, I64, U8
 from knifetip.geometry.unique_rows import unique_rows
+from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
@@ -104,7 +105,8 @@ class RuleMatches:
     line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
     rule: I32  #: (c,) index of the rule, -1 for none
     confidence: F64  #: (c,) 0 … 1
-    words: tuple[str, ...]  #: (c,) the rule with only the patterns that matched, "" for none
+    #: (c,) the conditions of the rule with only the patterns that matched; None without a rule
+    conditions: tuple[Message | None, ...]
 
 
 def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
@@ -119,7 +121,7 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
     line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
     matched_rule = np.full(count, -1, np.int32)
     confidence = np.zeros(count)
-    words = [""] * count
+    conditions: list[Message | None] = [None] * count
     undecided = np.ones(count, bool)
     for number, rule in enumerate(rules.rules):
         layer = first_match(rule.layer, styles.layer)
@@ -141,13 +143,13 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
                 int(styles.true_colour[row]) if true[row] and not index[row] else -1,
                 int(block[row]),
             )
-            words[row] = narrow.words
+            conditions[row] = narrow.conditions
         line_type[hit] = rule.line_type
         matched_rule[hit] = number
         decides = rule.line_type != LineType.UNCLASSIFIED
         confidence[hit] = rule_confidence(rule) if decides else 0.0
         undecided &= ~hit
-    return RuleMatches(line_type, matched_rule, confidence, tuple(words))
+    return RuleMatches(line_type, matched_rule, confidence, tuple(conditions))
 
 
 @lru_cache(maxsize=1 << 16)

@@ -15,6 +15,7 @@ from knifetip.dxf.units import known_unit
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.formats import format_of
 from knifetip.formats.limits import Limits
+from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 
 
@@ -56,6 +57,10 @@ def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
         )
     unfinished = not counted.ended and "ENTITIES" not in counted.sections
     if counted.open_section in ("ENTITIES", "BLOCKS") or unfinished:
-        where = f"at line {counted.broken}" if counted.broken else "without its end mark (EOF)"
+        where = (
+            Message("dxf.at-line", line=counted.broken)
+            if counted.broken
+            else Message("dxf.without-end-mark")
+        )
         section = counted.open_section or "file"
         raise NotADrawing("dxf.cut-short", where=where, section=section, count=counted.size)

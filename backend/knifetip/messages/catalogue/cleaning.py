@@ -7,34 +7,49 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "cleaning.as-drawn": entry(""),
+    "cleaning.as-drawn": entry("unchanged"),
     "cleaning.dropped-speck": entry(
-        "dropped: {length:.4g} mm long and connects nothing",
+        "dropped: the edge is only {length:.4g} mm long and connects no other edges",
         length="number",
     ),
     "cleaning.end-moved": entry(
-        "an end moved by {distance:.2g} mm to meet another",
+        "one end was moved by {distance:.2g} mm to meet another edge",
         distance="number",
     ),
-    "cleaning.fitted": entry("it is a part of a flattened curve that became one line or arc"),
+    "cleaning.fitted": entry(
+        "the edge was merged: it was part of a curve made of short lines, which became one line "
+        "or arc",
+    ),
     "cleaning.fitted-edge": entry(
-        "merged: a flattened curve, one with edge {edge} within {distance:.2g} mm",
+        "merged: the edge was part of a curve made of short lines, which became one line or arc "
+        "with edge {edge} (deviation up to {distance:.2g} mm)",
         edge="count",
         distance="number",
     ),
-    "cleaning.ignored": entry("ignored: shown, and kept out of the tool path"),
-    "cleaning.joined": entry("it was merged into a collinear edge"),
-    "cleaning.joined-edge": entry("merged into the collinear edge {edge}", edge="count"),
+    "cleaning.ignored": entry(
+        "the edge has the line type ignored: it is displayed but not processed",
+    ),
+    "cleaning.joined": entry("the edge was merged into another edge on the same line"),
+    "cleaning.joined-edge": entry(
+        "merged into edge {edge}, which lies on the same line",
+        edge="count",
+    ),
     "cleaning.kept": entry("kept"),
     "cleaning.kept-changed": entry("kept: {changes:; }", changes="messages"),
-    "cleaning.length-on-others": entry("{length:.4g} mm of it lie on other edges", length="number"),
-    "cleaning.longer": entry("collinear edges were merged into it"),
-    "cleaning.moved": entry("an end was moved to meet another edge"),
-    "cleaning.no-work": entry("left as it is: no work"),
-    "cleaning.on-edge": entry("merged: it lies on edge {edge}", edge="count"),
-    "cleaning.part-dropped": entry("a speck of {length:.2g} mm dropped", length="number"),
-    "cleaning.shortened": entry("a part of it lies on other edges"),
-    "cleaning.speck": entry("it is a speck that connects nothing"),
-    "cleaning.twice": entry("it lies on other edges"),
-    "cleaning.unclassified": entry("not decided yet"),
+    "cleaning.length-on-others": entry(
+        "{length:.4g} mm of its length lie on other edges and were merged",
+        length="number",
+    ),
+    "cleaning.longer": entry("other edges on the same line were merged into this edge"),
+    "cleaning.moved": entry("one end of the edge was moved to meet another edge"),
+    "cleaning.no-work": entry("unchanged: no tool processes this edge"),
+    "cleaning.on-edge": entry("merged: the edge lies on edge {edge}", edge="count"),
+    "cleaning.part-dropped": entry(
+        "a part of {length:.2g} mm was dropped because it is too short to process",
+        length="number",
+    ),
+    "cleaning.shortened": entry("a part of the edge lies on other edges and was merged with them"),
+    "cleaning.speck": entry("the edge is too short to process and connects no other edges"),
+    "cleaning.twice": entry("the edge lies completely on other edges"),
+    "cleaning.unclassified": entry("the edge has no line type yet"),
 }

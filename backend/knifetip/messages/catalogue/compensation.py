@@ -8,10 +8,10 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "bridges.no-room": entry(
-        "The contour at edge {edge} is {length:.1f} mm long and has no places for {fewest:# "
-        "bridge|# bridges} of {gap:.2f} mm, at most {spacing:.1f} mm apart and clear of its "
+        "The contour at edge {edge} is {length:.1f} mm long and has no room for {fewest:# "
+        "bridge|# bridges} of {gap:.2f} mm that are at most {spacing:.1f} mm apart and away from "
         "corners and narrow slots.",
-        "Choose narrower bridges or a longer spacing, or cut this board without bridges.",
+        "Choose narrower bridges or a larger spacing, or cut this board without bridges.",
         edge="count",
         length="number",
         fewest="count",
@@ -19,18 +19,18 @@ MESSAGES: Final[Entries] = {
         spacing="number",
     ),
     "crease.tight-bend": entry(
-        "The crease at edge {edge} bends with a radius of {radius:.2f} mm, and its double would "
-        "lie {offset:.2f} mm inside it.",
-        "Draw a wider bend, or set the board's double crease to 0.",
+        "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too "
+        "small for a second line {offset:.2f} mm inside it.",
+        "Draw a wider bend, or set the double crease of the board to 0.",
         edge="count",
         radius="number",
         offset="number",
     ),
     "crease.too-short": entry(
-        "The crease at edge {edge} is {length:.2f} mm long, too short for a wheel of {radius:.1f} "
-        "mm radius that keeps {clearance:.2f} mm off its ends.",
-        "Join it to its neighbour, ignore it, or choose a board that allows short creases to be "
-        "pressed in place.",
+        "The crease at edge {edge} is {length:.2f} mm long, which is too short for a wheel of "
+        "{radius:.1f} mm radius that ends {clearance:.2f} mm before both ends.",
+        "Join it to a collinear crease, set it to ignored, or choose a board on which short "
+        "creases are pressed.",
         edge="count",
         length="number",
         radius="number",
@@ -38,71 +38,73 @@ MESSAGES: Final[Entries] = {
     ),
     "cut.too-many-crossings": entry(
         "More than {limit:,} pairs of cuts cross or lie beside each other.",
-        "Delete hatching and what is drawn many times over, or split the drawing.",
+        "Delete hatching and duplicate lines, or split the drawing.",
         limit="count",
     ),
     "cut.too-short": entry(
-        "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge; "
-        "the slanted blade needs {lead:.2f} mm.",
-        "Ignore it, join it to another cut, or choose a steeper blade.",
+        "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge, "
+        "but the slanted blade needs {lead:.2f} mm.",
+        "Set it to ignored, join it to another cut, or choose a steeper blade.",
         edge="count",
         length="number",
         lead="number",
     ),
     "cutter.does-not-fit": entry(
-        "The cutter of {diameter:.2f} mm does not fit into the contour at edge {edge}, nor into "
-        "{others} more.",
-        "Choose a thinner cutter, or ignore the contour.",
+        "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, "
+        "nor into {others:# other contour|# other contours}.",
+        "Choose a thinner cutter, or set the contours to ignored.",
         diameter="number",
         edge="count",
         others="count",
     ),
     "cutter.misses-bridge": entry(
-        "The cutter does not reach the contour at edge {edge} where a bridge is needed, "
-        "{distance:.1f} mm along it.",
-        "Choose a thinner cutter, another spacing of bridges, or a board without them.",
+        "The cutter does not reach the contour at edge {edge}, {distance:.1f} mm along it, where "
+        "a bridge is needed.",
+        "Choose a thinner cutter, another spacing of bridges, or a board without bridges.",
         edge="count",
         distance="number",
     ),
     "cutter.short-lead": entry(
-        "The cutter's lead is {lead:g} mm, not longer than its radius of {radius:g} mm.",
-        "Give the cutter a lead longer than its radius.",
+        "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of "
+        "{radius:g} mm.",
+        "Correct the lead in the machine file.",
         lead="number",
         radius="number",
     ),
     "groove.along-edge": entry(
-        "The V-groove at edge {edge} meets the board's edge at {angle:.1f}°, almost along it, so "
-        "its flanks would not leave the board.",
-        "End it before the edge, or meet the edge at 5° or more.",
+        "The V-groove at edge {edge} meets the edge of the board at only {angle:.1f}°, so its "
+        "flanks would not leave the board.",
+        "End the groove before the edge of the board, or let it meet the edge at 5° or more.",
         edge="count",
         angle="number",
     ),
     "groove.curved": entry(
-        "{count:# V-groove edge is an arc|# V-groove edges are arcs}, the first of them edge "
-        "{edge}; a straight blade cannot follow an arc.",
-        "Draw straight lines, or give them another line type.",
+        "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight "
+        "blade cannot follow.",
+        "Draw straight lines, or choose another line type.",
         count="count",
         edge="count",
     ),
     "groove.overcut": entry(
-        "The blade runs {overrun:.2f} mm past each end of a V-groove inside the board; the board "
-        "allows {allowed:.2f} mm.",
+        "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the "
+        "board allows {allowed:.2f} mm.",
         "Choose a narrower blade, or allow a longer overcut for this board.",
         overrun="number",
         allowed="number",
     ),
     "groove.runs-out": entry(
-        "The V-groove at edge {edge} would run {distance:.2f} mm over the board's edge, and cut "
-        "into the board beyond.",
-        "End it before the edge, meet the edge more squarely, or move the blanks apart.",
+        "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the "
+        "board and cut into the next part.",
+        "End the groove before the edge, let it meet the edge at a larger angle, or move the "
+        "parts apart.",
         edge="count",
         distance="number",
     ),
     "groove.through-cut": entry(
-        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs "
-        "{through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, "
-        "{place:.1f} mm from where the groove begins.",
-        "Move them {through:.2f} mm further apart, or make the groove less deep.",
+        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm "
+        "from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which "
+        "lies {distance:.2f} mm beside it.",
+        "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep.",
         groove="count",
         width="number",
         through="number",
@@ -111,9 +113,9 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "groove.through-cut-at-it": entry(
-        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face, and its flank runs "
-        "{through:.2f} mm through the cut at edge {cut}, which lies {distance:.2f} mm beside it, "
-        "{place:.1f} mm from where the groove begins.",
+        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm "
+        "from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which "
+        "lies {distance:.2f} mm beside it.",
         "End the groove at the cut, or move one of them.",
         groove="count",
         width="number",
@@ -123,16 +125,16 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "groove.tight-bend": entry(
-        "The V-groove at edge {edge} bends with a radius of {radius:.1f} mm; a blade of "
-        "{blade:.2f} mm deviates from it by more than {error:.3f} mm.",
-        "Draw a wider bend, choose a narrower blade, or allow this board a larger error.",
+        "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm, from which a blade "
+        "of {blade:.2f} mm deviates by more than {error:.3f} mm.",
+        "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board.",
         edge="count",
         radius="number",
         blade="number",
         error="number",
     ),
     "groove.too-deep": entry(
-        "The V-groove at edge {edge} is {depth:.2f} mm deep, and the board is only {caliper:.2f} "
+        "The V-groove at edge {edge} is {depth:.2f} mm deep, but the board is only {caliper:.2f} "
         "mm thick.",
         "Choose a shallower groove or a thicker board.",
         edge="count",
@@ -140,52 +142,61 @@ MESSAGES: Final[Entries] = {
         caliper="number",
     ),
     "groove.too-short": entry(
-        "The V-groove at edge {edge} is {length:.2f} mm long, and the blade is {blade:.2f} mm "
+        "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm "
         "wide.",
-        "Draw the groove longer, or choose a narrower blade.",
+        "Draw a longer groove, or choose a narrower blade.",
         edge="count",
         length="number",
         blade="number",
     ),
     "milling.shared-edge": entry(
-        "Two blanks share edge {edge}, and the cutter removes {diameter:g} mm from one or the "
-        "other.",
-        "Move them at least {diameter:g} mm apart, each with an edge of its own, or choose a "
-        "machine with a knife.",
+        "Two parts share edge {edge}, but the cutter removes {diameter:g} mm from one of them.",
+        "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife.",
         edge="count",
         diameter="number",
     ),
     "tool.bad-radius": entry(
-        "A tool's radius is not a number of 0 mm or more.",
-        "Correct the tool.",
+        "The radius of a tool is not a number of 0 mm or more.",
+        "Correct it in the machine file.",
     ),
     "tool.cannot-work": entry(
-        "Station {station} ({name}) of {machine} cannot work: {reason}",
-        "Complete the tool in the machine's file.",
+        "Station {station} ({name}) of {machine} cannot be used: {reason}",
+        "Complete the tool in the machine file.",
         station="count",
         name="text",
         machine="text",
         reason="message",
     ),
     "tool.missing": entry(
-        "{machine} has no tool for {type} ({count:# edge|# edges}).",
-        "Give them another line type, or choose another machine.",
+        "{machine} has no tool for {count:# edge|# edges} of type {type}.",
+        "Choose another line type for the edges, or another machine.",
         count="count",
         type="text",
         machine="text",
     ),
+    "tool.short-lead": entry(
+        "its lead of {lead:g} mm must be 0 or greater than its radius of {radius:g} mm",
+        lead="number",
+        radius="number",
+    ),
     "tool.tilted": entry(
-        "The tool is tilted by {tilt:.2f}°, and moving along its axis lifts it only up to "
-        "{limit:g}°.",
+        "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be "
+        "lifted along their axis.",
         "Choose a tool that is less tilted.",
         tilt="number",
         limit="number",
     ),
-    "tool.without-power": entry("The laser has no power."),
-    "tool.without-speed": entry("The cutter has no spindle speed."),
+    "tool.without-power": entry(
+        "The power of the laser is 0.",
+        "Set its power in the machine file.",
+    ),
+    "tool.without-speed": entry(
+        "The spindle speed of the cutter is 0.",
+        "Set its speed in the machine file.",
+    ),
     "track.too-flat": entry(
-        "Track {track} leaves the board at {angle:.2f}° from square, so its tool never leaves the "
-        "board (limit {limit:g}°).",
+        "The path of the tool meets the edge of the board at {angle:.2f}° from the perpendicular "
+        "(limit {limit:g}°), so the tool does not leave the board (path {track}).",
         "End the line inside the board, or draw it across the edge.",
         track="count",
         angle="number",

@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "drawing.changing": entry(
-        "Drawing {drawing} is being changed by others at the same time.",
+        "Another request is changing drawing {drawing} at the same time.",
         "Try again in a moment.",
         drawing="text",
     ),
@@ -16,14 +16,14 @@ MESSAGES: Final[Entries] = {
         "Deleted.",
     ),
     "drawing.in-use": entry(
-        "Job {job} was made from drawing {drawing}, which is kept as its record.",
-        "Only drawings without jobs can be deleted.",
+        "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
+        "Delete only drawings without jobs.",
         job="text",
         drawing="text",
     ),
     "drawing.larger-than-table": entry(
-        "The drawing is {width:.1f} × {height:.1f} mm, and {machine} has room for {room_x:.0f} × "
-        "{room_y:.0f} mm.",
+        "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} has only "
+        "{room_x:.0f} × {room_y:.0f} mm.",
         "Check the unit of the drawing, turn it, or choose a larger machine.",
         width="number",
         height="number",
@@ -32,8 +32,8 @@ MESSAGES: Final[Entries] = {
         room_y="number",
     ),
     "drawing.open-questions": entry(
-        "{count:# question|# questions} must be answered first: {questions: }",
-        "Answer them on the drawing; nothing is cut by default.",
+        "{count:# question|# questions} about the drawing must be answered first: {questions: }",
+        "Answer them on the page of the drawing; edges without an answer are not cut.",
         count="count",
         questions="messages",
     ),
@@ -47,8 +47,9 @@ MESSAGES: Final[Entries] = {
         profile="text",
     ),
     "drawing.stale": entry(
-        "Drawing {drawing} is at revision {revision}, and the request names {named}.",
-        "Look at the drawing again; if the change is still wanted, repeat the request.",
+        "Drawing {drawing} was changed since it was read: it is at revision {revision}, but the "
+        "request names revision {named}.",
+        "Read the drawing again, check it, and repeat the request.",
         drawing="text",
         revision="count",
         named="text",
@@ -58,35 +59,37 @@ MESSAGES: Final[Entries] = {
         count="count",
     ),
     "drawing.unit-for-cleaning": entry(
-        "The drawing does not state its unit, so the size of specks and gaps is not known.",
-        "Set it with PATCH /api/drawings/ID, or on the page.",
+        "The drawing has no unit, so the lengths of short edges and gaps cannot be compared with "
+        "the limits in mm.",
+        "Set the unit on the page, or with PATCH /api/drawings/ID.",
     ),
     "drawing.unit-unknown": entry(
-        "The drawing does not state its unit ({evidence}).",
-        "Set it with PATCH /api/drawings/ID, or on the page.",
+        "The unit of the drawing is not known ({evidence}).",
+        "Set the unit on the page, with --unit, or with PATCH /api/drawings/ID.",
         evidence="message",
     ),
     "drawing.unknown": entry(
-        "There is no drawing {drawing}.",
-        "GET /api/drawings lists them.",
+        "Drawing {drawing} does not exist.",
+        "Choose one of the drawings that GET /api/drawings lists.",
         drawing="text",
     ),
     "drawing.upload-too-large": entry(
         "{name} is larger than {limit} MB.",
-        "Send a smaller drawing.",
+        "Send a smaller file.",
         name="text",
         limit="count",
     ),
     "question.guess": entry(
-        " Most likely {type} ({percent} %): {reason}.",
+        " It is most likely {type} ({percent} %): {reason}.",
         type="text",
         percent="count",
         reason="message",
     ),
     "question.line-type": entry(
-        '{edges:# edge|# edges} on layer "{layer}", colour {colour}, linetype {linetype}, total '
-        "length {length:,.1f} {unit:unit}, in a box of {width:,.1f} × {height:,.1f} {unit:unit} "
-        "at ({x:,.1f}, {y:,.1f}): what {edges:is it|are they}?{guess}",
+        '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, linetype {linetype}) '
+        "{edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
+        "{width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}). Which line type should "
+        "{edges:it|they} get?{guess}",
         edges="count",
         layer="text",
         colour="text",
@@ -99,26 +102,26 @@ MESSAGES: Final[Entries] = {
         unit="text",
         guess="message?",
     ),
-    "question.shape": entry(" By its {reason}.", reason="message"),
+    "question.shape": entry(" The shape of the drawing shows: {reason}.", reason="message"),
     "question.tool": entry(
-        "{machine} has no tool for {type} ({edges:# edge|# edges}). Which line type should they "
-        "get?",
+        "{machine} has no tool for {edges:# edge|# edges} of type {type}. Which line type should "
+        "{edges:it|they} get?",
         edges="count",
         type="text",
         machine="text",
     ),
     "question.unit": entry(
-        "{reason} The drawing's size would be {sizes:, }.{evidence}",
+        "{reason} In which unit is it drawn? Its size would be {sizes:, }.{evidence}",
         reason="message",
         sizes="messages",
         evidence="message?",
     ),
     "question.unit-contradicted": entry(
-        "The file states {stated:unit} as its unit, but the drawing does not look like it.",
+        "The file states the unit {stated:unit}, but the drawing does not fit this unit.",
         stated="text",
     ),
     "question.unit-doubtful": entry(
-        "The file states {stated:unit} as its unit, but the drawing could also be in {other:unit}.",
+        "The file states the unit {stated:unit}, but the drawing could also be in {other:unit}.",
         stated="text",
         other="text",
     ),
@@ -127,7 +130,7 @@ MESSAGES: Final[Entries] = {
         unit="text",
         evidence="messages",
     ),
-    "question.unit-not-stated": entry("The file does not state its unit."),
+    "question.unit-not-stated": entry("The file does not state the unit of the drawing."),
     "question.unit-size": entry(
         "{width:mm} × {height:mm} mm in {unit:unit}",
         unit="text",
@@ -135,7 +138,7 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "question.unit-unreadable": entry(
-        "The file does not state a unit of length that is supported ({evidence}).",
+        "The unit of the drawing is not known: {evidence}.",
         evidence="message",
     ),
     "override.ambiguous": entry(
@@ -143,19 +146,19 @@ MESSAGES: Final[Entries] = {
         "Give edges, or handles, or layer and colour.",
     ),
     "override.no-edges-there": entry(
-        "There is no edge {place: and }.",
-        "GET …/edges lists layers and colours.",
+        "The drawing has no edge {place: and }.",
+        "Choose a layer and colour that GET /api/drawings/ID/edges lists.",
         place="messages",
     ),
     "override.no-such-edge": entry(
-        "The drawing has {count:# edge|# edges}; there is no edge {edge}.",
-        "Edges are numbered from 0.",
+        "Edge {edge} does not exist; the drawing has {count:# edge|# edges}.",
+        "Number the edges from 0.",
         count="count",
         edge="text",
     ),
     "override.no-such-handle": entry(
         "No edge has the handle {handle!r}.",
-        "GET …/edges lists the handles.",
+        "Choose a handle that GET /api/drawings/ID/edges lists.",
         handle="text",
     ),
     "override.of-colour": entry("of colour {colour}", colour="text"),

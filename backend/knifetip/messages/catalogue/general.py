@@ -9,14 +9,14 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "stored.text": entry("{text}", "{hint}", text="text", hint="text"),
     "error.at-edge": entry(
-        '{error} Place: handle {handle}, layer "{layer}".',
+        '{error} Object: handle {handle}, layer "{layer}".',
         "{error:hint}",
         error="message",
         handle="text",
         layer="text",
     ),
     "error.at-edges": entry(
-        "At edge {edges: and edge }: {error}",
+        "Edges {edges: and }: {error}",
         "{error:hint}",
         edges="texts",
         error="message",
@@ -31,5 +31,8 @@ MESSAGES: Final[Entries] = {
         fault="message",
     ),
     "finding.at-line": entry("Line {line}: {fault}", "{fault:hint}", line="count", fault="message"),
-    "finding.more": entry(" And {count} more.", count="count"),
+    "finding.more": entry(
+        " {count:# more finding is|# more findings are} not listed.",
+        count="count",
+    ),
 }

@@ -7,10 +7,10 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "hpgl.bad-byte": entry("The byte {byte} has no meaning here.", "Remove it.", byte="text"),
+    "hpgl.bad-byte": entry("The byte {byte} is not allowed here.", "Remove it.", byte="text"),
     "hpgl.bad-feed": entry(
-        "{place} has a feed of {feed:g} mm/min, and {device} has whole cm/s from {slowest} to "
-        "{fastest}.",
+        "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from "
+        "{slowest} to {fastest}.",
         "Give the tool a feed that is a multiple of {step:g} mm/min.",
         place="message",
         feed="number",
@@ -19,93 +19,148 @@ MESSAGES: Final[Entries] = {
         fastest="count",
         step="number",
     ),
-    "hpgl.bad-number": entry("A sign has no number, or a number has too many digits."),
+    "hpgl.bad-number": entry(
+        "A sign is not followed by a number, or a number has too many digits.",
+        "Correct the number.",
+    ),
     "hpgl.depth-change": entry(
-        "{place} changes its depth while it works.",
-        "Work in one pass.",
+        "{place} changes its depth while it cuts, which HPGL cannot express.",
+        "Choose a board and a tool that need only one pass.",
         place="message",
     ),
-    "hpgl.ends-down": entry("The program ends with the tool down."),
-    "hpgl.ends-with-pen": entry("The program ends without putting the tool away (SP0)."),
+    "hpgl.ends-down": entry(
+        "The program ends while the tool is down.",
+        "Lift the tool (PU) before the end.",
+    ),
+    "hpgl.ends-with-pen": entry(
+        "The program ends without putting the tool away.",
+        "Add SP0 before the end.",
+    ),
     "hpgl.force-out-of-range": entry(
         "The force (FS) is not between {low} and {high}.",
+        "Give a force in this range.",
         low="count",
         high="count",
     ),
-    "hpgl.initialised-again": entry("The device is initialised again (IN) after the start."),
-    "hpgl.lone-letter": entry("A letter does not belong to an instruction of two letters."),
-    "hpgl.loose-number": entry("A number belongs to no instruction."),
-    "hpgl.moves-before-pa": entry("The line moves before absolute coordinates are stated (PA)."),
-    "hpgl.needs-no-number": entry("The instruction takes no number."),
-    "hpgl.needs-one-number": entry("The instruction needs exactly one number."),
+    "hpgl.initialised-again": entry(
+        "The device is initialised (IN) a second time.",
+        "Delete the second IN.",
+    ),
+    "hpgl.lone-letter": entry(
+        "A single letter is not an instruction; instructions have two letters.",
+        "Correct the instruction.",
+    ),
+    "hpgl.loose-number": entry(
+        "A number does not follow an instruction.",
+        "Delete the number, or add the instruction before it.",
+    ),
+    "hpgl.moves-before-pa": entry(
+        "The line moves before the program has chosen absolute coordinates.",
+        "Write PA before the first move.",
+    ),
+    "hpgl.needs-no-number": entry("The instruction does not take a number.", "Delete the number."),
+    "hpgl.needs-one-number": entry("The instruction needs exactly one number.", "Give one number."),
     "hpgl.never-down": entry(
-        "The toolpath never goes down.",
-        "Give at least one edge a line type that the machine makes.",
+        "The toolpath never lowers a tool, so nothing would be cut.",
+        "Give at least one edge a line type for which the machine has a tool.",
     ),
     "hpgl.no-approach": entry(
-        "{place} begins the work of its station, and no rapid leads there.",
-        "Begin each station with a rapid.",
+        "{place} starts a cut before a rapid move has reached its start.",
+        "Report it as an internal error with the drawing.",
         place="message",
     ),
     "hpgl.no-device": entry(
-        "{machine} has no HPGL device.",
-        "Describe it under [controller] of its TOML.",
+        "The file of {machine} does not describe an HPGL device.",
+        "Describe it under [controller] in the machine file.",
         machine="text",
     ),
-    "hpgl.no-force-setting": entry("The device has no force setting (FS)."),
-    "hpgl.no-instruction": entry("The program has no instruction."),
+    "hpgl.no-force-setting": entry(
+        "The device has no force setting, so it does not understand FS.",
+        "Remove FS.",
+    ),
+    "hpgl.no-instruction": entry("The program has no instruction.", "Choose an HPGL program."),
     "hpgl.no-pen": entry(
-        "{machine} has no pen for {work} with station {station}.",
-        "Add a [[controller.pen]] to its TOML.",
+        "The file of {machine} assigns no pen to {work} with station {station}.",
+        "Add a [[controller.pen]] to the machine file.",
         machine="text",
         work="text",
         station="count",
     ),
-    "hpgl.no-pen-selected": entry("The line lowers the tool, and no pen is selected."),
-    "hpgl.no-speed": entry("The line works, and no speed has been set (VS)."),
-    "hpgl.no-speed-setting": entry("The device has no speed setting (VS)."),
-    "hpgl.no-terminator": entry("The program ends without a semicolon."),
-    "hpgl.not-initialised": entry("The first instruction is not IN."),
-    "hpgl.outside-area": entry("The line leaves the area of the device."),
+    "hpgl.no-pen-selected": entry(
+        "The line lowers the tool, but no pen is selected.",
+        "Select a pen (SP) before it.",
+    ),
+    "hpgl.no-speed": entry(
+        "The line cuts, but no speed has been set.",
+        "Set the speed (VS) before it.",
+    ),
+    "hpgl.no-speed-setting": entry(
+        "The device has no speed setting, so it does not understand VS.",
+        "Remove VS.",
+    ),
+    "hpgl.no-terminator": entry(
+        "The last instruction of the program has no semicolon.",
+        "Add the semicolon, or send the complete program.",
+    ),
+    "hpgl.not-initialised": entry(
+        "The first instruction of the program is not IN.",
+        "Begin the program with IN.",
+    ),
+    "hpgl.outside-area": entry(
+        "The line moves outside the area of the device.",
+        "Move the drawing on the table.",
+    ),
     "hpgl.plunge-without-move": entry(
-        "The line lowers the tool and moves nowhere, so its heading is not known.",
+        "The line lowers the tool without a move, so the direction of the tool is not known.",
+        "Add a move after PD.",
     ),
     "hpgl.press": entry(
-        "{place} presses the tool in one place, where HPGL cannot turn it.",
+        "{place} presses the tool into the board at one point, but HPGL cannot turn the tool "
+        "there.",
         'Choose a board with short_crease = "refuse", or another machine.',
         place="message",
     ),
     "hpgl.selects-while-down": entry(
         "The line selects a pen while the tool is down.",
-        "Lift it first (PU).",
+        "Lift the tool first (PU).",
     ),
     "hpgl.slanted-plunge": entry(
-        "{place} goes down or up along a slope.",
-        "Choose a tool that goes straight down.",
+        "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
+        "Choose a tool that moves straight down.",
         place="message",
     ),
     "hpgl.speed-out-of-range": entry(
         "The speed (VS) is not between {low} and {high}.",
+        "Give a speed in this range.",
         low="count",
         high="count",
     ),
     "hpgl.swivel": entry(
-        "{place} turns the head about the tip.",
-        "Give the knife no trail: the device compensates it.",
+        "{place} turns the head about the tip of the knife, which HPGL cannot express.",
+        "Set the trail of the knife to 0 in the machine file; the device compensates for it.",
         place="message",
     ),
     "hpgl.turn-in-board": entry(
-        "The tool turns by {degrees:.2f}° in the board; at most {most:.2f}° is allowed.",
-        "Lift it before the corner.",
+        "The tool turns by {degrees:.2f}° while it is in the board; at most {most:.2f}° is "
+        "allowed.",
+        "Lift the tool before the corner.",
         degrees="number",
         most="number",
     ),
-    "hpgl.unknown-instruction": entry("The instruction {name} is not supported.", name="text"),
-    "hpgl.unknown-pen": entry("The device has no such pen."),
+    "hpgl.unknown-instruction": entry(
+        "The instruction {name} is not supported.",
+        "Remove it.",
+        name="text",
+    ),
+    "hpgl.unknown-pen": entry(
+        "The device does not have this pen.",
+        "Select a pen of the machine file.",
+    ),
     "hpgl.wrong-force": entry(
-        "The line lowers pen {pen} with another force than its own (FS{force}).",
+        "The line lowers pen {pen} with a force that is not the force of this pen (FS{force}).",
+        "Set FS{force} before it.",
         pen="count",
         force="count",
     ),
-    "hpgl.x-without-y": entry("An X has no Y."),
+    "hpgl.x-without-y": entry("A coordinate X is not followed by Y.", "Give both coordinates."),
 }

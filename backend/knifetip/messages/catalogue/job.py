@@ -282,44 +282,44 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "machine.no-cutter": entry(
-        "{machine} has no cutter {cutter!r}.",
-        "Only a rotating cutter or a beam can be calibrated.",
+        "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
+        "Choose a machine with a rotating cutter or a laser; only these can be calibrated.",
         machine="text",
         cutter="text",
     ),
     "machine.no-such-cutter": entry(
         "{machine} has no cutter {cutter!r}.",
-        "It has {known:, }.",
+        "Choose one of {known:, }.",
         machine="text",
         cutter="text",
         known="texts",
     ),
     "store.no-column": entry(
-        "The {kind} {id} has no {column}.",
-        "The compile makes it; see the job's state and reason.",
+        "The {kind} {id} has no {column} yet.",
+        "Wait until it is compiled; its state and reason show why it may have failed.",
         kind="text",
         id="text",
         column="text",
     ),
     "store.unknown": entry(
-        "There is no {kind} {id}.",
-        "GET /api/{kind}s lists them.",
+        "The {kind} {id} does not exist.",
+        "Choose one that GET /api/{kind}s lists.",
         kind="text",
         id="text",
     ),
     "worker.died": entry(
-        "The worker process ended unexpectedly (exit code {code}), as happens when memory runs "
-        "out.",
+        "The process that computed the drawing ended unexpectedly (exit code {code}), probably "
+        "because the memory was full.",
         "Send a smaller drawing, or split this one.",
         code="text",
     ),
     "worker.memory": entry(
-        "The drawing needs more than the {limit} GB of memory that one drawing may use.",
+        "The drawing needs more than {limit} GB of memory, the limit for one drawing.",
         "Send a smaller drawing, or split this one.",
         limit="count",
     ),
     "worker.timeout": entry(
-        "Stage {stage} was not finished after {seconds:.0f} s.",
+        "The stage {stage} took longer than {seconds:.0f} s.",
         "Send a smaller drawing, or split this one.",
         stage="text",
         seconds="number",
@@ -330,7 +330,8 @@ MESSAGES: Final[Entries] = {
         url="text",
     ),
     "database.in-memory": entry(
-        "A database in memory would lose its jobs.",
+        "A database in memory cannot be used, because its jobs would be lost when the server "
+        "stops.",
         "Name a file: sqlite:///FILE.",
     ),
 }

@@ -8,20 +8,21 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "program.bad-tolerance": entry(
-        "A tolerance of {tolerance} mm leaves nothing for the controller's path blending.",
+        "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
         "Give 0.001 mm or more.",
         tolerance="number",
     ),
     "program.control-byte": entry(
-        "Line {line} has the byte 0x{byte}, which the controller would execute at once.",
-        "Compile the job again; a program contains none of ? ! ~ and no control bytes.",
+        "Line {line} of the program contains the byte 0x{byte}, a control command that the "
+        "controller would execute at once.",
+        "Remove it, or compile the job again.",
         line="count",
         byte="text",
     ),
     "program.line-too-long": entry(
-        "Row {row} of the toolpath needs a line of {length} characters ({line} …), and {dialect} "
-        "accepts {limit}.",
-        "Check the coordinates: they exceed any real table.",
+        "Row {row} of the toolpath needs a program line of {length} characters ({line} …), but "
+        "{dialect} accepts only {limit}.",
+        "Check the coordinates of the drawing: they are larger than any table.",
         row="count",
         length="count",
         line="text",
@@ -29,94 +30,94 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "program.line-too-long-to-send": entry(
-        "Line {line} has {length} bytes; {name} accepts {limit}.",
-        "Compile the job again with shorter notes.",
+        "Line {line} of the program has {length} bytes, but {name} accepts only {limit}.",
+        "Compile the job again with shorter comments.",
         line="count",
         length="count",
         name="text",
         limit="count",
     ),
     "program.no-placement": entry(
-        "{program} does not state where on the sheet it places the drawing.",
-        "Give --placement X,Y, as its report states it.",
+        "{program} does not contain the position of the drawing on the sheet.",
+        "Give the position from its report with --placement X,Y.",
         program="text",
     ),
     "program.not-bytes": entry(
-        "The program is a {type}, not bytes.",
-        "Give the bytes of the file.",
+        "The program is of type {type}, but must be bytes.",
+        "Pass the bytes of the file.",
         type="text",
     ),
     "program.not-fetched": entry(
-        "The program of job {job} could not be fetched ({reason}); nothing was sent to the "
-        "machine.",
+        "The program of job {job} could not be loaded from the server ({reason}); nothing was "
+        "sent to the machine.",
         "Queue the job again.",
         job="text",
         reason="text",
     ),
     "program.too-large": entry(
-        "The program has {bytes:,} bytes; at most {limit:,} are read.",
+        "The program has {bytes:,} bytes; the limit is {limit:,}.",
         "Split the job into several sheets.",
         bytes="count",
         limit="count",
     ),
     "program.too-many-lines": entry(
-        "The program has {lines:,} lines; at most {limit:,} are read.",
+        "The program has {lines:,} lines; the limit is {limit:,}.",
         "Split the job into several sheets.",
         lines="count",
         limit="count",
     ),
     "program.too-many-moves": entry(
-        "The program has {moves:,} moves; at most {limit:,} are read.",
+        "The program has {moves:,} moves; the limit is {limit:,}.",
         "Split the job into several sheets.",
         moves="count",
         limit="count",
     ),
     "program.wrong-checksum": entry(
-        "The program of job {job} arrived with SHA-256 {arrived}…, not {expected}…; nothing was "
-        "sent to the machine.",
-        "Queue the job again; if this is repeated, compile it again.",
+        "The program of job {job} was damaged on its way from the server (SHA-256 {arrived}… "
+        "instead of {expected}…); nothing was sent to the machine.",
+        "Queue the job again. If this happens again, compile the job again.",
         job="text",
         arrived="text",
         expected="text",
     ),
     "toolpath.arc-too-long": entry(
-        "{place} is an arc of more than half a turn: {move}.",
-        "Send the drawing with a report: an earlier stage went wrong.",
+        "Internal error: {place} is an arc of more than half a turn: {move}.",
+        "Report it with the drawing.",
         place="message",
         move="text",
     ),
     "toolpath.empty": entry(
-        "The toolpath has no moves.",
-        "Give at least one edge a line type that the machine makes.",
+        "The toolpath has no moves, so nothing would be cut.",
+        "Give at least one edge a line type for which the machine has a tool.",
     ),
     "toolpath.feed-too-fast": entry(
-        "{place} has a feed beyond any machine: {move}.",
-        "Check the tool's feed.",
+        "{place} has a feed that no machine can reach: {move}.",
+        "Correct the feed of the tool in the machine file.",
         place="message",
         move="text",
     ),
     "toolpath.no-approach": entry(
-        "{place} begins the work of station {station} and is not a rapid: the head is not there "
-        "yet.",
-        "Begin each station with a rapid.",
+        "Internal error: {place} starts a cut with station {station} before a rapid move has "
+        "reached its start.",
+        "Report it with the drawing.",
         place="message",
         station="count",
     ),
     "toolpath.no-feed": entry(
         "{place} has no feed: {move}.",
-        "Give the tool a feed.",
+        "Set the feed of the tool in the machine file.",
         place="message",
         move="text",
     ),
     "toolpath.not-finite": entry(
-        "{place} has a value that is not a number: {move}.",
-        "Send the drawing with a report: an earlier stage went wrong.",
+        "Internal error: {place} has a value that is not a number: {move}.",
+        "Report it with the drawing.",
         place="message",
         move="text",
     ),
     "toolpath.rapid-arc": entry(
-        "{place} is a rapid along an arc: {move}.",
-        "Send the drawing with a report: an earlier stage went wrong.",
+        "Internal error: {place} is a rapid move along an arc: {move}.",
+        "Report it with the drawing.",
         place="message",
         move="text",
     ),
@@ -128,36 +129,36 @@ MESSAGES: Final[Entries] = {
         edge="count",
     ),
     "toolpath.swivel-without-turn": entry(
-        "Row {row} of the toolpath is a swivel that moves without turning, so its feed in degrees "
-        "per minute has no meaning.",
-        "Make it a feed.",
+        "Internal error: row {row} of the toolpath is a swivel move without a turn, so its feed "
+        "in degrees per minute has no meaning.",
+        "Report it with the drawing.",
         row="count",
     ),
     "toolpath.too-far": entry(
-        "{place} is farther than {limit:g} mm away: {move}.",
-        "Check the unit.",
+        "{place} is more than {limit:g} mm away from the origin: {move}.",
+        "Check the unit of the drawing.",
         place="message",
         move="text",
         limit="number",
     ),
     "toolpath.unknown-motion": entry(
-        "{place} has an unknown motion: {move}.",
-        "Send the drawing with a report: an earlier stage went wrong.",
+        "Internal error: {place} has an unknown motion type: {move}.",
+        "Report it with the drawing.",
         place="message",
         move="text",
     ),
     "toolpath.unknown-station": entry(
         "{place} is for station {station}, which {machine} does not have.",
-        "Its stations are {known:, }.",
+        "Choose one of the stations {known:, }.",
         place="message",
         station="count",
         machine="text",
         known="texts",
     ),
     "travel.above": entry(
-        "{tool} (station {station}) would go {excess:.2f}{unit} above the travel of axis {axis} "
-        "({low:g} to {high:g}{unit}){place}.",
-        "Place the drawing elsewhere on the table, turn it, or choose a larger machine.",
+        "{tool} (station {station}) would exceed the upper end of the travel of axis {axis} "
+        "({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
+        "Move or turn the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
         excess="number",
@@ -168,9 +169,9 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "travel.below": entry(
-        "{tool} (station {station}) would go {excess:.2f}{unit} below the travel of axis {axis} "
-        "({low:g} to {high:g}{unit}){place}.",
-        "Place the drawing elsewhere on the table, turn it, or choose a larger machine.",
+        "{tool} (station {station}) would exceed the lower end of the travel of axis {axis} "
+        "({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
+        "Move or turn the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
         excess="number",
@@ -181,26 +182,27 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "language.bad-entry-point": entry(
-        "The entry point {name!r} of {group} is not a controller language of this name.",
+        "The entry point {name!r} of {group} does not provide a controller language of this name.",
         "Correct or remove the package that declares it.",
         name="text",
         group="text",
     ),
     "language.no-driver": entry(
-        "Programs for {language} cannot be streamed: there is no gateway driver.",
+        "Programs in {language} cannot be sent to a machine, because there is no gateway driver "
+        "for this language.",
         "{advice}",
         language="text",
         advice="text",
     ),
     "language.unknown": entry(
-        "There is no controller language {name!r}.",
-        "Available: {known:, }.",
+        "The controller language {name!r} does not exist.",
+        "Choose one of {known:, }.",
         name="text",
         known="texts",
     ),
     "language.unusable": entry(
         "{machine} cannot be driven with {language}: {reason}.",
-        "Its own language is {own}.",
+        "Choose {own}, the language of the machine file.",
         machine="text",
         language="text",
         reason="text",

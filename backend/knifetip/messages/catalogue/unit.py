@@ -7,33 +7,250 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "unit.given": entry("given"),
-    "unit.header": entry("$INSUNITS = {value}", value="count"),
-    "unit.header-missing": entry("the file has no $INSUNITS"),
-    "unit.header-not-a-number": entry("$INSUNITS = {value!r} is not a number", value="text"),
-    "unit.header-undefined": entry("$INSUNITS = {value} has no meaning", value="count"),
-    "unit.header-unitless": entry("$INSUNITS = 0: the file states that it has no unit"),
+    "unit.cf2-inches": entry("the CF2 states inches (record UI)"),
+    "unit.cf2-millimetres": entry("the CF2 states millimetres (record UM)"),
+    "unit.cf2-none": entry("the CF2 states no unit: it has neither a UM nor a UI record"),
+    "unit.cf2-scale-applied": entry(
+        "its coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size "
+        "that its records LL and UR state",
+        x="number",
+        y="number",
+    ),
+    "unit.cf2-scale-invalid": entry(
+        "its record SCALE,{x:g},{y:g} is invalid and was ignored",
+        x="number",
+        y="number",
+    ),
+    "unit.cf2-scale-not-applied": entry(
+        "its record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the "
+        "size that its records LL and UR state",
+        x="number",
+        y="number",
+    ),
+    "unit.cf2-scale-undecided": entry(
+        "its record SCALE,{x:g},{y:g} was not applied, because its records LL and UR do not show "
+        "whether the coordinates are already scaled",
+        x="number",
+        y="number",
+    ),
+    "unit.cf2-scaled": entry("{unit}; {scale}", unit="message", scale="message"),
+    "unit.dimensions-larger": entry(
+        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} "
+        "drawn {factor:.3g} times larger than {others:# other|# others}.",
+        "Check which dimensions belong to the carton, and delete details at another scale.",
+        count="count",
+        others="count",
+        factor="number",
+    ),
+    "unit.dimensions-smaller": entry(
+        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} "
+        "drawn {factor:.3g} times smaller than {others:# other|# others}.",
+        "Check which dimensions belong to the carton, and delete details at another scale.",
+        count="count",
+        others="count",
+        factor="number",
+    ),
+    "unit.drawn-in-imperial": entry(
+        "fractions of inches that are stored in {unit:unit}",
+        unit="text",
+    ),
+    "unit.drawn-in-inches": entry("fractions of inches"),
+    "unit.drawn-in-metric": entry("round millimetres that are stored in {unit:unit}", unit="text"),
+    "unit.drawn-in-millimetres": entry("millimetres"),
+    "unit.given": entry("set by the user"),
+    "unit.header": entry("the header states the unit ($INSUNITS = {value})", value="count"),
+    "unit.header-decimal-inches": entry(
+        "the header displays lengths in feet and decimal inches ($LUNITS = 3)",
+    ),
+    "unit.header-factor": entry(
+        "the header multiplies the displayed dimensions by {factor:g} ({variable})",
+        variable="text",
+        factor="number",
+    ),
+    "unit.header-fractions": entry(
+        "the header displays lengths in feet and fractions of inches ($LUNITS = 4)",
+    ),
+    "unit.header-imperial": entry("the header sets imperial units ($MEASUREMENT = 0)"),
+    "unit.header-metric": entry("the header sets metric units ($MEASUREMENT = 1)"),
+    "unit.header-missing": entry("the file states no unit ($INSUNITS is missing)"),
+    "unit.header-not-a-number": entry(
+        "the header states no valid unit: $INSUNITS = {value!r} is not a number",
+        value="text",
+    ),
+    "unit.header-undefined": entry(
+        "the header states no valid unit: $INSUNITS = {value} is not defined",
+        value="count",
+    ),
+    "unit.header-unitless": entry("the header states that the drawing has no unit ($INSUNITS = 0)"),
     "unit.header-unsupported": entry(
-        "$INSUNITS = {value}: {name}, which are not supported",
+        "the header states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
         value="count",
         name="text",
     ),
-    "unit.in-file": entry("{statement}", statement="text"),
+    "unit.imprecise": entry(
+        "in {unit:unit} the lengths are too imprecise to show whether they are multiples of a "
+        "round number",
+        unit="text",
+    ),
     "unit.inconclusive": entry(
-        "{stated}; the drawing does not give enough evidence for {unit:unit}",
+        "{stated}, but the drawing does not give enough evidence for {unit:unit}",
         stated="message",
         unit="text",
     ),
+    "unit.multiples": entry(
+        "in {unit:unit} {count} of {all} different lengths ({percent:.0f} % of their total) are "
+        "multiples of {grid}",
+        unit="text",
+        count="count",
+        all="count",
+        percent="number",
+        grid="text",
+    ),
+    "unit.no-number-matches": entry(
+        "in {unit:unit} none of {all:# number|# numbers} on the sheet is the length of an edge",
+        unit="text",
+        all="count",
+    ),
     "unit.not-given": entry("the unit is not known"),
+    "unit.number": entry("{text}", text="text"),
+    "unit.number-in": entry("{text} ({unit:unit})", text="text", unit="text"),
+    "unit.numbers-match": entry(
+        "in {unit:unit} {count} of {all} numbers on the sheet {count:is the length|are the "
+        "lengths} of an edge: {numbers:, }",
+        unit="text",
+        count="count",
+        all="count",
+        numbers="messages",
+    ),
+    "unit.numbers-match-often": entry(
+        "in {unit:unit} {count} of {all} numbers on the sheet are the lengths of edges: "
+        "{numbers:, } …",
+        unit="text",
+        count="count",
+        all="count",
+        numbers="messages",
+    ),
     "unit.overruled": entry(
         "{stated}; the drawing supports {unit:unit}: {reason}",
         stated="message",
         unit="text",
-        reason="text",
+        reason="message",
     ),
+    "unit.page-in-pixels": entry(
+        "the file states its size without a unit, as pages in pixels or points do",
+    ),
+    "unit.page-in-points": entry("the file was written by Illustrator, which uses points"),
+    "unit.paper-size": entry(
+        "in {unit:unit} the drawing has exactly the size of a sheet of paper ({sheet})",
+        unit="text",
+        sheet="text",
+    ),
+    "unit.part-drawn-twice": entry(
+        "The drawing contains the same part at two sizes: one is {factor:.3g} times larger than "
+        "the other. One of them is a detail, or was inserted with a wrong unit.",
+        "Delete the part with the wrong size, or ignore its edges.",
+        factor="number",
+    ),
+    "unit.parts-differ": entry(
+        "Parts of the drawing have different units: one part is drawn in {one}, another part in "
+        "{other}.",
+        "Scale one of the parts in the CAD program and export the drawing again.",
+        one="message",
+        other="message",
+    ),
+    "unit.pdf": entry("the PDF states its coordinates in points of 1/72 inch"),
+    "unit.pdf-scaled": entry(
+        "the PDF states coordinate units of {scale:g} points of 1/72 inch (UserUnit)",
+        scale="number",
+    ),
+    "unit.read-against-evidence": entry(
+        "The drawing is most likely in {best:unit}: {best_width:mm} × {best_height:mm} mm. It was "
+        "read in {unit:unit}: {width:mm} × {height:mm} mm.",
+        "Check the size, and choose another unit if it is wrong.",
+        best="text",
+        best_width="number",
+        best_height="number",
+        unit="text",
+        width="number",
+        height="number",
+    ),
+    "unit.read-against-header": entry(
+        "The header states {stated:unit}, so the drawing would measure {stated_width:mm} × "
+        "{stated_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
+        "Check the size, and choose another unit if it is wrong.",
+        stated="text",
+        stated_width="number",
+        stated_height="number",
+        unit="text",
+        width="number",
+        height="number",
+    ),
+    "unit.scale-mentioned": entry(
+        "A text on the sheet mentions the scale {scales:, }, so the drawing may not have its true "
+        "size.",
+        "Check the size of the drawing.",
+        scales="texts",
+    ),
+    "unit.share-stated": entry(
+        "the header states {stated:unit}; {percent:.3g} % of the drawings with such a header are "
+        "in {unit:unit}",
+        stated="text",
+        unit="text",
+        percent="number",
+    ),
+    "unit.share-unstated": entry(
+        "the file states no unit; {percent:.3g} % of such drawings are in {unit:unit}",
+        unit="text",
+        percent="number",
+    ),
+    "unit.shortest-edges": entry(
+        "in {unit:unit} its shortest edges are {length:mm} mm long",
+        unit="text",
+        length="number",
+    ),
+    "unit.size-unusual": entry(
+        "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, an unusual size for a "
+        "carton",
+        unit="text",
+        width="number",
+        height="number",
+    ),
+    "unit.size-usual": entry(
+        "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, a usual size for a "
+        "carton",
+        unit="text",
+        width="number",
+        height="number",
+    ),
+    "unit.svg-no-size": entry("the SVG has neither a width nor a height; {pixel}", pixel="message"),
+    "unit.svg-no-unit": entry(
+        "the SVG states its size without a unit of length ({size: }); {pixel}",
+        size="texts",
+        pixel="message",
+    ),
+    "unit.svg-pixel": entry(
+        "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in "
+        "Illustrator",
+    ),
+    "unit.svg-pixel-illustrator": entry(
+        "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in "
+        "Illustrator, which wrote the file",
+    ),
+    "unit.svg-size": entry(
+        "the SVG states its size ({size: }) for a viewBox of {width:g} × {height:g}",
+        size="texts",
+        width="number",
+        height="number",
+    ),
+    "unit.svg-size-in-pixels": entry(
+        "the SVG states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 "
+        "inch",
+        size="texts",
+    ),
+    "unit.text-states": entry("a text on the sheet states the unit: “{text}”", text="text"),
     "unit.unsupported": entry(
         "{unit!r} is not a supported unit of length.",
-        "Choose one of {known:, }.",
+        "Choose one of {known:or}.",
         unit="text",
         known="texts",
     ),

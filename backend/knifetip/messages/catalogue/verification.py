@@ -8,189 +8,266 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "verify.bad-tolerance": entry(
-        "A tolerance of {tolerance} mm is not a length.",
+        "The tolerance of the check is {tolerance} mm, which is not a valid length.",
         "Give a number greater than 0, usually 0.01 mm.",
         tolerance="text",
     ),
     "verify.beam-on-rapid": entry(
-        "The beam is on along a rapid of {length:.3f} mm.",
+        "The laser beam is on during a rapid move of {length:.3f} mm.",
+        "Switch the beam off (M5) before the rapid move.",
         length="number",
     ),
     "verify.beam-refocused": entry(
-        "The beam is on while its focus moves by {height:.3f} mm.",
+        "The laser beam is on while its focus moves up or down by {height:.3f} mm.",
+        "Switch the beam off (M5) before the height changes.",
         height="number",
     ),
     "verify.beside-line": entry(
-        "The {tool:tool} is {distance:.3f} mm off the line.",
+        "The path of the {tool:tool} is {distance:.3f} mm away from the drawn line.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         distance="number",
     ),
     "verify.beyond-rotation": entry(
-        "Joint {joint} turns to {position:.3f}°; its travel is {low:g} to {high:g}°.",
+        "Axis {joint} turns to {position:.3f}°, but its travel is {low:g}° to {high:g}°.",
+        "Turn the drawing on the table, or choose a machine with more travel.",
         joint="text",
         position="number",
         low="number",
         high="number",
     ),
     "verify.beyond-travel": entry(
-        "Joint {joint} goes to {position:.3f} mm; its travel is {low:g} to {high:g} mm.",
+        "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
+        "Move the drawing on the table, or choose a larger machine.",
         joint="text",
         position="number",
         low="number",
         high="number",
     ),
     "verify.bridge-near-corner": entry(
-        "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too near a sharp "
+        "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too close to a sharp "
         "corner.",
+        "Compile the job again, or choose a smaller spacing of bridges for the board.",
         place="number",
         distance="number",
     ),
     "verify.bridge-spacing": entry(
-        "From the bridge at {place:.3f} mm along the contour it is {distance:.3f} mm to the next; "
-        "the board allows {most:g} mm.",
+        "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm away from the next "
+        "bridge, but the board allows at most {most:g} mm.",
+        "Compile the job again, or allow a larger spacing of bridges for the board.",
         place="number",
         distance="number",
         most="number",
     ),
     "verify.bridge-spare": entry(
-        "The bridge at {place:.3f} mm along the contour is not needed: without it the next two "
-        "are {distance:.3f} mm apart.",
+        "The bridge at {place:.3f} mm along the contour is not needed, because its two neighbours "
+        "are only {distance:.3f} mm apart.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         place="number",
         distance="number",
     ),
     "verify.bridge-width": entry(
-        "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face; "
-        "the board needs {planned:g} mm.",
+        "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face of "
+        "the board, but the board needs {planned:g} mm.",
+        "Compile the job again for this board.",
         place="number",
         width="number",
         planned="number",
     ),
     "verify.centre-off-path": entry(
-        "The cutter's centre is {distance:.4f} mm off its path, and the controller may round "
-        "{rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+        "The centre of the cutter is {distance:.4f} mm away from its planned path, and the "
+        "controller may round corners by another {rounding:.4f} mm. The tolerance is "
+        "{tolerance:g} mm.",
+        "Increase the tolerance, or report an internal error with the program file.",
         distance="number",
         rounding="number",
         tolerance="number",
     ),
-    "verify.cleaning-beyond": entry("Cleaning: the edge is worked where nothing was drawn."),
+    "verify.cleaning-beyond": entry(
+        "Internal error in cleaning: the cleaned edge extends beyond everything that was drawn.",
+        "Report it with the drawing.",
+    ),
     "verify.cleaning-dropped": entry(
-        "Cleaning dropped {length:.3f} mm of the edge.",
+        "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
+        "Report it with the drawing.",
         length="number",
     ),
     "verify.cleaning-incomplete": entry(
-        "Cleaning: the stretches of the edge do not add up to its length.",
+        "Internal error in cleaning: the kept, merged and dropped parts of the edge do not add up "
+        "to its length.",
+        "Report it with the drawing.",
     ),
-    "verify.cleaning-invented": entry("Cleaning: no part of the edge was drawn."),
+    "verify.cleaning-invented": entry(
+        "Internal error in cleaning: the cleaned edge has no counterpart in the drawing.",
+        "Report it with the drawing.",
+    ),
     "verify.cleaning-moved": entry(
-        "Cleaning moved the edge by {distance:.4f} mm.",
+        "Internal error in cleaning: the edge was moved by {distance:.4f} mm.",
+        "Report it with the drawing.",
         distance="number",
     ),
     "verify.cleaning-type": entry(
-        "Cleaning: the edge is {drawn} and is worked as {worked}.",
+        "Internal error in cleaning: the drawn edge is {drawn}, but the cleaned edge is {worked}.",
+        "Report it with the drawing.",
         drawn="text",
         worked="text",
     ),
     "verify.comes-out-anywhere": entry(
-        "The knife comes out neither where an edge ends nor where it went in.",
+        "The knife leaves the board at a point that is neither the end of an edge nor the point "
+        "where it entered.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
     ),
     "verify.comes-out-past": entry(
-        "The knife comes out {distance:.3f} mm past where it should.",
+        "The knife leaves the board {distance:.3f} mm beyond the end of the edge.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         distance="number",
     ),
     "verify.comes-out-short": entry(
-        "The knife comes out {distance:.3f} mm short of where it should.",
+        "The knife leaves the board {distance:.3f} mm before the end of the edge.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         distance="number",
     ),
-    "verify.crease-too-short": entry("The crease is too short for the wheel."),
-    "verify.cuts-part": entry("The cutter takes {depth:.3f} mm off the part.", depth="number"),
-    "verify.cutter-at-rest": entry("The cutter works while it does not turn."),
+    "verify.crease-too-short": entry(
+        "The crease is too short for the creasing wheel.",
+        "Join it to a collinear crease, set it to ignored, or choose a smaller wheel.",
+    ),
+    "verify.cuts-part": entry(
+        "The cutter removes {depth:.3f} mm from a part that must remain whole.",
+        "Move the parts further apart, or choose a thinner cutter.",
+        depth="number",
+    ),
+    "verify.cutter-at-rest": entry(
+        "The cutter moves through the board while its spindle is off.",
+        "Start the spindle (M3) before the cutter enters the board.",
+    ),
     "verify.flank-inside": entry(
-        "A flank comes out {distance:.4f} mm inside its place on the top face; the tolerance is "
-        "{tolerance:g} mm.",
+        "The flank of the V-groove meets the top face {distance:.4f} mm inside its planned "
+        "position; the tolerance is {tolerance:g} mm.",
+        "Check the tilt and the offsets of the V-cutter in the machine file, then compile again.",
         distance="number",
         tolerance="number",
     ),
     "verify.flank-outside": entry(
-        "A flank comes out {distance:.4f} mm outside its place on the top face; the tolerance is "
-        "{tolerance:g} mm.",
+        "The flank of the V-groove meets the top face {distance:.4f} mm outside its planned "
+        "position; the tolerance is {tolerance:g} mm.",
+        "Check the tilt and the offsets of the V-cutter in the machine file, then compile again.",
         distance="number",
         tolerance="number",
     ),
     "verify.flank-through-cut": entry(
-        "A flank goes {depth:.3f} mm through the cut at edge {edge}, which lies {distance:.3f} mm "
-        "beside the groove, {place:.1f} mm from its start.",
+        "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}, which lies "
+        "{distance:.3f} mm beside the groove, at {place:.1f} mm from the start of the groove.",
+        "Move the groove and the cut further apart, or make the groove less deep.",
         depth="number",
         edge="count",
         distance="number",
         place="number",
     ),
-    "verify.goes-in-anywhere": entry("The knife goes in where no edge begins."),
-    "verify.groove-arc": entry("The groove is an arc, which a tilted blade cannot follow."),
+    "verify.goes-in-anywhere": entry(
+        "The knife enters the board at a point where no edge begins.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
+    ),
+    "verify.groove-arc": entry(
+        "The V-groove is an arc, which a tilted blade cannot follow.",
+        "Draw it with straight lines, or give it another line type.",
+    ),
     "verify.groove-past-ends": entry(
-        "The blade runs {length:.2f} mm past the ends of the groove; the board allows {most:.2f} "
-        "mm.",
+        "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows "
+        "{most:.2f} mm.",
+        "Choose a narrower blade, or allow a longer overcut for this board.",
         length="number",
         most="number",
     ),
     "verify.groove-shallower": entry(
-        "The V-cutter goes {depth:.3f} mm deep after an earlier pass of {before:.3f} mm.",
+        "The V-cutter cuts {depth:.3f} mm deep although an earlier pass was already {before:.3f} "
+        "mm deep.",
+        "Order the passes by increasing depth.",
         depth="number",
         before="number",
     ),
     "verify.inside-part": entry(
-        "The cutter works at X{x:.3f} Y{y:.3f} of the sheet, inside a part.",
+        "The cutter cuts into a part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
+        "Move the parts further apart, or choose a thinner cutter.",
         x="number",
         y="number",
     ),
-    "verify.knife-at-rest": entry("The oscillating knife cuts while its oscillation is off."),
-    "verify.laser-off": entry("The laser cuts while it is off."),
+    "verify.knife-at-rest": entry(
+        "The oscillating knife cuts while its oscillation is off.",
+        "Start the oscillation (M3) before the knife enters the board.",
+    ),
+    "verify.laser-off": entry(
+        "The laser moves along an edge while its beam is off, so the edge is not cut.",
+        "Switch the beam on (M3) before the edge.",
+    ),
     "verify.loose-piece": entry(
-        "The edge is worked at X{x:.3f} Y{y:.3f} of the sheet, on a piece that line {line} has "
-        "already cut loose.",
-        "Cut the contour around the piece afterwards.",
+        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a piece that line "
+        "{line} has already cut loose, so the piece may move.",
+        "Make this edge before the contour around the piece is cut.",
         x="number",
         y="number",
         line="count",
     ),
     "verify.lowers-second": entry(
-        "The line lowers station {station} while station {other} may be lowered.",
+        "The line lowers station {station} while station {other} may still be lowered.",
         "Release station {other} first (M65 P{output}).",
         station="count",
         other="count",
         output="count",
     ),
     "verify.moves-before-stated": entry(
-        "The program moves before it states {thing}.",
-        "Until it is stated, lift only, straight up to joint Z {height:.3f} mm or higher.",
+        "The program moves the head before it switches off {thing}.",
+        "Switch it off first, or only lift the head straight up to Z {height:.3f} mm or higher.",
         thing="message",
         height="number",
     ),
     "verify.moves-with-beam": entry(
-        "The program moves before it states the spindle (M5), so a beam may still be on.",
+        "The program moves the head before it switches the spindle off (M5), so a laser beam may "
+        "still be on.",
+        "Write M5 before the first move.",
     ),
-    "verify.never-stated": entry("The program ends without stating {thing}.", thing="message"),
-    "verify.no-station": entry("The line feeds, and no station has been chosen."),
+    "verify.never-stated": entry(
+        "The program never switches off {thing}, so it may still be on.",
+        "Switch it off at the beginning of the program.",
+        thing="message",
+    ),
+    "verify.no-station": entry(
+        "The line cuts, but the program has not selected a station (T and M6) before.",
+        "Select the station before the first cut.",
+    ),
     "verify.not-worked": entry(
         "{length:.3f} mm of the edge are not {work}{where}.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         length="number",
         work="message",
         where="message",
     ),
     "verify.off-line": entry(
-        "The {tool:tool} is {distance:.4f} mm off the line, and the controller may round "
-        "{rounding:.4f} mm more; the tolerance is {tolerance:g} mm.",
+        "The path of the {tool:tool} is {distance:.4f} mm away from the drawn line, and the "
+        "controller may round corners by another {rounding:.4f} mm. The tolerance is "
+        "{tolerance:g} mm.",
+        "Increase the tolerance, or report an internal error with the program file.",
         tool="text",
         distance="number",
         rounding="number",
         tolerance="number",
     ),
     "verify.oscillation-on": entry(
-        "Station {station} works while the oscillation is on.",
+        "Station {station} processes the board while the oscillation is on, although its tool "
+        "must not oscillate.",
+        "Switch the oscillation off (M5) before this station is used.",
         station="count",
     ),
     "verify.other-placement": entry(
-        "The program states the placement X{x:.4f} Y{y:.4f}; the job has X{job_x:.4f} "
-        "Y{job_y:.4f}.",
+        "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it "
+        "at X{job_x:.4f} Y{job_y:.4f}.",
+        "Compile the job again, or verify the program with its own placement.",
         x="number",
         y="number",
         job_x="number",
@@ -198,157 +275,193 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.output": entry("output {output} (M65 P{output})", output="count"),
     "verify.output-off": entry(
-        "Station {station} works while its output {output} is off.",
+        "Station {station} processes the board while its output {output} is off, so its tool is "
+        "not lowered.",
+        "Switch output {output} on (M64) before the station is used.",
         station="count",
         output="count",
     ),
     "verify.pass-too-deep": entry(
-        "The {tool:tool} goes {depth:.3f} mm deep along {length:.3f} mm that no earlier pass has "
-        "prepared; at most {step:g} mm at once is allowed.",
+        "The {tool:tool} cuts {depth:.3f} mm deep at once along {length:.3f} mm without an "
+        "earlier pass, but at most {step:g} mm per pass are allowed.",
+        "Add a shallower pass, or allow deeper passes for this board.",
         tool="text",
         depth="number",
         length="number",
         step="number",
     ),
     "verify.past-end": entry(
-        "The {tool:tool} runs {length:.3f} mm past the end of the edge.",
+        "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         length="number",
     ),
     "verify.past-open-cut": entry(
-        "The cutter goes {length:.3f} mm past the end of an open cut.",
+        "The cutter cuts {length:.3f} mm beyond the end of an open cut.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         length="number",
     ),
     "verify.past-stop": entry(
-        "The {tool:tool} works {length:.3f} mm past where it should stop.",
+        "The {tool:tool} continues {length:.3f} mm beyond the point where it must stop.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         length="number",
     ),
     "verify.perforation-cut": entry(
-        "A perforation has a cut of {length:.3f} mm; {planned:.3f} mm is planned.",
+        "A cut of the perforation is {length:.3f} mm long instead of {planned:.3f} mm.",
+        "Compile the job again for this board.",
         length="number",
         planned="number",
     ),
     "verify.perforation-gap": entry(
-        "The perforation has a gap of {length:.3f} mm, {place:.3f} mm from its start; the board "
-        "needs gaps of {planned:g} mm.",
+        "A gap of the perforation is {length:.3f} mm long at {place:.3f} mm from its start, but "
+        "the board needs gaps of {planned:g} mm.",
+        "Compile the job again for this board.",
         length="number",
         place="number",
         planned="number",
     ),
     "verify.rapid-in-board": entry(
-        "A rapid takes station {station} {depth:.3f} mm below the top of the board.",
+        "A rapid move takes station {station} {depth:.3f} mm below the top of the board.",
+        "Lift the tool above the board before the rapid move.",
         station="count",
         depth="number",
     ),
     "verify.slanted": entry(
-        "Station {station} goes {distance:.3f} mm sideways off its own line while it plunges or "
-        "lifts in the board.",
+        "Station {station} moves {distance:.3f} mm sideways out of its line while it enters or "
+        "leaves the board.",
+        "Enter and leave the board along the axis of the tool.",
         station="count",
         distance="number",
     ),
     "verify.spindle": entry("the spindle (M5)"),
     "verify.stray": entry(
-        "The {tool:tool} works {length:.3f} mm at X{x:.3f} Y{y:.3f} of the sheet, where no edge "
-        "asks for it.",
+        "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates "
+        "of the sheet), but no edge is there.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         length="number",
         x="number",
         y="number",
     ),
     "verify.stray-along": entry(
-        "The {tool:tool} works {length:.3f} mm along edge {edge}, which is {type} and does not "
-        "ask for it.",
+        "The {tool:tool} processes {length:.3f} mm along edge {edge}, whose line type ({type}) "
+        "must not be processed with this tool.",
+        "Check the line type of the edge, then compile the job again.",
         tool="text",
         length="number",
         edge="count",
         type="text",
     ),
     "verify.stray-plunge": entry(
-        "The {tool:tool} goes down at X{x:.3f} Y{y:.3f} of the sheet, where no edge asks for it.",
+        "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no "
+        "edge is there.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         x="number",
         y="number",
     ),
     "verify.stray-plunge-along": entry(
-        "The {tool:tool} goes down on edge {edge}, which is {type} and does not ask for it.",
+        "The {tool:tool} enters the board on edge {edge}, whose line type ({type}) must not be "
+        "processed with this tool.",
+        "Check the line type of the edge, then compile the job again.",
         tool="text",
         edge="count",
         type="text",
     ),
     "verify.switches-at-unknown-height": entry(
-        "The line switches at a height that no line before it states.",
-        "Lift to {needed:.3f} mm first.",
+        "The line switches an output or the spindle before the program has set the height of the "
+        "head.",
+        "Lift the head to {needed:.3f} mm first.",
         needed="number",
     ),
     "verify.switches-low": entry(
-        "The line switches at joint Z {height:.3f} mm.",
-        "Lift to {needed:.3f} mm first.",
+        "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which is "
+        "too low.",
+        "Lift the head to {needed:.3f} mm first.",
         height="number",
         needed="number",
     ),
     "verify.too-few-bridges": entry(
-        "{bridges:# bridge holds|# bridges hold} the part; the board needs at least {fewest}.",
+        "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest}.",
+        "Compile the job again, or require fewer bridges for this board.",
         bridges="count",
         fewest="count",
     ),
     "verify.turn-at-feed": entry(
-        "C turns by {degrees:.4f}° at a feed in mm/min.",
-        "State how long the move takes (G93).",
+        "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the "
+        "turn is not defined.",
+        "Give the duration of the line (G93).",
         degrees="number",
     ),
     "verify.turn-in-board": entry(
-        "C turns by {degrees:.3f}° in the board; at most {most:.2f}° is allowed.",
+        "Axis C turns by {degrees:.3f}° while the tool is in the board; at most {most:.2f}° is "
+        "allowed.",
+        "Lift the tool before it turns.",
         degrees="number",
         most="number",
     ),
     "verify.turn-off-path": entry(
-        "C turns by {degrees:.3f}° in the board while the path turns by {path:.3f}°.",
+        "Axis C turns by {degrees:.3f}° in the board, although the path turns by {path:.3f}°.",
+        "Turn the tool by the same angle as the path.",
         degrees="number",
         path="number",
     ),
     "verify.two-lowered": entry(
-        "Station {station} works while station {other} is lowered too (output {output}).",
+        "Station {station} processes the board while station {other} is lowered too (output "
+        "{output} is on).",
+        "Release station {other} first (M65 P{output}).",
         station="count",
         other="count",
         output="count",
     ),
     "verify.unclassified": entry(
-        "The edge has no line type, so its work is not known.",
-        "Give it a line type.",
+        "The edge has no line type, so it is not known how it must be processed.",
+        "Give the edge a line type.",
     ),
     "verify.unknown-position": entry(
-        "The line moves from or to a position that no line before it states.",
+        "The line starts or ends at a position that the program has not set.",
+        "Give X, Y, Z and C before this line.",
     ),
     "verify.where-from-start": entry(", beginning {place:.3f} mm from its start", place="number"),
-    "verify.where-past-end": entry(", where the tool must run out past its end"),
-    "verify.where-past-start": entry(", where the tool must run out past its start"),
+    "verify.where-past-end": entry(", where the tool must continue beyond its end"),
+    "verify.where-past-start": entry(", where the tool must begin before its start"),
     "verify.work-creased": entry("creased"),
     "verify.work-cut": entry("cut"),
     "verify.work-grooved": entry("grooved"),
-    "verify.work-grooved-from-end": entry("grooved from its end"),
-    "verify.work-grooved-from-start": entry("grooved from its start"),
+    "verify.work-grooved-from-end": entry("grooved in the direction from its end to its start"),
+    "verify.work-grooved-from-start": entry("grooved in the direction from its start to its end"),
     "verify.wrong-depth": entry(
-        "The {tool:tool} goes {depth:.3f} mm below the top of the board; {planned:.3f} mm is "
-        "planned.",
+        "The {tool:tool} is {depth:.3f} mm below the top of the board instead of {planned:.3f} mm.",
+        "Compile the job again for this board.",
         tool="text",
         depth="number",
         planned="number",
     ),
     "verify.wrong-feed": entry(
-        "Station {station} has a feed of {feed:g} mm/min instead of {planned:g}.",
+        "Station {station} has a feed of {feed:g} mm/min instead of {planned:g} mm/min.",
+        "Compile the job again with the present machine file.",
         station="count",
         feed="number",
         planned="number",
     ),
     "verify.wrong-heading": entry(
-        "The {tool:tool} is turned {degrees:.3f}° off the line, so that it swings {swing:.3f} mm.",
+        "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which "
+        "moves its edge {swing:.3f} mm sideways.",
+        "Compile the job again. If the finding remains, report it as an internal error with the "
+        "program file.",
         tool="text",
         degrees="number",
         swing="number",
     ),
     "verify.wrong-time": entry(
-        "Station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
+        "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
+        "Compile the job again with the present machine file.",
         station="count",
         seconds="number",
         planned="number",

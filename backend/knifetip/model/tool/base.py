@@ -100,9 +100,9 @@ class Tool(ABC):
         return 0
 
     @property
-    def fault(self) -> str:
-        """Error message if the dimensions are inconsistent, otherwise ""."""
-        return ""
+    def fault(self) -> Message | None:
+        """Error message if the dimensions are inconsistent, else None."""
+        return None
 
     @property
     def spindle_missing(self) -> Message | None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from knifetip.geometry.columns import F64
+from knifetip.messages import Message
 from knifetip.model.tool.base import Footprint, TipCircle, Tool
 
 
@@ -40,11 +41,11 @@ class DiscTool(Tool):
         return self.lead or 1.5 * self.radius
 
     @property
-    def fault(self) -> str:
-        """Error message if the lead-in is not longer than r, otherwise ""."""
+    def fault(self) -> Message | None:
+        """Error message if the lead-in is not longer than the radius of the disc, else None."""
         if 0.0 < self.lead <= self.radius:
-            return f"has a lead of {self.lead}, which must be more than the radius, or 0"
-        return ""
+            return Message("tool.short-lead", lead=self.lead, radius=self.radius)
+        return None
 
     def passes(self, through: float) -> F64:
         """Return the depth of each pass (mm); ``through`` is the depth of a through cut."""

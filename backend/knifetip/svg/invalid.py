@@ -1,0 +1,19 @@
+"""invalid: the error for an attribute whose value cannot be parsed."""
+
+from __future__ import annotations
+
+from knifetip.messages import Argument, Message
+
+
+class InvalidValue(ValueError):
+    """Raised for a value that is not what its attribute requires.
+
+    Parameters
+    ----------
+    code, arguments
+        Code of the message that states the reason, and its arguments.
+    """
+
+    def __init__(self, code: str, /, **arguments: Argument) -> None:
+        self.message = Message(code, **arguments)
+        super().__init__(self.message)
