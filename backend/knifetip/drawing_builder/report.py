@@ -35,9 +35,8 @@ class ReportRows:
     kind: Sequence[str] = field(default_factory=list)
     layer: Sequence[str] = field(default_factory=list)
     dropped: dict[int, Message] = field(default_factory=dict)  #: reason for dropping, by row
-    notes: dict[int, list[Message]] = field(
-        default_factory=dict
-    )  #: changes made to the entity, by row
+    #: changes made to the entity, by row
+    notes: dict[int, list[Message]] = field(default_factory=dict)
     shared: list[SharedOutcome] = field(default_factory=list)  #: each row is in at most one
     #: in file units, NaN where the location is unknown
     location_boxes: list[LocationBoxes] = field(default_factory=list)

@@ -965,7 +965,7 @@ export interface components {
             epoch: number;
             /**
              * Lease
-             * @description Seconds; renewed by each heartbeat
+             * @description Duration of the lease (s); renewed by each heartbeat
              */
             lease: number;
             /**
@@ -981,7 +981,7 @@ export interface components {
             copies: number;
             /**
              * Confirm
-             * @description Send nothing to the machine; send heartbeats with `waiting` until the answer is `start`
+             * @description Send nothing to the machine; send heartbeats with `waiting` until the reply is `start`
              * @default false
              */
             confirm: boolean;
@@ -997,7 +997,7 @@ export interface components {
             machine: string;
             /**
              * Wait
-             * @description Longest wait for a job (s)
+             * @description Maximum time to wait for a job (s)
              * @default 20
              */
             wait: number;
@@ -1063,12 +1063,12 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
             /** Row */
@@ -1087,7 +1087,7 @@ export interface components {
             reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
             /**
              * Into
-             * @description Row of the edge that is worked instead; -1 for none
+             * @description Row of the edge that is machined instead; -1 for none
              */
             into: number;
             /** Kept */
@@ -1127,7 +1127,7 @@ export interface components {
         CornerAt: {
             /**
              * X
-             * @description mm in the drawing; within 0.5 mm of the corner
+             * @description Position in the drawing (mm), within 0.5 mm of the corner
              */
             x: number;
             /** Y */
@@ -1139,7 +1139,7 @@ export interface components {
             type: "auto" | "B" | "C" | "D";
             /**
              * K
-             * @description Default: the k of the other corners
+             * @description Parameter k of this corner. Default: k of the job
              */
             k?: number | null;
         };
@@ -1166,7 +1166,7 @@ export interface components {
             k: number;
             /**
              * Interference
-             * @description Where the cutter does not fit: leave the place uncut, or refuse the job
+             * @description Reaction if the cutter does not fit: leave the area uncut, or refuse the job
              * @default trim
              * @enum {string}
              */
@@ -1198,7 +1198,7 @@ export interface components {
             id: string;
             /**
              * Revision
-             * @description Increases with each change of the drawing; its ETag
+             * @description Increases with each change of the drawing; part of its ETag
              */
             revision: number;
             /** Name */
@@ -1211,7 +1211,7 @@ export interface components {
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Unit Given
-             * @description Set by the user; null if the unit is that of the file
+             * @description Unit set by the user; null for the unit of the file
              */
             unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
@@ -1219,7 +1219,7 @@ export interface components {
              * @description How the unit was determined
              */
             evidence: string;
-            /** @description The same with its code */
+            /** @description `evidence` as a message */
             evidence_message?: components["schemas"]["MessageOut"] | null;
             /** @description Null if the drawing was read by an older version */
             unit_finding?: components["schemas"]["UnitFindingOut"] | null;
@@ -1233,7 +1233,7 @@ export interface components {
             profile_state: "current" | "changed" | "deleted";
             /**
              * Rules
-             * @description The profile with which it was classified (TOML); empty for one of the library
+             * @description Customer's profile of the classification (TOML); empty for a library profile
              */
             rules: string;
             /** Segments */
@@ -1281,12 +1281,12 @@ export interface components {
             unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "file" | null;
             /**
              * Profile
-             * @description The same name again applies the current version of the profile
+             * @description Name of the profile; the present name applies its current version
              */
             profile?: string | null;
             /**
              * Rules
-             * @description Earlier or deleted version of the profile (TOML). Default: the current one
+             * @description Earlier or deleted profile version (TOML). Default: the current version
              * @default
              */
             rules: string;
@@ -1300,7 +1300,7 @@ export interface components {
             id: string;
             /**
              * Revision
-             * @description Increases with each change of the drawing; its ETag
+             * @description Increases with each change of the drawing; part of its ETag
              */
             revision: number;
             /** Name */
@@ -1357,7 +1357,7 @@ export interface components {
             outcome: "kept" | "merged" | "dropped";
             /**
              * Reason
-             * @description Why the edge was merged or dropped
+             * @description Reason for the outcome of the edge; empty if it is kept
              */
             reason: string;
             /** Length */
@@ -1406,31 +1406,31 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
             /** Kind */
             kind: string;
             /**
              * Measure
-             * @description mm, or degrees for a heading
+             * @description Measured value (mm; degrees for a heading)
              */
             measure: number;
             /**
              * Edge
-             * @description Row of the edge, -1 if it concerns none
+             * @description Row of the edge; -1 for none
              */
             edge: number;
             /** Handle */
             handle: string;
             /**
              * Line
-             * @description 1-based line of the program, -1 if it concerns none
+             * @description Program line, counted from 1; -1 for none
              */
             line: number;
         };
@@ -1457,7 +1457,7 @@ export interface components {
             why: string | components["schemas"]["MessageIn"];
             /**
              * Line
-             * @description Last executed line. Default: that of the last heartbeat
+             * @description Last executed program line. Default: the line of the last heartbeat
              */
             line?: number | null;
             /**
@@ -1615,7 +1615,7 @@ export interface components {
             dropped: number;
             /**
              * Rows
-             * @description At most 2,000 in a drawing; all with GET …/import-report
+             * @description One row per entity; at most 2,000 in a drawing, all in …/import-report
              */
             rows: components["schemas"]["ImportReportRow"][];
         };
@@ -1646,12 +1646,12 @@ export interface components {
             text: string;
             /**
              * Place
-             * @description x, y and height of a text (mm; file units while the unit is unknown)
+             * @description x, y and height of a text (mm; file units if the unit is unknown)
              */
             place?: number[] | null;
             /**
              * Box
-             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units while the unit is unknown)
+             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units if the unit is unknown)
              */
             box?: number[] | null;
         };
@@ -1673,7 +1673,7 @@ export interface components {
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
             /** Who */
             who: string;
-            /** @description What happened */
+            /** @description Description of the change */
             message: components["schemas"]["MessageOut"] | null;
             /**
              * Why
@@ -1717,7 +1717,7 @@ export interface components {
              * @default []
              */
             overrides: components["schemas"]["Override"][];
-            /** @description Only for machines that mill; null: chosen by duration */
+            /** @description Corner types, for routers and lasers only; null: the fastest types */
             corners?: components["schemas"]["Corners"] | null;
             /**
              * Release
@@ -1794,7 +1794,7 @@ export interface components {
             tools: components["schemas"]["JobTool"][];
             /**
              * Requested Action
-             * @description Action that the operator requested and the machine has not executed yet
+             * @description Action that the operator requested and that the machine has not executed yet
              * @default
              * @enum {string}
              */
@@ -1806,7 +1806,7 @@ export interface components {
             stage: components["schemas"]["Stage"] | "";
             /**
              * Progress
-             * @description Completed share of the compile or of the run, 0 … 1
+             * @description Completed fraction of the compile or of the execution, 0 … 1
              */
             progress: number;
             /**
@@ -1818,7 +1818,7 @@ export interface components {
             lines: number;
             /**
              * Position
-             * @description X, Y of the head axis, Z of the tip and C on the sheet; while running
+             * @description Position on the sheet while running: X, Y of the head axis, Z of the tip, C
              */
             position: [
                 number,
@@ -1920,7 +1920,7 @@ export interface components {
             into_mat: number;
             /**
              * Offset Cuts
-             * @description Cuts run at an offset from their edge, so corner types can be chosen
+             * @description Whether cuts are offset from their edge, so that corner types can be chosen
              */
             offset_cuts: boolean;
             /**
@@ -2006,12 +2006,12 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
         };
@@ -2165,7 +2165,7 @@ export interface components {
             rules: components["schemas"]["RuleOut"][];
             /**
              * Fault
-             * @description Why the profile can no longer be used
+             * @description Reason why the profile cannot be used any more; empty if it can
              * @default
              */
             fault: string;
@@ -2207,12 +2207,12 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
             /**
@@ -2239,7 +2239,7 @@ export interface components {
              * @enum {string}
              */
             outcome: "kept" | "merged" | "dropped";
-            /** @description Of the first of them: others have their own measures */
+            /** @description Reason for the first one; measured values may differ for the rest */
             reason: components["schemas"]["MessageOut"];
             /**
              * What
@@ -2500,12 +2500,12 @@ export interface components {
         UnreachedOut: {
             /**
              * Area
-             * @description mm²
+             * @description Size of the area (mm²)
              */
             area: number;
             /**
              * X
-             * @description Position of its centre in the drawing (mm)
+             * @description X of the centre in the drawing (mm)
              */
             x: number;
             /** Y */
@@ -2527,28 +2527,28 @@ export interface components {
             tolerance: number;
             /**
              * Deviation
-             * @description Greatest distance of the tip from an edge (mm)
+             * @description Maximum distance of the tip from an edge (mm)
              */
             deviation: number;
             /**
              * Overcut
-             * @description Greatest length cut beyond the end of an edge (mm)
+             * @description Maximum length cut beyond the end of an edge (mm)
              */
             overcut: number;
             /**
              * Uncut
-             * @description Greatest uncut length of one edge (mm)
+             * @description Maximum uncut length of one edge (mm)
              */
             uncut: number;
             /**
              * Uncut Total
-             * @description Sum over all edges (mm)
+             * @description Uncut length of all edges (mm)
              * @default 0
              */
             uncut_total: number;
             /**
              * Setback Total
-             * @description Sum over all edges (mm)
+             * @description Setback of all edges (mm)
              * @default 0
              */
             setback_total: number;
@@ -2560,7 +2560,7 @@ export interface components {
             unreached: number;
             /**
              * Unreached Places
-             * @description Number of places that no cutter reaches
+             * @description Number of areas that no cutter reaches
              * @default 0
              */
             unreached_places: number;
@@ -2571,7 +2571,7 @@ export interface components {
             seconds: number;
             /**
              * Seconds Retracted
-             * @description Duration if every turn were a full retract (s)
+             * @description Machine time if the tool retracted fully for every turn (s)
              */
             seconds_retracted?: number | null;
             /** Findings */
@@ -2601,7 +2601,7 @@ export interface components {
             edge_web: number[];
             /**
              * Edge Flank
-             * @description Greatest deviation of a V-groove's flank (mm)
+             * @description Maximum deviation of a V-groove's flank (mm)
              */
             edge_flank: number[];
             /**
@@ -2631,28 +2631,28 @@ export interface components {
             tolerance: number;
             /**
              * Deviation
-             * @description Greatest distance of the tip from an edge (mm)
+             * @description Maximum distance of the tip from an edge (mm)
              */
             deviation: number;
             /**
              * Overcut
-             * @description Greatest length cut beyond the end of an edge (mm)
+             * @description Maximum length cut beyond the end of an edge (mm)
              */
             overcut: number;
             /**
              * Uncut
-             * @description Greatest uncut length of one edge (mm)
+             * @description Maximum uncut length of one edge (mm)
              */
             uncut: number;
             /**
              * Uncut Total
-             * @description Sum over all edges (mm)
+             * @description Uncut length of all edges (mm)
              * @default 0
              */
             uncut_total: number;
             /**
              * Setback Total
-             * @description Sum over all edges (mm)
+             * @description Setback of all edges (mm)
              * @default 0
              */
             setback_total: number;
@@ -2664,7 +2664,7 @@ export interface components {
             unreached: number;
             /**
              * Unreached Places
-             * @description Number of places that no cutter reaches
+             * @description Number of areas that no cutter reaches
              * @default 0
              */
             unreached_places: number;
@@ -2675,7 +2675,7 @@ export interface components {
             seconds: number;
             /**
              * Seconds Retracted
-             * @description Duration if every turn were a full retract (s)
+             * @description Machine time if the tool retracted fully for every turn (s)
              */
             seconds_retracted?: number | null;
         };
@@ -2694,12 +2694,12 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
             /**
@@ -2713,12 +2713,12 @@ export interface components {
             status: number;
             /**
              * Detail
-             * @description The same as text, under its name in RFC 9457
+             * @description Same value as `text`, under the name that RFC 9457 gives it
              */
             detail: string;
             /**
              * Source
-             * @description Handles of the entities, or fields of the request, it concerns
+             * @description Entity handles or request fields that the error concerns
              * @default []
              */
             source: string[];

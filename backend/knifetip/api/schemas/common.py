@@ -39,9 +39,9 @@ class Problem(MessageOut):
     type: str = "about:blank"
     title: str
     status: int
-    detail: str = Field(description="The same as text, under its name in RFC 9457")
+    detail: str = Field(description="Same value as `text`, under the name that RFC 9457 gives it")
     source: list[str] = Field(
-        default=[], description="Handles of the entities, or fields of the request, it concerns"
+        default=[], description="Entity handles or request fields that the error concerns"
     )
     questions: list[QuestionOut] = Field(default=[])
     revision: int | None = Field(

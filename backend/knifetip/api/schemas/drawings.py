@@ -26,12 +26,12 @@ class ImportReportRow(BaseModel):
     text: str = Field(default="", description="Content of a text entity")
     place: list[float] | None = Field(
         default=None,
-        description="x, y and height of a text (mm; file units while the unit is unknown)",
+        description="x, y and height of a text (mm; file units if the unit is unknown)",
     )
     box: list[float] | None = Field(
         default=None,
         description="x min, y min, x max, y max of an entity without edges, if "
-        "its location is in the file (mm; file units while the unit is unknown)",
+        "its location is in the file (mm; file units if the unit is unknown)",
     )
 
 
@@ -60,7 +60,7 @@ class ImportReportOut(BaseModel):
     merged: int
     dropped: int
     rows: list[ImportReportRow] = Field(
-        description="At most 2,000 in a drawing; all with GET …/import-report"
+        description="One row per entity; at most 2,000 in a drawing, all in …/import-report"
     )
 
 
@@ -91,7 +91,7 @@ class CleaningRow(MessageOut):
     handle: str
     outcome: OutcomeWord
     reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
-    into: int = Field(description="Row of the edge that is worked instead; -1 for none")
+    into: int = Field(description="Row of the edge that is machined instead; -1 for none")
     kept: float
     merged: float
     dropped: float
@@ -132,7 +132,9 @@ class ReportGroup(BaseModel):
     """Edges or entities with the same outcome and the same reason."""
 
     outcome: OutcomeWord
-    reason: MessageOut = Field(description="Of the first of them: others have their own measures")
+    reason: MessageOut = Field(
+        description="Reason for the first one; measured values may differ for the rest"
+    )
     what: Literal["edges", "entities"] = Field(
         description="What is counted: edges of the drawing, or entities that gave no edge"
     )
@@ -151,7 +153,9 @@ class ReportOut(BaseModel):
     groups: list[ReportGroup]
 
 
-Revision = Annotated[int, Field(description="Increases with each change of the drawing; its ETag")]
+Revision = Annotated[
+    int, Field(description="Increases with each change of the drawing; part of its ETag")
+]
 
 
 class DrawingOut(BaseModel):
@@ -164,10 +168,10 @@ class DrawingOut(BaseModel):
     sha256: str
     unit: Unit | None
     unit_given: Unit | None = Field(
-        description="Set by the user; null if the unit is that of the file"
+        description="Unit set by the user; null for the unit of the file"
     )
     evidence: str = Field(description="How the unit was determined")
-    evidence_message: MessageOut | None = Field(default=None, description="The same with its code")
+    evidence_message: MessageOut | None = Field(default=None, description="`evidence` as a message")
     unit_finding: UnitFindingOut | None = Field(
         default=None, description="Null if the drawing was read by an older version"
     )
@@ -176,7 +180,7 @@ class DrawingOut(BaseModel):
         description="Whether the profile has changed since the drawing was classified"
     )
     rules: str = Field(
-        description="The profile with which it was classified (TOML); empty for one of the library"
+        description="Customer's profile of the classification (TOML); empty for a library profile"
     )
     segments: int
     length: float | None = Field(
@@ -224,7 +228,7 @@ class EdgeOut(BaseModel):
         description="Other possible line types, most likely first"
     )
     outcome: OutcomeWord
-    reason: str = Field(description="Why the edge was merged or dropped")
+    reason: str = Field(description="Reason for the outcome of the edge; empty if it is kept")
     length: float
     start: tuple[float, float]
     end: tuple[float, float]
@@ -263,9 +267,10 @@ class DrawingPatch(Strict):
         default=None, description='"file" restores the unit of the file'
     )
     profile: Name | None = Field(
-        default=None, description="The same name again applies the current version of the profile"
+        default=None,
+        description="Name of the profile; the present name applies its current version",
     )
     rules: Annotated[str, Field(max_length=MAX_BYTES)] = Field(
         default="",
-        description="Earlier or deleted version of the profile (TOML). Default: the current one",
+        description="Earlier or deleted profile version (TOML). Default: the current version",
     )

@@ -15,7 +15,9 @@ class ClaimIn(Strict):
 
     gateway: Name
     machine: Name
-    wait: float = Field(default=20.0, ge=0.0, le=60.0, description="Longest wait for a job (s)")
+    wait: float = Field(
+        default=20.0, ge=0.0, le=60.0, description="Maximum time to wait for a job (s)"
+    )
 
 
 class Claim(BaseModel):
@@ -23,14 +25,14 @@ class Claim(BaseModel):
 
     job: str
     epoch: int = Field(description="Increases with each claim; to be sent with every report")
-    lease: float = Field(description="Seconds; renewed by each heartbeat")
+    lease: float = Field(description="Duration of the lease (s); renewed by each heartbeat")
     program: str = Field(description="URL of the program")
     sha256: str
     lines: int
     copies: int
     confirm: bool = Field(
         default=False,
-        description="Send nothing to the machine; send heartbeats with `waiting` until the answer "
+        description="Send nothing to the machine; send heartbeats with `waiting` until the reply "
         "is `start`",
     )
 
@@ -70,6 +72,7 @@ class FinishIn(Strict):
         default="", description="Cause: a message, or a text for which there is no code"
     )
     line: Count | None = Field(
-        default=None, description="Last executed line. Default: that of the last heartbeat"
+        default=None,
+        description="Last executed program line. Default: the line of the last heartbeat",
     )
     copies_done: Count | None = Field(default=None, description="Copies completed since this claim")

@@ -34,11 +34,11 @@ CornerParameter = Annotated[
 class CornerAt(Strict):
     """Corner type of one corner, which is selected by its position."""
 
-    x: float = Field(description="mm in the drawing; within 0.5 mm of the corner")
+    x: float = Field(description="Position in the drawing (mm), within 0.5 mm of the corner")
     y: float
     type: CornerType
     k: CornerParameter | None = Field(
-        default=None, description="Default: the k of the other corners"
+        default=None, description="Parameter k of this corner. Default: k of the job"
     )
 
 
@@ -54,7 +54,7 @@ class Corners(Strict):
     k: CornerParameter = 0.5
     interference: Literal["trim", "refuse"] = Field(
         default="trim",
-        description="Where the cutter does not fit: leave the place uncut, or refuse the job",
+        description="Reaction if the cutter does not fit: leave the area uncut, or refuse the job",
     )
     at: list[CornerAt] = Field(default=[], max_length=1000)
 
@@ -73,7 +73,8 @@ class JobIn(Strict):
     priority: int = Field(default=0, ge=-100, le=100)
     overrides: list[Override] = Field(default=[], max_length=1000)
     corners: Corners | None = Field(
-        default=None, description="Only for machines that mill; null: chosen by duration"
+        default=None,
+        description="Corner types, for routers and lasers only; null: the fastest types",
     )
     release: bool = Field(default=False, description="Queue the job as soon as it is ready")
 
@@ -100,16 +101,16 @@ class VerdictSummary(BaseModel):
 
     accepted: bool
     tolerance: float
-    deviation: float = Field(description="Greatest distance of the tip from an edge (mm)")
-    overcut: float = Field(description="Greatest length cut beyond the end of an edge (mm)")
-    uncut: float = Field(description="Greatest uncut length of one edge (mm)")
-    uncut_total: float = Field(default=0.0, description="Sum over all edges (mm)")
-    setback_total: float = Field(default=0.0, description="Sum over all edges (mm)")
+    deviation: float = Field(description="Maximum distance of the tip from an edge (mm)")
+    overcut: float = Field(description="Maximum length cut beyond the end of an edge (mm)")
+    uncut: float = Field(description="Maximum uncut length of one edge (mm)")
+    uncut_total: float = Field(default=0.0, description="Uncut length of all edges (mm)")
+    setback_total: float = Field(default=0.0, description="Setback of all edges (mm)")
     unreached: float = Field(default=0.0, description="Area that no cutter reaches (mm²)")
-    unreached_places: int = Field(default=0, description="Number of places that no cutter reaches")
+    unreached_places: int = Field(default=0, description="Number of areas that no cutter reaches")
     seconds: float = Field(description="Machine time of the program (s)")
     seconds_retracted: float | None = Field(
-        default=None, description="Duration if every turn were a full retract (s)"
+        default=None, description="Machine time if the tool retracted fully for every turn (s)"
     )
 
 
@@ -151,16 +152,18 @@ class JobOut(BaseModel):
     )
     requested_action: Literal["", "hold", "resume", "cancel"] = Field(
         default="",
-        description="Action that the operator requested and the machine has not executed yet",
+        description="Action that the operator requested and that the machine has not executed yet",
     )
     stage: Stage | Literal[""] = Field(
         description="Stage of the compile; empty while the job is not being compiled"
     )
-    progress: float = Field(description="Completed share of the compile or of the run, 0 … 1")
+    progress: float = Field(
+        description="Completed fraction of the compile or of the execution, 0 … 1"
+    )
     line: int = Field(description="Number of executed lines of the program")
     lines: int
     position: tuple[float, float, float, float] | None = Field(
-        description="X, Y of the head axis, Z of the tip and C on the sheet; while running"
+        description="Position on the sheet while running: X, Y of the head axis, Z of the tip, C"
     )
     seconds: float = Field(description="Estimated machine time of one copy (s)")
     seconds_left: float | None
@@ -191,7 +194,7 @@ class JobEvent(BaseModel):
     at: float
     state: JobState
     who: str
-    message: MessageOut | None = Field(description="What happened")
+    message: MessageOut | None = Field(description="Description of the change")
     why: str = Field(description="Text of `message` in English")
 
 
@@ -199,17 +202,17 @@ class FindingOut(MessageOut):
     """One fault that the verifier found, with its edge and program line."""
 
     kind: str
-    measure: float = Field(description="mm, or degrees for a heading")
-    edge: int = Field(description="Row of the edge, -1 if it concerns none")
+    measure: float = Field(description="Measured value (mm; degrees for a heading)")
+    edge: int = Field(description="Row of the edge; -1 for none")
     handle: str
-    line: int = Field(description="1-based line of the program, -1 if it concerns none")
+    line: int = Field(description="Program line, counted from 1; -1 for none")
 
 
 class UnreachedOut(BaseModel):
     """An area of the drawing that no cutter can reach."""
 
-    area: float = Field(description="mm²")
-    x: float = Field(description="Position of its centre in the drawing (mm)")
+    area: float = Field(description="Size of the area (mm²)")
+    x: float = Field(description="X of the centre in the drawing (mm)")
     y: float
 
 
@@ -232,7 +235,7 @@ class VerdictOut(VerdictSummary):
         description="Width of a V-groove at the top face (mm); 0 for other edges"
     )
     edge_web: list[float] = Field(description="Board left below a V-groove (mm); 0 for other edges")
-    edge_flank: list[float] = Field(description="Greatest deviation of a V-groove's flank (mm)")
+    edge_flank: list[float] = Field(description="Maximum deviation of a V-groove's flank (mm)")
     edge_unreached: list[float] = Field(description="Length that no cutter reaches (mm)")
     edge_bottom_uncut: list[float] = Field(description="Length not cut at the bottom face (mm)")
     edge_top_overcut: list[float] = Field(

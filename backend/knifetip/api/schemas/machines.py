@@ -41,7 +41,7 @@ class MachineOut(BaseModel):
     travel_z: float
     into_mat: float
     offset_cuts: bool = Field(
-        description="Cuts run at an offset from their edge, so corner types can be chosen"
+        description="Whether cuts are offset from their edge, so that corner types can be chosen"
     )
     feed: Literal["manual", "automatic"] = Field(
         description="manual: every job and every copy waits until the operator confirms that the "

@@ -42,10 +42,8 @@ class MessageOut(BaseModel):
     arguments: dict[str, Any] = Field(
         description="Arguments of the code; their types are in the schema Message"
     )
-    text: str = Field(description="What is reported, in English")
-    hint: str = Field(
-        description="What the user can do, in English; empty if there is nothing to do"
-    )
+    text: str = Field(description="Text of the message in English")
+    hint: str = Field(description="Action for the user in English; empty if there is none")
 
     @model_validator(mode="before")
     @classmethod

@@ -73,7 +73,9 @@ class ProfileOut(BaseModel):
     version: int = Field(default=0, description="Increases with each change; 0 in the library")
     updated: float = 0.0
     rules: list[RuleOut]
-    fault: str = Field(default="", description="Why the profile can no longer be used")
+    fault: str = Field(
+        default="", description="Reason why the profile cannot be used any more; empty if it can"
+    )
 
 
 class ChangeOut(BaseModel):
