@@ -78,8 +78,8 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     """Return where cuts cross segments: segment (k,), parameter of the crossing 0 … 1 (k,).
 
-    A cut crosses a segment inside both of them, or the cut ends on the segment and another cut
-    continues on its other side.
+    A cut crosses a segment if the crossing lies away from the ends of both.  It also crosses if
+    it ends on the segment, and another cut continues from there on the segment's other side.
 
     Parameters
     ----------
@@ -247,9 +247,9 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
 
 
 def _mitre_offset(one: F64, other: F64) -> F64:
-    """Return the vectors from a joint of two lines to the point at distance 1 from each, (n, 2).
+    """Return the vector from each joint of two lines to the point at distance 1 from both, (n, 2).
 
-    ``one`` and ``other`` are the unit normals of the lines, (n, 2).
+    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).
     """
     both = one + other
     result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]

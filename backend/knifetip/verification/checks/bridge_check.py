@@ -42,13 +42,13 @@ class Bridges:
 
 
 def find_bridges(
-    rows: Overlaps, paths: EdgePaths, held: Bool, edges: Edges, lead: float
+    overlaps: Overlaps, paths: EdgePaths, held: Bool, edges: Edges, lead: float
 ) -> Bridges:
     """Return the gaps in the work on closed paths.
 
     Parameters
     ----------
-    rows
+    overlaps
         Overlaps of the tip paths with the edges of the paths.
     paths, edges
         Paths, and the edges that form them.
@@ -58,11 +58,11 @@ def find_bridges(
         Length by which the cut in the top face is ahead of the tip.
     """
     size = edges.curve[:, 5]
-    some = rows.best & (np.diff(rows.along)[:, 0] > SHORT)
-    some &= np.abs(np.diff(rows.place)[:, 0]) > SHORT
-    edge = np.maximum(rows.edge, 0)
+    some = overlaps.best & (np.diff(overlaps.along)[:, 0] > SHORT)
+    some &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
+    edge = np.maximum(overlaps.edge, 0)
     some &= held[paths.path[edge]]
-    edge, place = rows.edge[some], rows.place[some]
+    edge, place = overlaps.edge[some], overlaps.place[some]
     flipped = paths.flipped[edge][:, None]
     at = paths.begin[edge][:, None] + np.where(flipped, size[edge][:, None] - place, place)
     path = paths.path[edge]
@@ -190,7 +190,7 @@ def check_bridges(
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
     """Return the edge of each bridge, and by how much it is too near to a sharp corner (mm).
 
-    The shortfall is 0 or negative if the bridge is far enough from sharp corners.
+    Both arrays have one row per bridge; the second is 0 if the bridge is far enough from corners.
     """
     size = edges.curve[:, 5]
     edge, place = paths.locate(found.path, found.middle, edges.curve)

@@ -115,7 +115,7 @@ class StationCheck(ABC):
         self.findings.add(kind, message, measure, edge=row, line=line)
 
     def record_overcut(self, edges: I64, measure: F64) -> None:
-        """Raise the overcut of the edges to ``measure`` (mm) where that is more."""
+        """Raise the recorded overcut of each edge to ``measure`` (mm) if that is greater."""
         rows = self.edges.row[edges]
         np.maximum.at(self.figures.overcut, rows, measure)
 
@@ -124,13 +124,13 @@ class StationCheck(ABC):
         return find_overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
 
     def check_position(
-        self, rows: Overlaps, final: Bool | None = None, wide: F64 | None = None
+        self, overlaps: Overlaps, final: Bool | None = None, wide: F64 | None = None
     ) -> None:
         """Check the distance of the tip paths from the edges, and their depth.
 
         Parameters
         ----------
-        rows
+        overlaps
             Overlaps of the tip paths with the edges.
         final
             Mask of the overlaps whose depth is checked; all if None.
@@ -138,10 +138,10 @@ class StationCheck(ABC):
             Tolerance of each edge; the tolerance of the verdict if None.
         """
         limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
-        best = np.flatnonzero(rows.best)
-        work, edge = rows.curve[best], rows.edge[best]
-        figure = rows.distance[best] + self.blend[work]
-        shown = np.where(np.isfinite(figure), figure, rows.distance[best])
+        best = np.flatnonzero(overlaps.best)
+        work, edge = overlaps.curve[best], overlaps.edge[best]
+        figure = overlaps.distance[best] + self.blend[work]
+        shown = np.where(np.isfinite(figure), figure, overlaps.distance[best])
         np.maximum.at(self.figures.deviation, self.edges.row[edge], shown)
         for row in np.flatnonzero(figure > limit[edge] + 1e-9)[:MAX_FINDINGS]:
             self.add_finding(
@@ -150,7 +150,7 @@ class StationCheck(ABC):
                 Message(
                     "verify.off-line",
                     tool=self.operation.tool,
-                    distance=rows.distance[best[row]],
+                    distance=overlaps.distance[best[row]],
                     rounding=self.blend[work[row]],
                     tolerance=limit[edge[row]],
                 ),
@@ -159,9 +159,9 @@ class StationCheck(ABC):
             )
         drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
         for share in (0.0, 0.5, 1.0):
-            along = rows.along[best] @ (1.0 - share, share)
+            along = overlaps.along[best] @ (1.0 - share, share)
             off = left_distance(self.curve[work], along, self.edges.curve[edge])
-            place = rows.place[best] @ (1.0 - share, share) - self.before[edge]
+            place = overlaps.place[best] @ (1.0 - share, share) - self.before[edge]
             self.context.samples.append((self.edges.row[edge], place / drawn, off))
         if "Z" not in self.context.programmed:
             return
@@ -184,13 +184,13 @@ class StationCheck(ABC):
             )
 
     def check_heading(
-        self, rows: Overlaps, reach: F64, turn: float, chorded: Bool | None = None
+        self, overlaps: Overlaps, reach: F64, turn: float, chorded: Bool | None = None
     ) -> None:
         """Check the heading of the tool along edges and past their ends.
 
         Parameters
         ----------
-        rows
+        overlaps
             Overlaps of the tip paths with the edges.
         reach : mm
             Distance from the tip to the farthest point of the tool, for each tip path.
@@ -199,11 +199,11 @@ class StationCheck(ABC):
         chorded : (n,)
             Mask of the edges that are worked in chords, each in its own direction.
         """
-        best = np.flatnonzero(rows.best)
-        work, edge = rows.curve[best], rows.edge[best]
+        best = np.flatnonzero(overlaps.best)
+        work, edge = overlaps.curve[best], overlaps.edge[best]
         length = self.curve[work, 5]
         point = length < 1e-6
-        along, place = rows.along[best], rows.place[best]
+        along, place = overlaps.along[best], overlaps.place[best]
         span = place[:, 1] - place[:, 0]
         # A short path has no exact direction: its ends are rounded to the last digit.
         size = along[:, 1] - along[:, 0]
@@ -224,7 +224,7 @@ class StationCheck(ABC):
         self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
 
         # Work past an edge has no edge to compare with, only the direction of its own path.
-        which, spans = uncovered_curves(rows, self.curve)
+        which, spans = uncovered_curves(overlaps, self.curve)
         long = np.flatnonzero(spans[:, 1] - spans[:, 0] > self.tolerance)
         which, spans = which[long], spans[long]
         off = np.zeros(len(which))
@@ -270,13 +270,13 @@ class StationCheck(ABC):
             )
 
     def check_uncut(
-        self, rows: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
+        self, overlaps: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
         """Check that tip paths cover these edges between their limits; record the uncut length.
 
         Parameters
         ----------
-        rows
+        overlaps
             Overlaps of the tip paths with the edges.
         which
             Indices of the edges to check.
@@ -289,10 +289,12 @@ class StationCheck(ABC):
         wanted = np.zeros(len(self.edges), np.bool_)
         wanted[which] = True
         wanted &= self.high >= self.low
-        keep = wanted[rows.edge]
+        keep = wanted[overlaps.edge]
         if only is not None:
             keep &= only
-        wide, edge, begin, line = self.edge_gaps(rows, np.flatnonzero(keep), np.flatnonzero(wanted))
+        wide, edge, begin, line = self.edge_gaps(
+            overlaps, np.flatnonzero(keep), np.flatnonzero(wanted)
+        )
         bare = wide > self.slack
         # A pressed crease is a point, which has no length: it is worked or not.
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
@@ -324,7 +326,7 @@ class StationCheck(ABC):
             "verify.work-grooved-from-start" if forward else "verify.work-grooved-from-end"
         )
 
-    def edge_gaps(self, rows: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
+    def edge_gaps(self, overlaps: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
         """Return the gaps between the worked stretches of edges.
 
         There is one gap before each stretch and one after the last stretch of each edge; many have
@@ -332,7 +334,7 @@ class StationCheck(ABC):
 
         Parameters
         ----------
-        rows, keep
+        overlaps, keep
             Overlaps of the tip paths with the edges, and the indices of those that count.
         wanted
             Indices of the edges that are searched.
@@ -341,9 +343,9 @@ class StationCheck(ABC):
         -------
         Length (mm), index of the edge, start on the edge (mm), and line of the program, (k,) each.
         """
-        edge = rows.edge[keep].astype(np.int64)
-        low, high = rows.place[keep].min(axis=1), rows.place[keep].max(axis=1)
-        line = self.line[rows.curve[keep]].astype(np.int64)
+        edge = overlaps.edge[keep].astype(np.int64)
+        low, high = overlaps.place[keep].min(axis=1), overlaps.place[keep].max(axis=1)
+        line = self.line[overlaps.curve[keep]].astype(np.int64)
         # Add an empty stretch at the end of each edge, so that every gap lies before a stretch.
         edge = np.concatenate([edge, wanted])
         low = np.concatenate([low, self.high[wanted]])

@@ -141,8 +141,10 @@ def _measure_stretches(
     begin, end : (q,)
         Start and end of each stretch, as fractions of the drawn edge's length.
 
-    Returns ------- Greatest distance (q,) mm, and the stretch's start and end as fractions of the
-    cleaned edge (q, 2).
+    Returns
+    -------
+    Greatest distance (q,) mm, and the stretch's start and end on the cleaned edge (q, 2), as
+    fractions of that edge's length.
     """
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))

@@ -60,12 +60,12 @@ class CreaseCheck(StationCheck):
         self.low, self.high, self.depth = expected.low, expected.high, expected.depth
         for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
             self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])
-        rows = self.match_edges()
-        self.check_position(rows)
-        check_stray_work(self, rows, self.curve[:, 5])
+        overlaps = self.match_edges()
+        self.check_position(overlaps)
+        check_stray_work(self, overlaps, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
         np.add.at(self.figures.setback, self.edges.row, (self.size - planned) / many)
-        self.check_uncut(rows, np.arange(len(self.edges)))
+        self.check_uncut(overlaps, np.arange(len(self.edges)))
         depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
-        self.check_heading(rows, contact, 180.0)
+        self.check_heading(overlaps, contact, 180.0)

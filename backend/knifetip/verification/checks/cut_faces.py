@@ -231,31 +231,35 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     beside = np.where(met < 0, -1, cycle[met, np.where(rising, 1, 0)])
     # The curve to the left belongs to a component farther left, whose face is already assigned.
     name = np.where(outside, 0, np.cumsum(~outside))
-    of = np.zeros(len(outside), np.int64)
-    of[cycle] = component[:, None]
-    around = _enclosing_faces(np.argsort(probe[:, 0], kind="stable"), beside, outside, of, name)
-    face: I64 = np.where(outside, around[of], name)[cycle]
+    component_of = np.zeros(len(outside), np.int64)
+    component_of[cycle] = component[:, None]
+    around = _enclosing_faces(
+        np.argsort(probe[:, 0], kind="stable"), beside, outside, component_of, name
+    )
+    face: I64 = np.where(outside, around[component_of], name)[cycle]
     return face, int((~outside).sum()) + 1
 
 
 @kernel
-def _enclosing_faces(order: I64_1, beside: I64_1, outside: Bool_1, of: I64_1, name: I64_1) -> Any:
-    """Return the face that encloses each component, 0 for none, shape (c,).
+def _enclosing_faces(
+    order: I64_1, beside: I64_1, outside: Bool_1, component_of: I64_1, name: I64_1
+) -> Any:
+    """Return the face that encloses each connected component of pieces, 0 for none, (c,).
 
     Parameters
     ----------
     order : (c,)
         Components from left to right.
     beside : (c,)
-        The cycle to the left of each component, or -1.
-    outside, of, name : (w,)
+        The cycle of half-edges to the left of each component, or -1.
+    outside, component_of, name : (w,)
         Of each cycle: whether it runs round the outside of a component, its component, its face.
     """
     around = np.zeros(len(order), np.int64)
     for c in order:
         walk = beside[c]
         if walk >= 0:
-            around[c] = around[of[walk]] if outside[walk] else name[walk]
+            around[c] = around[component_of[walk]] if outside[walk] else name[walk]
     return around
 
 

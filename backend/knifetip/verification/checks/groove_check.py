@@ -39,35 +39,35 @@ class GrooveCheck(StationCheck):
             self.add_finding("deviation", edge, Message("verify.groove-arc"), 0.0)
         drawn = self.edges
         boundary = self._add_run_outs(blade) if blade else np.zeros((len(self.edges), 2), np.bool_)
-        rows = self.match_edges()
+        overlaps = self.match_edges()
         wide = np.full(len(self.edges), self.tolerance)
         if leaves > 0.0 and curved.any():
             # An arc is grooved in chords, which deviate from it by up to the board's limit.
             wide[curved] = leaves + self.tolerance
             wider = find_overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
-            rows = within_limits(wider, wide, self.curve)
-        final = self._deepest_passes(rows)
+            overlaps = within_limits(wider, wide, self.curve)
+        final = self._deepest_passes(overlaps)
         self._check_pass_steps()
-        self.check_position(rows, final, wide)
+        self.check_position(overlaps, final, wide)
         off_board = 0.0
         if blade and curved.any():
             # Chords run out past the board's edge in their own direction.
             off_board = 2.0 * (blade.half_width + self.context.board.groove_depth * blade.slope)
-        check_stray_work(self, rows, self.curve[:, 5], off_board)
+        check_stray_work(self, overlaps, self.curve[:, 5], off_board)
         # The allowed extra run-out is not required.
         self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
         for forward in (True, False):
-            direction = rows.place[:, 1] > rows.place[:, 0]
+            direction = overlaps.place[:, 1] > overlaps.place[:, 0]
             self.check_uncut(
-                rows, np.arange(len(self.edges)), (direction == forward) & final, forward
+                overlaps, np.arange(len(self.edges)), (direction == forward) & final, forward
             )
         if blade is None:
             return
-        self.check_heading(rows, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
-        self._check_flanks(rows, final, blade, wide)
+        self.check_heading(overlaps, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
+        self._check_flanks(overlaps, final, blade, wide)
         self._check_cuts_beside(drawn, blade)
         worked = np.zeros(len(self.edges), np.bool_)
-        worked[rows.edge[rows.best]] = True
+        worked[overlaps.edge[overlaps.best]] = True
         inside = ~(boundary | groove_continues(self.edges).reshape(-1, 2)).all(axis=1)
         past: F64 = np.where(worked & inside, 2.0 * blade.half_width, 0.0)
         self.record_overcut(np.arange(len(self.edges)), past)
@@ -106,28 +106,30 @@ class GrooveCheck(StationCheck):
         self.before = more[:, 0]
         return boundary
 
-    def _deepest_passes(self, rows: Overlaps) -> Bool:
+    def _deepest_passes(self, overlaps: Overlaps) -> Bool:
         """Return the mask of the overlaps in the deepest pass of their edge and direction.
 
         Adds a finding for each pass that is shallower than the pass before it.
         """
-        deep = (self.context.board.caliper - self.z)[rows.curve]
-        pass_key = 2 * rows.edge.astype(np.int64) + (rows.place[:, 1] > rows.place[:, 0])
+        deep = (self.context.board.caliper - self.z)[overlaps.curve]
+        pass_key = 2 * overlaps.edge.astype(np.int64) + (
+            overlaps.place[:, 1] > overlaps.place[:, 0]
+        )
         deepest = np.zeros(2 * len(self.edges))
-        np.maximum.at(deepest, pass_key[rows.best], deep[rows.best])
+        np.maximum.at(deepest, pass_key[overlaps.best], deep[overlaps.best])
         final: Bool = deep >= deepest[pass_key] - DEPTH_TOLERANCE
-        order = np.flatnonzero(rows.best & (np.abs(np.diff(rows.place)[:, 0]) > SHORT))
-        order = order[np.lexsort((rows.curve[order], pass_key[order]))]
+        order = np.flatnonzero(overlaps.best & (np.abs(np.diff(overlaps.place)[:, 0]) > SHORT))
+        order = order[np.lexsort((overlaps.curve[order], pass_key[order]))]
         same = pass_key[order[1:]] == pass_key[order[:-1]]
         back = same & (deep[order[1:]] < deep[order[:-1]] - DEPTH_TOLERANCE)
         for k in np.flatnonzero(back)[:MAX_FINDINGS]:
             row = order[k + 1]
             self.add_finding(
                 "depth",
-                int(rows.edge[row]),
+                int(overlaps.edge[row]),
                 Message("verify.groove-shallower", depth=deep[row], before=deep[order[k]]),
                 float(deep[order[k]] - deep[row]),
-                int(rows.curve[row]),
+                int(overlaps.curve[row]),
             )
         return final
 
@@ -155,7 +157,7 @@ class GrooveCheck(StationCheck):
                 row,
             )
 
-    def _check_flanks(self, rows: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
+    def _check_flanks(self, overlaps: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
         """Check the distance from the edge at which each flank of a groove reaches the top face.
 
         It should be depth × tan(tilt).  In each pass the blade leans to the right of travel and
@@ -168,15 +170,17 @@ class GrooveCheck(StationCheck):
         limit : (n,) mm
             Tolerance of each edge.
         """
-        size = np.abs(np.diff(rows.place)[:, 0])
-        which = np.flatnonzero(rows.best & final & (size > SHORT))
-        work, edge = rows.curve[which], rows.edge[which]
-        forward = rows.place[which, 1] > rows.place[which, 0]
+        size = np.abs(np.diff(overlaps.place)[:, 0])
+        which = np.flatnonzero(overlaps.best & final & (size > SHORT))
+        work, edge = overlaps.curve[which], overlaps.edge[which]
+        forward = overlaps.place[which, 1] > overlaps.place[which, 0]
         deep = self.context.board.caliper - self.z[work]
         lean = (deep - self.depth[edge]) * blade.slope
         error = np.zeros(len(which))
         for side in range(2):
-            left = left_distance(self.curve[work], rows.along[which, side], self.edges.curve[edge])
+            left = left_distance(
+                self.curve[work], overlaps.along[which, side], self.edges.curve[edge]
+            )
             right = np.where(forward, -left, left) + lean
             error = np.where(np.abs(right) > np.abs(error), right, error)
         row = self.edges.row[edge]

@@ -69,21 +69,21 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
 
     begin = before + np.where(met[:, 0], zone[:, 0], 0.0)
     end = before + drawn - np.where(met[:, 1], zone[:, 1], 0.0)
-    rows = find_overlaps(pieces, strip, begin, end, reach)
-    if len(rows.curve) == 0:
+    overlaps = find_overlaps(pieces, strip, begin, end, reach)
+    if len(overlaps.curve) == 0:
         none = np.zeros(0, np.int64)
         return DamagedCuts(none, none, np.zeros(0), np.zeros(0))
-    return _nearest_places(rows, pieces, strip, owner, before)
+    return _nearest_places(overlaps, pieces, strip, owner, before)
 
 
 def _nearest_places(
-    rows: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
+    overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
     """Return for each pair of groove and cut the nearest point; cuts that cross are left out.
 
     Parameters
     ----------
-    rows
+    overlaps
         Overlaps of ``pieces`` with ``strip``.
     pieces, owner : (p, 6), (p,)
         Chords of the cuts, and the cut of each chord.
@@ -93,14 +93,16 @@ def _nearest_places(
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(
         [
-            left_distance(pieces[rows.curve], rows.along @ (1.0 - s, s), strip[rows.edge])
+            left_distance(
+                pieces[overlaps.curve], overlaps.along @ (1.0 - s, s), strip[overlaps.edge]
+            )
             for s in share
         ],
         axis=1,
     )
-    place = rows.place[:, :1] * (1.0 - share) + rows.place[:, 1:] * share
+    place = overlaps.place[:, :1] * (1.0 - share) + overlaps.place[:, 1:] * share
     pair, group = np.unique(
-        np.stack([rows.edge.astype(np.int64), owner[rows.curve]], axis=1),
+        np.stack([overlaps.edge.astype(np.int64), owner[overlaps.curve]], axis=1),
         axis=0,
         return_inverse=True,
     )
@@ -130,7 +132,7 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
     return low, high
 
 
-def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
+def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
     """Return curves extended by a length at both ends (mm), and the actual extension of each (mm).
 
     An arc is extended to less than a full circle.
@@ -139,7 +141,7 @@ def _lengthen(curve: F64, by: float) -> tuple[F64, F64]:
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
     rest = np.maximum(2.0 * math.pi * radius - curve[:, 5], 0.0)
-    more = np.where(straight, by, np.minimum(by, 0.49 * rest))
+    more = np.where(straight, extra, np.minimum(extra, 0.49 * rest))
     result[straight, 1:3] -= more[straight, None] * curve[straight, 3:5]
     result[~straight, 4] -= (curve[:, 0] * more / radius)[~straight]
     result[:, 5] += 2.0 * more

@@ -51,7 +51,7 @@ class KnifeCheck(StationCheck):
         self._check_work(depth, depth)
 
     def _check_work(self, leads: float, runs: float) -> None:
-        """Check the knife's work.
+        """Compare the knife's tip paths with the edges.
 
         Parameters
         ----------
@@ -73,31 +73,31 @@ class KnifeCheck(StationCheck):
         held[solid[rounds[ends.paths.path]]] = True
         if blade and self.operation == OperationKind.CUT:
             self._remove_leads(blade)
-        rows = self.match_edges()
+        overlaps = self.match_edges()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
-        dashed[self.track[rows.curve[rows.best & perforated[rows.edge]]]] = True
-        dashed |= self._tracks_along(rows, held)
+        dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True
+        dashed |= self._tracks_along(overlaps, held)
         over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
         # An overrun crosses other edges, but it is not work on them.
         until = overrun_starts(self, over)
-        rows = mark_nearest(rows, self.curve, until)
-        self.check_position(rows)
-        check_stray_work(self, rows, until)
-        self.check_uncut(rows, np.flatnonzero(~perforated & ~held))
+        overlaps = mark_nearest(overlaps, self.curve, until)
+        self.check_position(overlaps)
+        check_stray_work(self, overlaps, until)
+        self.check_uncut(overlaps, np.flatnonzero(~perforated & ~held))
         if held.any():
-            self._check_bridge_gaps(rows, whole, solid, ends.paths, rounds, leads * slant)
+            self._check_bridge_gaps(overlaps, whole, solid, ends.paths, rounds, leads * slant)
         if perforated.any():
             self._check_perforations(
-                rows,
+                overlaps,
                 np.flatnonzero(perforated),
-                dashed & ~self._tracks_along(rows, held),
+                dashed & ~self._tracks_along(overlaps, held),
                 leads * slant,
             )
         if blade:
-            self.check_heading(rows, np.full(len(self.z), blade.blade_width), 360.0)
-            self._record_faces(rows, over, leads * slant, (leads - runs) * slant)
+            self.check_heading(overlaps, np.full(len(self.z), blade.blade_width), 360.0)
+            self._record_faces(overlaps, over, leads * slant, (leads - runs) * slant)
 
-    def _record_faces(self, rows: Overlaps, over: F64, top: float, bottom: float) -> None:
+    def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:
         """Record uncut length in the bottom face and overcut in the top face.
 
         Where a track ends, the cut extends ahead of the tip by ``top`` mm in the top face and by
@@ -105,15 +105,15 @@ class KnifeCheck(StationCheck):
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
-        work, edge = rows.curve, rows.edge
-        low, high = rows.place.min(axis=1), rows.place.max(axis=1)
-        forward = rows.place[:, 1] > rows.place[:, 0]
+        work, edge = overlaps.curve, overlaps.edge
+        low, high = overlaps.place.min(axis=1), overlaps.place.max(axis=1)
+        forward = overlaps.place[:, 1] > overlaps.place[:, 0]
         until = self.curve[work, 5] - over[self.track[work]]
-        ends = rows.best & last[work] & (np.abs(rows.along[:, 1] - until) <= SHORT)
-        ends &= np.diff(rows.along)[:, 0] > SHORT
+        ends = overlaps.best & last[work] & (np.abs(overlaps.along[:, 1] - until) <= SHORT)
+        ends &= np.diff(overlaps.along)[:, 0] > SHORT
         ahead = np.where(ends, bottom + over[self.track[work]], 0.0)
         size = self.size[edge]
-        keep = rows.best
+        keep = overlaps.best
         bare = uncovered_edges(
             edge[keep].astype(np.int64),
             np.where(forward, low, low - ahead)[keep],
@@ -151,21 +151,27 @@ class KnifeCheck(StationCheck):
             result[paths.path[inner]] = False
         return result
 
-    def _tracks_along(self, rows: Overlaps, some: Bool) -> Bool:
+    def _tracks_along(self, overlaps: Overlaps, some: Bool) -> Bool:
         """Return the mask of the tracks of which over half the length follows edges of a mask.
 
         ``some`` is the mask of the edges, (n,).
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
-        mine = rows.best & some[rows.edge]
-        along = np.diff(rows.along[mine])[:, 0]
-        on = np.bincount(self.track[rows.curve[mine]], along, minlength=count)
+        mine = overlaps.best & some[overlaps.edge]
+        along = np.diff(overlaps.along[mine])[:, 0]
+        on = np.bincount(self.track[overlaps.curve[mine]], along, minlength=count)
         result: Bool = on > 0.5 * size
         return result
 
     def _check_bridge_gaps(
-        self, rows: Overlaps, whole: Edges, solid: I64, paths: EdgePaths, rounds: Bool, lead: float
+        self,
+        overlaps: Overlaps,
+        whole: Edges,
+        solid: I64,
+        paths: EdgePaths,
+        rounds: Bool,
+        lead: float,
     ) -> None:
         """Check width, number and spacing of bridges, and their distance from corners.
 
@@ -182,7 +188,11 @@ class KnifeCheck(StationCheck):
         place = np.full(len(self.edges), -1, np.int32)
         place[solid] = np.arange(len(solid))
         found = find_bridges(
-            replace(rows, edge=place[rows.edge], best=rows.best & (place[rows.edge] >= 0)),
+            replace(
+                overlaps,
+                edge=place[overlaps.edge],
+                best=overlaps.best & (place[overlaps.edge] >= 0),
+            ),
             paths,
             rounds,
             whole,
@@ -252,7 +262,9 @@ class KnifeCheck(StationCheck):
         reach = np.full(len(which), blade.blade_width)
         self.check_swing(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
 
-    def _check_perforations(self, rows: Overlaps, which: I64, dashed: Bool, lead: float) -> None:
+    def _check_perforations(
+        self, overlaps: Overlaps, which: I64, dashed: Bool, lead: float
+    ) -> None:
         """Check perforations: the lengths of their cuts, less the blade's lead, and of their gaps.
 
         Parameters
@@ -267,8 +279,8 @@ class KnifeCheck(StationCheck):
         cut, gap = self.context.board.perforation
         perforated = np.zeros(len(self.edges), np.bool_)
         perforated[which] = True
-        keep = np.flatnonzero(perforated[rows.edge])
-        gaps, edge, begin, line = self.edge_gaps(rows, keep, which)
+        keep = np.flatnonzero(perforated[overlaps.edge])
+        gaps, edge, begin, line = self.edge_gaps(overlaps, keep, which)
         wide = gaps > gap + lead + self.slack
         np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
         for row in np.flatnonzero(wide)[:MAX_FINDINGS]:
@@ -282,8 +294,8 @@ class KnifeCheck(StationCheck):
         size = np.bincount(self.track, self.curve[:, 5], minlength=len(dashed))
         number = np.bincount(edge[line >= 0], minlength=len(self.edges))
         alone = np.zeros(len(dashed), np.bool_)
-        few = keep[number[rows.edge[keep]] <= 2]
-        alone[self.track[rows.curve[few]]] = True
+        few = keep[number[overlaps.edge[keep]] <= 2]
+        alone[self.track[overlaps.curve[few]]] = True
         wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > self.slack)
         first = np.searchsorted(self.track, np.arange(len(dashed)))
         for track in np.flatnonzero(wrong)[:MAX_FINDINGS]:

@@ -176,40 +176,40 @@ class _MillingCheck:
         centres = self.centres.select(through)
         rounds = centres.blend
         length = pieces.curve[:, 5]
-        rows = find_overlaps(
+        overlaps = find_overlaps(
             centres.curve, pieces.curve, np.zeros(len(length)), length, self.tolerance
         )
-        edge = pieces.edge[rows.edge]
-        figure = rows.distance + rounds[rows.curve]
+        edge = pieces.edge[overlaps.edge]
+        figure = overlaps.distance + rounds[overlaps.curve]
         # A path that crosses the tolerance band leads in or out.
-        runs = rows.best & (rows.distance < 0.99 * self.tolerance)
-        shown = np.where(np.isfinite(figure), figure, rows.distance)[runs]
+        runs = overlaps.best & (overlaps.distance < 0.99 * self.tolerance)
+        shown = np.where(np.isfinite(figure), figure, overlaps.distance)[runs]
         np.maximum.at(self.context.figures.deviation, self.edges.row[edge[runs]], shown)
-        low, high = pieces.edge_intervals(rows.edge, rows.place)
+        low, high = pieces.edge_intervals(overlaps.edge, overlaps.place)
         first, last = (
-            pieces.edge_intervals(rows.edge, rows.place[:, [0, 0]])[0],
-            rows.place[:, [1, 1]],
+            pieces.edge_intervals(overlaps.edge, overlaps.place[:, [0, 0]])[0],
+            overlaps.place[:, [1, 1]],
         )
-        for side, at in ((0, first), (1, pieces.edge_intervals(rows.edge, last)[0])):
+        for side, at in ((0, first), (1, pieces.edge_intervals(overlaps.edge, last)[0])):
             off = left_distance(
-                centres.curve[rows.curve], rows.along[:, side], pieces.curve[rows.edge]
+                centres.curve[overlaps.curve], overlaps.along[:, side], pieces.curve[overlaps.edge]
             )
             self.context.samples.append(
                 (self.edges.row[edge[runs]], (at / self.size[edge])[runs], off[runs])
             )
-        along = np.abs(np.diff(rows.place)[:, 0]) > self.tolerance
+        along = np.abs(np.diff(overlaps.place)[:, 0]) > self.tolerance
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MAX_FINDINGS]:
             self.context.findings.add(
                 "deviation",
                 Message(
                     "verify.centre-off-path",
-                    distance=rows.distance[row],
-                    rounding=rounds[rows.curve[row]],
+                    distance=overlaps.distance[row],
+                    rounding=rounds[overlaps.curve[row]],
                     tolerance=self.tolerance,
                 ),
-                float(figure[row]) if np.isfinite(figure[row]) else float(rows.distance[row]),
+                float(figure[row]) if np.isfinite(figure[row]) else float(overlaps.distance[row]),
                 edge=int(self.edges.row[edge[row]]),
-                line=int(centres.line[rows.curve[row]]),
+                line=int(centres.line[overlaps.curve[row]]),
             )
         return uncovered_edges(edge, low, high, self.size)
 
@@ -293,17 +293,17 @@ class _MillingCheck:
     def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
         """Return the stretches of edges beside which the disc would cut another edge or a corner.
 
-        They are edge (k,), start (k,) mm and end (k,) mm.
+        Returns the edge of each stretch (k,), and its start and end along the edge, (k,) mm each.
         """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         near = float(self.reach.min())
         # With different deflections along X and Y the smaller reach blocks a corner.
         wide = float(self.reach.max()) + self.tolerance
-        rows = find_overlaps(pieces.curve, curve, np.zeros(len(curve)), curve[:, 5], wide)
-        own = pieces.edge[rows.curve]
-        other = own != closing[rows.edge]
-        low, high = pieces.edge_intervals(rows.curve[other], rows.along[other])
+        overlaps = find_overlaps(pieces.curve, curve, np.zeros(len(curve)), curve[:, 5], wide)
+        own = pieces.edge[overlaps.curve]
+        other = own != closing[overlaps.edge]
+        low, high = pieces.edge_intervals(overlaps.curve[other], overlaps.along[other])
         edge = [own[other]]
         lows, highs = [low], [high]
         # Convex corners block the disc too.
@@ -339,14 +339,16 @@ class _MillingCheck:
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         widest = float(self.reach.max())
-        rows = find_overlaps(self.centres.curve, curve, np.zeros(len(curve)), curve[:, 5], widest)
-        path, edge = rows.curve, rows.edge
+        overlaps = find_overlaps(
+            self.centres.curve, curve, np.zeros(len(curve)), curve[:, 5], widest
+        )
+        path, edge = overlaps.curve, overlaps.edge
         # An open cut is followed on its line, so the disc removes board on both sides.
         along = self._open_cut_mask()
         into = np.zeros(len(path))
         sides = np.zeros((2, len(path)))
         for at in milling_geometry.nearest_candidates(
-            self.centres.curve[path], rows.along, curve[edge], self._disc_is_round
+            self.centres.curve[path], overlaps.along, curve[edge], self._disc_is_round
         ):
             into = np.maximum(
                 into,
@@ -386,10 +388,12 @@ class _MillingCheck:
     def _open_cut_mask(self) -> Bool:
         """Return the mask of the centre's paths that follow an open cut, shape (n,)."""
         own = self.edges.curve[~self.bounds.closing]
-        rows = find_overlaps(self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
-        size = np.diff(rows.along)[:, 0] >= 0.5 * self.centres.curve[rows.curve, 5]
+        overlaps = find_overlaps(
+            self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance
+        )
+        size = np.diff(overlaps.along)[:, 0] >= 0.5 * self.centres.curve[overlaps.curve, 5]
         result = np.zeros(len(self.centres.z), np.bool_)
-        result[rows.curve[size]] = True
+        result[overlaps.curve[size]] = True
         return result
 
     def _check_open_ends(self) -> None:

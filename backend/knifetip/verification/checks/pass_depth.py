@@ -42,12 +42,14 @@ def too_deep_spans(
     late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
     if len(late) == 0:
         return np.zeros(0, np.int32), np.zeros((0, 2))
-    rows = find_overlaps(curve[late], curve, np.zeros(len(curve)), curve[:, 5], near)
-    ready = rows.edge < late[rows.curve]
-    ready &= deep[rows.edge] >= deep[late[rows.curve]] - step - DEPTH_TOLERANCE
+    overlaps = find_overlaps(curve[late], curve, np.zeros(len(curve)), curve[:, 5], near)
+    ready = overlaps.edge < late[overlaps.curve]
+    ready &= deep[overlaps.edge] >= deep[late[overlaps.curve]] - step - DEPTH_TOLERANCE
     if one_way:
-        own = azimuth_at(curve[late[rows.curve]], rows.along.mean(axis=1))
-        ready &= angle_between(own, azimuth_at(curve[rows.edge], rows.place.mean(axis=1))) < 90.0
-    kept = replace(rows, curve=rows.curve[ready], along=rows.along[ready])
+        own = azimuth_at(curve[late[overlaps.curve]], overlaps.along.mean(axis=1))
+        ready &= (
+            angle_between(own, azimuth_at(curve[overlaps.edge], overlaps.place.mean(axis=1))) < 90.0
+        )
+    kept = replace(overlaps, curve=overlaps.curve[ready], along=overlaps.along[ready])
     which, spans = uncovered_curves(kept, curve[late])
     return late[which].astype(np.int32), spans

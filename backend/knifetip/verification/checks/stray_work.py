@@ -21,19 +21,21 @@ from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import OperationKind
 
 
-def check_stray_work(check: StationCheck, rows: Overlaps, until: F64, past: float = 0.0) -> None:
+def check_stray_work(
+    check: StationCheck, overlaps: Overlaps, until: F64, past: float = 0.0
+) -> None:
     """Add findings for work that lies on no edge or outside the limits of its edge.
 
     Parameters
     ----------
-    rows
+    overlaps
         Overlaps of the tip paths with the edges.
     until : (n,) mm
         Length of each tip path that is checked; the rest is a planned overrun.
     past : mm
         Greatest length of work off the board that is allowed.
     """
-    which, spans = uncovered_curves(rows, check.curve)
+    which, spans = uncovered_curves(overlaps, check.curve)
     spans[:, 1] = np.minimum(spans[:, 1], until[which])
     point = check.curve[which, 5] < 1e-6
     keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
@@ -123,42 +125,42 @@ def _report_stray(
         check.add_finding("stray", -1, message, length, line=line)
 
 
-def _shared_lengths(rows: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
+def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
     """Return the overlaps of one curve with edges, restricted to a span (start, end) of the curve.
 
-    Returns the slice of the curve's overlaps in ``rows``, the length of each overlap inside the
+    Returns the slice of the curve's overlaps in ``overlaps``, the length of each overlap inside the
     span (mm, negative outside), and the mask of the overlaps that run along their edge.
     """
-    mine = slice(*np.searchsorted(rows.curve, [curve, curve + 1]))
-    along, place = rows.along[mine], rows.place[mine]
+    mine = slice(*np.searchsorted(overlaps.curve, [curve, curve + 1]))
+    along, place = overlaps.along[mine], overlaps.place[mine]
     shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
     size = along[:, 1] - along[:, 0]
     return mine, shared, np.abs(place[:, 1] - place[:, 0]) >= 0.5 * size
 
 
-def _edge_along(rows: Overlaps, curve: int, span: F64) -> int:
+def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
     """Return an edge that at least half of a span (start, end) of a curve follows, or -1."""
-    mine, shared, parallel = _shared_lengths(rows, curve, span)
+    mine, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
-    return int(rows.edge[mine][good[0]]) if len(good) else -1
+    return int(overlaps.edge[mine][good[0]]) if len(good) else -1
 
 
-def _edge_beside(rows: Overlaps, curve: int, span: F64) -> tuple[int, float]:
+def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]:
     """Return the nearest edge that runs along a span of a curve, and its distance (mm).
 
     Returns -1 and 0 if no edge runs along at least 80 % of the span.
     """
-    mine, shared, parallel = _shared_lengths(rows, curve, span)
+    mine, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
     if len(good) == 0:
         return -1, 0.0
-    return int(rows.edge[mine][good[0]]), float(rows.distance[mine][good[0]])
+    return int(overlaps.edge[mine][good[0]]), float(overlaps.distance[mine][good[0]])
 
 
-def _edge_touched(rows: Overlaps, curve: int, span: F64) -> int:
-    """Return an edge at whose overlap a span (start, end) of a curve starts or ends, or -1."""
-    mine, _, _ = _shared_lengths(rows, curve, span)
-    along = rows.along[mine]
+def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
+    """Return an edge that a curve leaves or reaches at an end of its span (start, end), or -1."""
+    mine, _, _ = _shared_lengths(overlaps, curve, span)
+    along = overlaps.along[mine]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)
     good = np.flatnonzero(touching)
-    return int(rows.edge[mine][good[0]]) if len(good) else -1
+    return int(overlaps.edge[mine][good[0]]) if len(good) else -1

@@ -325,10 +325,20 @@ def _held_until(
 
 @kernel
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
-    """Return the program line that releases each face, infinite for faces that remain held.
+    """Return the program line that releases each face from the sheet, (f,), or infinity.
 
-    ``order`` contains the pieces in descending order of ``complete``, the line that completes each
-    piece; ``face`` are the faces on both sides of each piece, (p, 2).
+    The line is infinite for a face that remains connected to the outside, face 0.
+
+    Parameters
+    ----------
+    order : (p,)
+        Pieces of cuts in descending order of ``complete``.
+    complete : (p,)
+        Program line that completes each piece.
+    face : (p, 2)
+        Faces on both sides of each piece.
+    count
+        Number of faces, f.
     """
     free = np.full(count, math.inf)
     parent = np.arange(count)

@@ -54,38 +54,38 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
     return Overlaps(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
 
 
-def mark_nearest(rows: Overlaps, curves: F64, until: F64) -> Overlaps:
+def mark_nearest(overlaps: Overlaps, curves: F64, until: F64) -> Overlaps:
     """Return the overlaps with ``best`` computed anew for the first part of each curve.
 
     ``until`` is the length of that part, (n,) mm.
     """
-    spans = np.column_stack([rows.along, rows.place, rows.distance])
-    return replace(rows, best=_nearest_mask(rows.curve, spans, curves[:, 5].copy(), until))
+    spans = np.column_stack([overlaps.along, overlaps.place, overlaps.distance])
+    return replace(overlaps, best=_nearest_mask(overlaps.curve, spans, curves[:, 5].copy(), until))
 
 
-def within_limits(rows: Overlaps, limit: F64, curves: F64) -> Overlaps:
+def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
     """Return the overlaps within the limit of their edge, with ``best`` computed anew.
 
     ``limit`` is the greatest distance for each edge, (m,) mm.
     """
-    keep = rows.distance <= limit[rows.edge]
+    keep = overlaps.distance <= limit[overlaps.edge]
     kept = Overlaps(
-        rows.curve[keep],
-        rows.edge[keep],
-        rows.along[keep],
-        rows.place[keep],
-        rows.distance[keep],
-        rows.best[keep],
+        overlaps.curve[keep],
+        overlaps.edge[keep],
+        overlaps.along[keep],
+        overlaps.place[keep],
+        overlaps.distance[keep],
+        overlaps.best[keep],
     )
     return mark_nearest(kept, curves, curves[:, 5].copy())
 
 
-def uncovered_curves(rows: Overlaps, curves: F64) -> tuple[I32, F64]:
+def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
     """Return the stretches of curves that overlap no edge: curve (k,), start and end (k, 2) mm.
 
     A curve without length that overlaps no edge gives a stretch without length.
     """
-    which, spans, count = _uncovered_spans(rows.curve, rows.along, curves[:, 5].copy())
+    which, spans, count = _uncovered_spans(overlaps.curve, overlaps.along, curves[:, 5].copy())
     return which[:count], spans[:count]
 
 

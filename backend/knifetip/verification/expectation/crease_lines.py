@@ -61,10 +61,10 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
     A curve is crossed by a cut between the cut's ends, or at a point where cuts end that leave the
     curve on both sides.
     """
-    rows = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
-    at, place = rows.along.mean(axis=1), rows.place.mean(axis=1)
-    runs = (place > TOUCH_DISTANCE) & (place < cuts.curve[rows.edge, 5] - TOUCH_DISTANCE)
-    runs &= np.diff(rows.along)[:, 0] < CROSSING_LENGTH
+    overlaps = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
+    at, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
+    runs = (place > TOUCH_DISTANCE) & (place < cuts.curve[overlaps.edge, 5] - TOUCH_DISTANCE)
+    runs &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
     touch = find_overlaps(
         line_curves(cuts.ends, cuts.ends), curve, np.zeros(len(curve)), curve[:, 5], TOUCH_DISTANCE
     )
@@ -82,7 +82,7 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
     both[group[side < -across], 1] = True
     met = np.flatnonzero(new)[both.all(axis=1)]
     return (
-        np.concatenate([rows.curve[runs].astype(np.int64), row[met]]),
+        np.concatenate([overlaps.curve[runs].astype(np.int64), row[met]]),
         np.concatenate([at[runs], on[met]]),
     )
 
@@ -157,11 +157,11 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     good = (many[row_] >= 3) & (widest[row_] * many[row_] <= MAX_GAP_RATIO * total[row_] + 1e-6)
     near, far = near[good], far[good]
     curve = line_curves(dash.ends[near], dash.ends[far])
-    rows = find_overlaps(wheel_paths, curve, np.zeros(len(curve)), curve[:, 5], limit)
-    some = np.abs(np.diff(rows.place)[:, 0]) > JOIN_DISTANCE
+    overlaps = find_overlaps(wheel_paths, curve, np.zeros(len(curve)), curve[:, 5], limit)
+    some = np.abs(np.diff(overlaps.place)[:, 0]) > JOIN_DISTANCE
     run = name[near // 2]
     rolled = np.zeros(len(dash), np.bool_)
-    rolled[run[rows.edge[some]]] = True
+    rolled[run[overlaps.edge[some]]] = True
     met = find_overlaps(wheel_paths, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
     rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
@@ -183,18 +183,22 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
     """
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
-    rows = find_overlaps(
+    overlaps = find_overlaps(
         line_curves(dash.ends, dash.ends + step),
         dash.curve,
         np.zeros(len(dash)),
         dash.curve[:, 5],
         TOUCH_DISTANCE,
     )
-    end = rows.curve.astype(np.int64)
-    turn = angle_between(dash.outward[end], dash.chord[rows.edge], 180.0)
-    away = rows.along[:, 0]
-    good = (rows.edge != end // 2) & (turn <= STRAIGHT_ANGLE) & (np.diff(rows.along)[:, 0] > 0.0)
-    end, edge, away, place = end[good], rows.edge[good], away[good], rows.place[good, 0]
+    end = overlaps.curve.astype(np.int64)
+    turn = angle_between(dash.outward[end], dash.chord[overlaps.edge], 180.0)
+    away = overlaps.along[:, 0]
+    good = (
+        (overlaps.edge != end // 2)
+        & (turn <= STRAIGHT_ANGLE)
+        & (np.diff(overlaps.along)[:, 0] > 0.0)
+    )
+    end, edge, away, place = end[good], overlaps.edge[good], away[good], overlaps.place[good, 0]
     order = np.lexsort((away, end))
     first = order[np.unique(end[order], return_index=True)[1]]
     end, edge, away, place = end[first], edge[first], away[first], place[first]

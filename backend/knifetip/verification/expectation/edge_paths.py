@@ -33,8 +33,10 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     meet, two collinear ones are linked if neither has a second candidate.  Two edges of a closed
     contour, given by the mask ``ring``, (n,), are always linked.
 
-    Returns ------- Index of the end linked to each end, (2n,), -1 for none; and the mask of the
-    ends at which another edge continues straight, (2n,).
+    Returns
+    -------
+    Index of the end linked to each end, (2n,), -1 for none; and the mask of the ends at which
+    another edge continues straight, (2n,).
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
@@ -98,8 +100,10 @@ class EdgePaths:
         curve : (n, 6)
             The edges, as curves.
 
-        Returns ------- Start and end along each edge, (n,) mm each; end < start if the edge is
-        outside the interval.
+        Returns
+        -------
+        Start and end along each edge, (n,) mm each; end < start if the edge is outside the
+        interval.
         """
         size = curve[:, 5]
         near = np.clip(low[self.path] - self.begin, 0.0, None)

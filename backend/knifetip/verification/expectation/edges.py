@@ -105,8 +105,10 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
 def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     """Return the edges without those that coincide with an earlier edge of the same line type.
 
-    Returns ------- The remaining edges; the dieline row of each duplicate (k,); and the dieline row
-    of the remaining edge that coincides with the duplicate (k,).
+    Returns
+    -------
+    The remaining edges; the dieline row of each duplicate (k,); and the dieline row of the
+    remaining edge that coincides with the duplicate (k,).
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)

@@ -129,22 +129,24 @@ def _continued_ends(edges: Edges, around: Edges) -> Bool:
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
-    rows = find_overlaps(
+    overlaps = find_overlaps(
         probe, around.curve, np.zeros(len(around)), around.curve[:, 5], TOUCH_DISTANCE
     )
-    own = edges.row[rows.curve // 2] == around.row[rows.edge]
+    own = edges.row[overlaps.curve // 2] == around.row[overlaps.edge]
     turn = angle_between(
-        edges.outward[rows.curve], azimuth_at(around.curve[rows.edge], rows.place[:, 0]), 180.0
+        edges.outward[overlaps.curve],
+        azimuth_at(around.curve[overlaps.edge], overlaps.place[:, 0]),
+        180.0,
     )
-    begins = rows.along[:, 0] <= TOUCH_DISTANCE
+    begins = overlaps.along[:, 0] <= TOUCH_DISTANCE
     on = (
         ~own
         & begins
         & (turn <= STRAIGHT_ANGLE)
-        & (np.diff(rows.along)[:, 0] > 0.5 * _CONTINUATION_PROBE)
+        & (np.diff(overlaps.along)[:, 0] > 0.5 * _CONTINUATION_PROBE)
     )
     result = np.zeros(len(edges.ends), np.bool_)
-    result[rows.curve[on]] = True
+    result[overlaps.curve[on]] = True
     return result
 
 
@@ -180,21 +182,23 @@ def knife_ends(
     count = len(edges)
     link, _ = link_ends(edges, 180.0, ring)
     paths = edge_paths(edges, link)
-    rows = find_overlaps(
+    overlaps = find_overlaps(
         line_curves(edges.ends, edges.ends),
         cuts.curve,
         np.zeros(len(cuts)),
         cuts.curve[:, 5],
         TOUCH_DISTANCE,
     )
-    own = edges.row[rows.curve // 2] == cuts.row[rows.edge]
+    own = edges.row[overlaps.curve // 2] == cuts.row[overlaps.edge]
     # A cut that ends here from the same side is a duplicate.
-    near = np.where(rows.place[:, 0] < 0.5 * cuts.curve[rows.edge, 5], 0, 1)
-    twin = 2 * rows.edge.astype(np.int64) + near
-    here = np.hypot(*(cuts.ends[twin] - edges.ends[rows.curve]).T) <= JOIN_DISTANCE
-    own |= here & (angle_between(cuts.outward[twin], edges.outward[rows.curve]) <= STRAIGHT_ANGLE)
+    near = np.where(overlaps.place[:, 0] < 0.5 * cuts.curve[overlaps.edge, 5], 0, 1)
+    twin = 2 * overlaps.edge.astype(np.int64) + near
+    here = np.hypot(*(cuts.ends[twin] - edges.ends[overlaps.curve]).T) <= JOIN_DISTANCE
+    own |= here & (
+        angle_between(cuts.outward[twin], edges.outward[overlaps.curve]) <= STRAIGHT_ANGLE
+    )
     meets = np.zeros(2 * count, np.bool_)
-    meets[rows.curve[~own]] = True
+    meets[overlaps.curve[~own]] = True
     free = ~meets & (link < 0)
     ahead = np.radians(edges.outward)
     stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)

@@ -2,9 +2,9 @@
 
     grooves, cuts, half the groove's width -> RunOuts
 
-A groove of width W in the top face has left the board when both of its sides have, the points
-c ± (W/2) n beside the tip c with the groove's normal n.  In the direction u, past an edge with
-outward normal m, one side must go (W/2) |n·m| / (u·m) farther than the tip.
+A groove of width W has two sides in the top face, W/2 to the left and right of its line.  It has
+left the board when both sides have.  With the groove's direction u, its normal n and the outward
+normal m of the board's edge, one side leaves (W/2) |n·m| / (u·m) later than the line does.
 
 Source of the run-out: the turning paper, 1, on a flat board.
 """
@@ -57,16 +57,16 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     if len(outer) == 0 or count == 0:
         return RunOuts(boundary, least)
     curve = cuts.curve[outer]
-    rows = find_overlaps(
+    overlaps = find_overlaps(
         line_curves(grooves.ends, grooves.ends),
         curve,
         np.zeros(len(outer)),
         curve[:, 5],
         TOUCH_DISTANCE,
     )
-    end, edge = rows.curve.astype(np.int64), rows.edge.astype(np.int64)
+    end, edge = overlaps.curve.astype(np.int64), overlaps.edge.astype(np.int64)
     straight = grooves.curve[end // 2, 0] == 0.0
-    end, edge, place = end[straight], edge[straight], rows.place[straight, 0]
+    end, edge, place = end[straight], edge[straight], overlaps.place[straight, 0]
     ahead = np.radians(grooves.outward[end])
     u = np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     along = np.radians(azimuth_at(curve[edge], place))

@@ -230,25 +230,25 @@ def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
     total = int(made.sum())
     if total > MAX_MOVES:
         raise ProgramUnreadable("program.too-many-moves", moves=total, limit=MAX_MOVES)
-    of = np.repeat(np.arange(len(code)), made)
+    owner = np.repeat(np.arange(len(code)), made)
     ordinal = np.arange(total) - np.repeat(np.cumsum(made) - made, made)
-    upright = turned[of] & (ordinal == 0)
-    at = instructions.first[of] + 2 * (ordinal - turned[of])
+    upright = turned[owner] & (ordinal == 0)
+    at = instructions.first[owner] + 2 * (ordinal - turned[owner])
     x, y = np.zeros(total + 1, np.int64), np.zeros(total + 1, np.int64)
     states = np.concatenate([[False], ~upright])
     along = np.flatnonzero(~upright)
     x[along + 1], y[along + 1] = instructions.number[at[along]], instructions.number[at[along] + 1]
     held = np.maximum.accumulate(np.where(states, np.arange(total + 1), 0))
     return _Track(
-        line=instructions.line[of],
+        line=instructions.line[owner],
         x=x[held],
         y=y[held],
         known=held > 0,
-        down=down[of],
+        down=down[owner],
         upright=upright,
-        pen=pen[of],
-        speed=speed[of],
-        force=force[of],
+        pen=pen[owner],
+        speed=speed[owner],
+        force=force[owner],
     )
 
 

@@ -96,8 +96,10 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
     """Scan the bytes of a program once; a line with a fault keeps its valid words.
 
-    Returns ------- Program line, letter and value of each word, (n,) each; program line, fault code
-    and wrong byte of each fault, (k, 3); and the number of lines.
+    Returns
+    -------
+    Program line, letter and value of each word, (n,) each; program line, fault code and wrong
+    byte of each fault, (k, 3); and the number of lines.
     """
     letters = 0
     for byte in raw:
