@@ -51,8 +51,8 @@ def end_directions(paths: Paths) -> F64:
 def end_kinds(paths: Paths, marked: Bool, kind: End) -> tuple[U8, U8]:
     """Return the kinds of the starts and of the finishes of the paths, (p,) and (p,).
 
-    Ends of closed paths are CLOSED; other ends have ``kind`` in the mask ``marked``, (2p,), and are
-    FREE elsewhere.
+    The ends of closed paths are CLOSED.  The other ends are of kind ``kind`` if the mask
+    ``marked``, (2p,), contains them, and FREE if it does not.
     """
     kinds = np.where(marked, kind, End.FREE)
     start, finish = np.split(np.where(np.tile(paths.closed, 2), End.CLOSED, kinds), 2)

@@ -145,7 +145,11 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
 
 
 def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check that only the selected station is lowered while it works, with the outputs it needs."""
+    """Check the outputs while a tool works.
+
+    Its station must be lowered and all other stations raised; the spindle and the outputs that the
+    tool needs must be on, and the spindle off if the tool does not need it.
+    """
     wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):

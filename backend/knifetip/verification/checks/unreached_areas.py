@@ -154,8 +154,12 @@ def _trace_loops(onward: I64_1) -> Any:
 def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     """Return the loops that enclose more than ``MIN_AREA``, with their areas.
 
-    ``ends``, (n, 2, 2) mm, and ``bulge`` are pieces of loops; ``first`` is the index of each loop's
-    first piece.
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Lines and arcs of all loops, loop by loop.
+    first : (l + 1,)
+        Index of the first line or arc of each loop.
     """
     if len(first) < 2:
         return Unreached()

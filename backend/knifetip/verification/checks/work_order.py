@@ -294,9 +294,10 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 def _held_until(
     edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
 ) -> Any:
-    """Return the program line up to which each worked stretch lies in held board, (k,).
+    """Return the program line at which the board under each worked stretch becomes loose, (k,).
 
-    Pieces shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
+    A stretch lies on one or more pieces of its cut; the last piece to be released decides.  Pieces
+    shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
 
     Parameters
     ----------

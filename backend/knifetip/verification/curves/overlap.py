@@ -123,7 +123,10 @@ def cells_near_curve(
 
 @kernel
 def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
-    """Return copies of both arrays with twice the rows; loops compile faster than slices."""
+    """Return copies of ``pairs`` and ``spans`` with twice the number of rows.
+
+    The rows are copied in loops, which compile faster than slices.
+    """
     more_pairs = np.empty((2 * len(pairs), 2), np.int32)
     more_spans = np.empty((2 * len(pairs), 5))
     for row in range(len(pairs)):
@@ -305,9 +308,9 @@ def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pie
 
 @kernel(checks_division=True)
 def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Write start and end (mm) of the stretches of a line within the limit to ``near``.
+    """Find the stretches of a line that lie within ``limit`` of an edge's infinite line or circle.
 
-    The distance is measured from the edge's infinite line or full circle.  Returns the number of
+    Writes start and end along the line (mm) to the rows of ``near``; returns the number of
     stretches.
     """
     length = curve[5]
@@ -335,10 +338,10 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
 
 @kernel(checks_division=True)
 def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Write start and end (mm) of the stretches of an arc within the limit to ``near``.
+    """Find the stretches of an arc that lie within ``limit`` of an edge's infinite line or circle.
 
-    The distance is measured from the edge's infinite line or full circle.  Within the limit,
-    lowest ≤ sin(angle - shift) ≤ highest.  Returns the number of stretches.
+    Writes start and end along the arc (mm) to the rows of ``near``; returns the number of
+    stretches. There lowest ≤ sin(angle - shift) ≤ highest.
     """
     radius = curve[3]
     if edge[0] == 0.0:
@@ -377,9 +380,10 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 @kernel
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
-    """Write start and end (mm) of the stretches of an arc between two angles to ``near``.
+    """Find the stretches of an arc between two angles (radians), whole turns apart included.
 
-    The angles may be more than a turn away from the arc's start.  Returns the number of stretches.
+    Appends start and end along the arc (mm) to the ``pieces`` rows of ``near`` that are used;
+    returns the new number of rows.
     """
     if curve[0] < 0.0:
         begin, end = -end, -begin

@@ -412,7 +412,10 @@ def _check_end(blocks: _Blocks, state: _ModalState) -> None:
 
 
 def _switching_lines(blocks: _Blocks, state: _ModalState, moving: I64) -> Switches:
-    """Return the program lines that switch; ``moving`` holds the indices of blocks with moves."""
+    """Return the program lines that switch an output or the spindle, or select a station.
+
+    ``moving`` holds the indices of the blocks that contain moves, ascending.
+    """
     rows = np.flatnonzero(
         blocks.has_code(_OUTPUT) | blocks.has_code(_SPINDLE) | blocks.has_code(_CHANGE)
     )
