@@ -341,7 +341,7 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
     """Find the stretches of an arc that lie within ``limit`` of an edge's infinite line or circle.
 
     Writes start and end along the arc (mm) to the rows of ``near``; returns the number of
-    stretches. There lowest ≤ sin(angle - shift) ≤ highest.
+    stretches.  The condition on the distance becomes lowest ≤ sin(angle - shift) ≤ highest.
     """
     radius = curve[3]
     if edge[0] == 0.0:
@@ -380,10 +380,10 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 @kernel
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
-    """Find the stretches of an arc between two angles (radians), whole turns apart included.
+    """Find the stretches of an arc between two angles (radians), in every turn of the circle.
 
-    Appends start and end along the arc (mm) to the ``pieces`` rows of ``near`` that are used;
-    returns the new number of rows.
+    Appends start and end along the arc (mm) to the rows of ``near``, of which ``pieces`` are used;
+    returns the new number of rows in use.
     """
     if curve[0] < 0.0:
         begin, end = -end, -begin
