@@ -6,8 +6,8 @@ the waste; without room for leads it plunges on the offset path.  The last pass 
 waste loose, so the tool lifts from there without a lead-out.  Contours are milled in several
 passes; a cut without a side is milled on its centre line, forth and back.
 
-Source: radius paper, eqs 1–5 (in the offset engine); set-up and cancel to the perpendicular or
-around the outside as in controllers (types A and B).
+Source: radius paper, eqs 1–5 (in the offset engine).  The offset is set up and cancelled as
+controllers do, to the perpendicular (type A) or around the outside (type B).
 """
 
 from __future__ import annotations

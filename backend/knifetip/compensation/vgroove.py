@@ -162,7 +162,10 @@ def vgroove_toolpath(operation: Operation) -> Toolpath:
 
 
 def _extend_run_outs(operation: Operation) -> tuple[F64, F64]:
-    """Return the start and end of the tip on each segment, (n, 2) mm each, extended at run-outs."""
+    """Return the start and end of the tip on each segment, (n, 2) mm each.
+
+    Ends at the board's edge are extended by the run-out of the operation.
+    """
     paths, out = operation.paths, operation.run_out
     start, end = paths.start, paths.end
     for column, rows in ((0, paths.first[:-1]), (1, paths.first[1:] - 1)):

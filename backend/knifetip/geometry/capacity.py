@@ -13,7 +13,7 @@ from knifetip.kernels import F64_1, F64_2, I32_1, I32_2, OutF64_2, OutI64_2, ker
 
 @kernel
 def double_f64(column: F64_1) -> F64:
-    """Return a copy of a column of n numbers with capacity for 2 n + 16."""
+    """Return a copy of a float column of length n with capacity for 2 n + 16 numbers."""
     more = np.empty(2 * len(column) + 16)
     more[: len(column)] = column
     return more
@@ -21,7 +21,7 @@ def double_f64(column: F64_1) -> F64:
 
 @kernel
 def double_i32(column: I32_1) -> I32:
-    """Return a copy of a column of n row numbers with capacity for 2 n + 16."""
+    """Return a copy of an int32 column of length n with capacity for 2 n + 16 numbers."""
     more = np.empty(2 * len(column) + 16, np.int32)
     more[: len(column)] = column
     return more
@@ -29,7 +29,7 @@ def double_i32(column: I32_1) -> I32:
 
 @kernel
 def double_f64_2(table: F64_2) -> F64:
-    """Return a copy of a table of n rows of numbers with capacity for 2 n + 16 rows."""
+    """Return a copy of a float table of n rows with capacity for 2 n + 16 rows."""
     more = np.empty((2 * len(table) + 16, table.shape[1]))
     more[: len(table)] = table
     return more
@@ -37,7 +37,7 @@ def double_f64_2(table: F64_2) -> F64:
 
 @kernel
 def double_i32_2(table: I32_2) -> I32:
-    """Return a copy of a table of n rows of row numbers with capacity for 2 n + 16 rows."""
+    """Return a copy of an int32 table of n rows with capacity for 2 n + 16 rows."""
     more = np.empty((2 * len(table) + 16, table.shape[1]), np.int32)
     more[: len(table)] = table
     return more
@@ -45,9 +45,9 @@ def double_i32_2(table: I32_2) -> I32:
 
 @kernel
 def reserve_f64_2(table: OutF64_2, rows: int) -> F64:
-    """Return a table of numbers with capacity for at least ``rows`` rows.
+    """Return a float table with capacity for at least ``rows`` rows.
 
-    It is the same table if it has the capacity, otherwise a copy.
+    It is the given table if it has the capacity, otherwise a copy.
     """
     if rows <= len(table):
         return table
@@ -58,9 +58,9 @@ def reserve_f64_2(table: OutF64_2, rows: int) -> F64:
 
 @kernel
 def reserve_i64_2(table: OutI64_2, rows: int) -> I64:
-    """Return a table of integers with capacity for at least ``rows`` rows.
+    """Return an int64 table with capacity for at least ``rows`` rows.
 
-    It is the same table if it has the capacity, otherwise a copy.
+    It is the given table if it has the capacity, otherwise a copy.
     """
     if rows <= len(table):
         return table

@@ -193,9 +193,10 @@ def _add_point(
     found: OutF64_2,
     count: int,
 ) -> int:
-    """Add the point (x, y) to ``found`` if it is on both segments and not there yet.
+    """Add the point (x, y) to ``found`` if it is on both segments and not in ``found`` yet.
 
-    Returns the number of points in ``found``; ``count`` is the number before.
+    The segments are row i of ``one`` and row j of ``two``.  ``count`` is the number of points in
+    ``found``; returns the new number.
     """
     for k in range(count):
         if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
@@ -215,7 +216,10 @@ def _add_point(
 
 @kernel(allocates=False)
 def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write each end of a segment that is on the other segment to ``found``; return the number."""
+    """Write each end of two segments that is on the other segment to ``found``; return the number.
+
+    The segments are row i of ``one`` and row j of ``two``; ``touch`` is the largest distance (mm).
+    """
     count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
     count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
     count = _add_point(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
@@ -305,7 +309,7 @@ def _intersect_line_arc(
 ) -> int:
     """Write the common points of a line and an arc to ``found`` and return their number.
 
-    ``flat`` is whether row i of ``one`` is the line and row j of ``two`` the arc.
+    If ``flat``, row i of ``one`` is the line and row j of ``two`` the arc, otherwise the reverse.
     """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]

@@ -126,9 +126,9 @@ def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
 
 
 def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
-    """Return the paths with gaps; a closed path with n gaps becomes n open paths.
+    """Return the paths with gaps.
 
-    Paths with gaps must be closed.
+    Paths with gaps must be closed; a closed path with n gaps becomes n open paths.
 
     Parameters
     ----------
@@ -142,9 +142,9 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     paths : Paths
         q paths with m segments.
     owner : (q,)
-        Input path of each path.
+        Input path that each returned path comes from.
     rows : (m,)
-        Input segment of each segment.
+        Input segment that each returned segment comes from.
     """
     many = np.bincount(path, minlength=len(paths))
     owner = np.repeat(np.arange(len(paths), dtype=np.int32), np.maximum(many, 1))

@@ -43,7 +43,7 @@ class Spline:
 
     @property
     def breaks(self) -> F64:
-        """Parameters between which the spline is smooth, increasing."""
+        """Parameters between which the spline is smooth, increasing, both ends included."""
         inside = self.knots[self.degree : len(self.control) + 1]
         return np.unique(inside)
 

@@ -40,7 +40,15 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
 
 @kernel
 def _distinct_rows(table: I64_2) -> Any:
-    """Return ``first`` and ``kind`` as ``unique_rows`` does, for a table of integers, (n, k)."""
+    """Return the distinct rows of a table of integers, (n, k).
+
+    Returns
+    -------
+    first : (d,)
+        First row number of each of the d distinct rows, ascending.
+    kind : (n,)
+        Number of the distinct row that each row equals.
+    """
     rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)

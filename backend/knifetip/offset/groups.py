@@ -124,7 +124,7 @@ def _copy_region(
 def offset_groups(
     contours: Contours, groups: OffsetGroups, corners: CornerTypes, refuse: bool
 ) -> Any:
-    """Return the offsets of all groups as columns, and the first failure.
+    """Return the offsets of all groups of contours as columns, and the first failure.
 
     With ``refuse`` a position where the tool does not fit is a failure; otherwise it is left out.
 
@@ -137,7 +137,7 @@ def offset_groups(
     unreached : (p,) mm²
         Area beside each input path that the tool cannot reach.
     failure
-        Code of ``raw_segments``, the segments concerned, and a depth in mm.
+        Code of ``raw_segments``, the two segments concerned, and a depth in mm.
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     count = len(first) - 1

@@ -71,7 +71,10 @@ def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
 
 @kernel
 def region_paths(contours: Contours, members: I32_1) -> RegionPaths:
-    """Return the paths of a region in spatial order."""
+    """Return the paths of a region, in an order in which near paths are adjacent.
+
+    ``members`` are the numbers of the paths of the region.
+    """
     member = _sort_spatially(contours.start, contours.first, members)
     count = len(member)
     begin = np.zeros(count + 1, np.int64)
@@ -122,7 +125,14 @@ def _write_trimmed(
 ) -> int:
     """Append the segments of a trimmed path to ``raw``, and return the next free row.
 
-    ``m`` is the number of the path in the region, ``count`` the number of its segments in ``made``.
+    Parameters
+    ----------
+    made, count
+        Columns of the trimmed path, and the number of its segments.
+    put
+        Next free row of ``raw`` before.
+    m
+        Number of the path in the region.
     """
     for r in range(count):
         raw.rows[put, 0] = made.start[r, 0]

@@ -45,7 +45,7 @@ class MovedSegments(NamedTuple):
 
 
 class OffsetSegments(NamedTuple):
-    """Output columns with capacity for m segments of the result."""
+    """Output columns with capacity for m segments of offset paths."""
 
     start: OutF64_2  #: (m, 2) mm
     end: OutF64_2  #: (m, 2) mm
@@ -55,7 +55,7 @@ class OffsetSegments(NamedTuple):
 
 
 class RawRows(NamedTuple):
-    """Raw segments of a region with capacity for m rows, which are split at their intersections."""
+    """Columns for m moved segments of a region, which are split at their intersections."""
 
     rows: OutF64_2  #: (m, 5) x0, y0, x1, y1, bulge
     #: (m, 4) contour segment, whether inserted, whether the next row continues the row, path
@@ -63,7 +63,7 @@ class RawRows(NamedTuple):
 
 
 class RegionPaths(NamedTuple):
-    """The c paths of one region."""
+    """The c paths that bound one region, in spatial order."""
 
     member: I32_1  #: (c,) number of each path in the input
     begin: I64_1  #: (c + 1,) first segment of each path in the region
@@ -71,7 +71,7 @@ class RegionPaths(NamedTuple):
 
 
 class RegionCorners(NamedTuple):
-    """The corners of one region, at the start of each of its n segments."""
+    """The corners of one region, each at the start of one of its n segments."""
 
     moved: MovedSegments  #: the moved segments
     before: OutI64_1  #: (n,) segment before each segment
@@ -91,7 +91,7 @@ class JoinedPieces(NamedTuple):
 
 
 class ResultChains(NamedTuple):
-    """Result of a region as chains of rows, with capacity for r rows."""
+    """Columns with capacity for r segments of a region's offset, in connected chains."""
 
     line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
     tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row

@@ -53,7 +53,7 @@ from knifetip.offset.swept_area import area_under_edge, area_under_path
 
 @kernel
 def _build_tree(rows: F64_2, count: int) -> BoxTree:
-    """Return a tree of boxes over the first ``count`` rows (x0, y0, x1, y1, bulge)."""
+    """Return a tree of boxes over the first ``count`` rows, (n, 5): x0, y0, x1, y1, bulge."""
     boxes = np.empty((count, 4))
     for i in range(count):
         write_box(rows, i, boxes, i)
@@ -92,8 +92,22 @@ def _select_pieces(
 ) -> tuple[int, int, float]:
     """Write to ``good`` whether each piece is valid: not nearer to a contour than the radius.
 
-    With ``refuse``, returns the segment where the tool fits worst, the segment that the tool is too
-    close to there, and the missing distance (mm); the segments are -1 if the tool fits everywhere.
+    Parameters
+    ----------
+    raw, follow
+        The rows of which the pieces are parts, and the successor of each row.
+    pieces, touched, count
+        The pieces, whether each row is split at its very start and end, and the number of pieces.
+    source, origin
+        Numbers and coordinates of the region's contour segments.
+    lost
+        A contour segment that has no offset, or -1.
+
+    Returns
+    -------
+    row, other, depth
+        With ``refuse``, the segment where the tool fits worst, the segment that the tool is too
+        close to there, and the missing distance (mm); -1, -1 and 0 if the tool fits everywhere.
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE
@@ -151,7 +165,7 @@ def _swept_area(
     overlaps
         Whether some area is counted twice.
     torn, length
-        A chain of a closed path that is not closed, or -1, and its length (mm).
+        A chain that is open although its path is closed, or -1, and its length (mm).
     """
     line, tag, bounds, ring = out
     count = len(paths.member)

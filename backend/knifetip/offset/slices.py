@@ -30,7 +30,7 @@ MIN_PIECE: Final = 1e-7
 
 @kernel
 def _connected(rows: F64_2, i: int, j: int) -> bool:
-    """Return whether row i ends at the start of row j."""
+    """Return whether the segment in row i ends at the start of the segment in row j."""
     dx = abs(rows[i, 2] - rows[j, 0])
     dy = abs(rows[i, 3] - rows[j, 1])
     return bool(dx <= TOUCH and dy <= TOUCH)
@@ -46,16 +46,16 @@ def find_cuts(
     stack: OutI64_2,
     found: OutF64_2,
 ) -> tuple[Any, Any, int]:
-    """Return the points at which rows are split: their intersections with other rows.
+    """Return the points at which segments are split: their intersections with other segments.
 
     Parameters
     ----------
     rows : (count, 5)
-        x0, y0, x1, y1, bulge.
+        x0, y0, x1, y1 and bulge of each segment.
     follow
         Successor of each row, -1 for none.
     real
-        Number of rows that are split; later rows only split them.
+        Number of rows that are split; the rows after them only split others.
     tree
         Tree of boxes over all rows.
     stack, found
@@ -211,8 +211,16 @@ def split_rows(
 def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
     """Write the successor and the predecessor of each valid piece to ``pieces``.
 
-    The successor is the next piece of the same row or of the row that follows; otherwise the
-    nearest valid piece that starts at the piece's end and has no predecessor.
+    The successor is the next piece of the same row, or the first piece of the row that follows it.
+    If that piece is not valid, the successor is the nearest valid piece that starts at the end of
+    the piece and has no predecessor.
+
+    Parameters
+    ----------
+    follow
+        Successor of each row, -1 for none.
+    good, count
+        Whether each piece is valid, and the number of pieces.
     """
     piece, owner, opening, after, prior = pieces
     near = 10.0 * MIN_PIECE
@@ -274,7 +282,17 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 def link_chains(
     raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
-    """Write the chains of valid pieces to ``out`` and return their number."""
+    """Connect valid pieces into chains, write the chains to ``out`` and return their number.
+
+    Parameters
+    ----------
+    raw
+        The rows of which the pieces are parts.
+    pieces
+        The pieces, with their successors and predecessors.
+    good, count
+        Whether each piece is valid, and the number of pieces.
+    """
     rows, info = raw
     piece, owner, _, after, prior = pieces
     line, tag, first, ring = out
@@ -332,10 +350,21 @@ def link_chains(
 def _finish_chain(
     rows: F64_2, line: OutF64_2, tag: OutI64_2, low: int, high: int, closed: bool
 ) -> int:
-    """Set the bulges of a chain's rows low … high - 1, remove tiny rows, and close rounding gaps.
+    """Set the bulges of a chain's segments, remove tiny segments, and close rounding gaps.
 
-    ``line[r, 4]`` is the fraction of the raw row before, and the bulge afterwards.  Returns the end
-    of the chain, ``low`` if no rows remain.
+    Parameters
+    ----------
+    rows : (m, 5)
+        The rows of which the segments are parts.
+    line, tag
+        Segments of all chains, as in ``ResultChains``.  In ``line``, a segment's fraction of its
+        row is replaced by its bulge.
+    low, high
+        The chain has the segments low … high - 1.
+
+    Returns
+    -------
+    End of the chain, ``low`` if no segments remain.
     """
     done = low
     for r in range(low, high):

@@ -26,9 +26,10 @@ def _cap_area(chord: float, b: float) -> float:
 def _turn_area(
     x: float, y: float, ax: float, ay: float, bx: float, by: float, signed: float
 ) -> float:
-    """Return twice the signed area between an arc around (x, y) from a to b and its chord (mm²).
+    """Return twice the signed area between an arc around (x, y) and its chord (mm²).
 
-    ``signed`` is the radius, positive for a counter-clockwise arc.
+    The arc goes from (ax, ay) to (bx, by); ``signed`` is its radius (mm), positive
+    counter-clockwise.
     """
     ax -= x
     ay -= y

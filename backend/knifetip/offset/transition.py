@@ -129,9 +129,9 @@ def _write_transitions(
     rows: OutF64_2,
     first: OutI32_1,
 ) -> None:
-    """Write the transitions of n corners to ``rows``.
+    """Write the transitions at m corners to ``rows`` (x0, y0, x1, y1, bulge).
 
-    Writes the first row of each corner, and the number of rows, to ``first`` (n + 1,).
+    Writes the first row of each corner, and the number of rows, to ``first`` (m + 1,).
     """
     for i in range(len(kind)):
         at = first[i]
@@ -156,7 +156,7 @@ def _write_transitions(
 
 @kernel(allocates=False)
 def quarter_tangent(cross: float, dot: float) -> float:
-    """Return tan(φ/4) for 0 ≤ φ ≤ π, given ``cross`` = ± sin φ and ``dot`` = cos φ."""
+    """Return tan(φ/4) for 0 ≤ φ ≤ π, given ``cross``, the sine of φ with either sign, and cos φ."""
     if dot < -0.99:
         # There tan(φ/2) is inaccurate or infinite.
         sin = math.sqrt(0.5 * (1.0 - dot))
@@ -171,15 +171,15 @@ def straight_and_radius(
 ) -> tuple[float, float]:
     """Return the length of the straight parts and the radius of the arc of a transition (mm).
 
-    The length is 0 for type B, the radius is 0 for type C.  For type C beyond 90° the length is the
-    radius of the tool: the path continues by it, then crosses over.
+    The length is 0 for type B, the radius is 0 for type C.  For type C beyond 90° the straight
+    parts are as long as the radius of the tool, and a third line connects them.
 
     Parameters
     ----------
     kind
         ``Corner`` type.
     cross, dot
-        ± sin φ and cos φ of the corner's angle φ.
+        Sine, of either sign, and cosine of the corner's angle φ.
     size : mm
         Radius of the tool.
     k

@@ -71,7 +71,10 @@ def _twice_circular_segment(x: float, y: float, radius: float) -> float:
 def _contains_point(
     table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Return whether a moved segment from s to e contains a point (x, y) of its line or circle."""
+    """Return whether a moved segment contains a point (x, y) of its line or circle.
+
+    The segment goes from (sx, sy) to (ex, ey); row ``at`` of ``table`` has its radius.
+    """
     dx, dy = ex - sx, ey - sy
     slack = TOUCH * (abs(dx) + abs(dy))
     radius = table[at, RADIUS]
@@ -190,7 +193,10 @@ def concave_crossing(
 
 @kernel(allocates=False)
 def _multiply_rotations(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
-    """Return the product of two unit complex numbers, and whether the sum of the angles wrapped."""
+    """Return the product of two rotations as complex numbers, and whether their angle passed 180°.
+
+    The first rotation is ``re`` + i ``im``, the second ``dot`` + i ``sine``, both of modulus 1.
+    """
     product = re * dot - im * sine
     up = re * sine + im * dot
     return product, up, im >= 0.0 > up and min(re, product) < 0.0
@@ -207,6 +213,15 @@ def _trim_corners(
     at: int,
 ) -> tuple[int, int, float, float]:
     """Trim neighbours at concave corners to their intersection, and classify each corner.
+
+    Parameters
+    ----------
+    low, high, closed
+        The path has the contour segments low … high - 1; whether it is closed.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    segments, at
+        The moved segments, from row ``at`` on.
 
     Returns
     -------
@@ -321,7 +336,19 @@ def _write_corner(
     put: int,
     rows: OutF64_2,
 ) -> int:
-    """Write the transition at the start of segment i to ``out`` and return the next free row."""
+    """Write the transition at the start of contour segment i to ``out``; return the next free row.
+
+    Parameters
+    ----------
+    table, before, here
+        Moved segments, and the rows of the segments before and after the corner.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    put
+        Next free row of ``out`` before.
+    rows
+        Scratch rows for one transition.
+    """
     u1x, u1y = table[before, U2X], table[before, U2Y]
     u2x, u2y = table[here, U1X], table[here, U1Y]
     if corners.kind[corners.step * i] == 0:

@@ -93,7 +93,17 @@ def _trim_long_neighbours(
     segments: MovedSegments,
     at: int,
 ) -> None:
-    """Classify each corner, and trim neighbours that both keep about half their length."""
+    """Classify each corner of a path, and trim neighbours that both keep about half their length.
+
+    Parameters
+    ----------
+    low, high, closed
+        The path has the contour segments low … high - 1; whether it is closed.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    segments, at
+        The moved segments, from row ``at`` on.
+    """
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
     size = abs(signed)
