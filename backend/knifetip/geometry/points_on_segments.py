@@ -1,4 +1,4 @@
-"""points_on_segments: which points lie on segments, found with a tree of bounding boxes."""
+"""points_on_segments: test whether points are on segments, with a tree of bounding boxes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _ROUNDING: Final = 1e-12
 def find_points_on_segments(
     points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
 ) -> Bool:
-    """Return whether each of m points lies on a segment other than its own, (m,).
+    """Return the mask of points that are on a segment other than their own, (m,).
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def find_points_on_segments(
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
         Ends and bulges of n segments.
     gap : mm
-        Largest distance of a point that lies on a segment.
+        Largest distance of a point that counts as on a segment.
     """
     if len(points) == 0 or len(bulge) == 0:
         return np.zeros(len(points), np.bool_)
@@ -61,7 +61,7 @@ def find_points_on_segments(
 
 @kernel
 def _boxes(rows: F64_2) -> Any:
-    """Return a box around each segment, (n, 4); ``rows`` are x0, y0, x1, y1, bulge."""
+    """Return a box around each segment, (n, 4), for rows (n, 5) of x0, y0, x1, y1 and bulge."""
     boxes = np.empty((len(rows), 4))
     for i in range(len(rows)):
         write_box(rows, i, boxes, i)
@@ -83,7 +83,19 @@ def _find_points(
     sweep: F64_1,
     gap: float,
 ) -> Any:
-    """Return whether each point lies on a segment; ``boxes`` are those of the rows ``order``."""
+    """Return the mask of points that are on a segment other than their own, (m,).
+
+    Parameters
+    ----------
+    points, own, start, end, gap
+        As for ``find_points_on_segments``.
+    order, boxes : (n,) and (n, 4)
+        Segments in Morton order, and their boxes.
+    reach : mm
+        Distance from a point within which boxes are searched.
+    middle, radius, first, sweep : (n, 2), (n,), (n,), (n,)
+        Centre and radius (mm), angle of the start and sweep (radians) of each arc.
+    """
     tree, stack = build_tree(boxes), new_stack()
     hit = np.zeros(len(points), np.bool_)
     for k in range(len(points)):
@@ -114,7 +126,11 @@ def _distance(
     first: float,
     sweep: float,
 ) -> float:
-    """Return the distance from a point to a line or an arc (mm)."""
+    """Return the distance of a point from a line or an arc (mm).
+
+    An arc has its centre ``middle`` and ``radius`` (mm), the angle ``first`` of its start and its
+    sweep (radians).
+    """
     if abs(sweep) >= _LEAST_SWEEP:
         angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first
         if sweep < 0:

@@ -13,7 +13,7 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.offset.batch import offset_on_all_cores
 from knifetip.offset.raw_segments import NO_FAILURE, NO_LENGTH, NOT_A_NUMBER, NOT_CLOSED
-from knifetip.offset.self_contact import where_met
+from knifetip.offset.self_contact import find_self_contact
 from knifetip.offset.transition import Corner, check_corners
 
 
@@ -175,7 +175,7 @@ def _failure_error(
         return GeometryError("segment.not-finite", segment=row, source=[str(row)])
     path = int(np.searchsorted(paths.first, row, side="right")) - 1
     if code == NOT_CLOSED:
-        one, two, x, y = where_met(
+        one, two, x, y = find_self_contact(
             paths.start, paths.end, paths.bulge, paths.first[path], paths.first[path + 1]
         )
         if one >= 0:

@@ -46,7 +46,7 @@ from knifetip.offset.records import (
     RegionPaths,
     ResultChains,
 )
-from knifetip.offset.self_contact import Scratch, any_meet
+from knifetip.offset.self_contact import Scratch, any_segments_meet
 from knifetip.offset.slices import find_cuts, follow_pieces, link_chains, split_rows
 from knifetip.offset.swept_area import area_under_edge, area_under_path
 
@@ -202,7 +202,7 @@ def _swept_area(
         chains > 0
         and bool(ring[:chains].all())
         and arc_row > 1
-        and any_meet(
+        and any_segments_meet(
             corner_arcs[:arc_row, :2].copy(),
             corner_arcs[:arc_row, 2:4].copy(),
             corner_arcs[:arc_row, 4].copy(),

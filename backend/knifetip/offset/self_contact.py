@@ -28,30 +28,33 @@ from knifetip.kernels import (
 )
 
 #: Largest number of rows for which all pairs of boxes are compared; above it a tree is used.
-FEW: Final = 256
-#: Rows of a block, for few rows.
-BLOCK: Final = 4
+MAX_PAIRWISE: Final = 256
+#: Number of rows of a block, if all pairs are compared.
+BLOCK_ROWS: Final = 4
 
 
 class CheckedSegments(NamedTuple):
-    """m segments that may intersect."""
+    """The m segments that are searched for common points."""
 
     start: F64_2  #: (m, 2) mm
     end: F64_2  #: (m, 2) mm
     bulge: F64_1  #: (m,)
-    inserted: Bool_1  #: (m,) whether it belongs to a transition
+    inserted: Bool_1  #: (m,) whether each segment belongs to a transition
 
 
 class Scratch(NamedTuple):
-    """Room for the intersections of two segments, and for one transition."""
+    """Scratch arrays for the intersection of two segments and for one transition."""
 
-    pair: OutF64_2  #: (4, 5) rows
-    found: OutF64_2  #: (4, 4) x, y and the shares along both
+    pair: OutF64_2  #: (4, 5) rows of segments: x0, y0, x1, y1, bulge
+    found: OutF64_2  #: (4, 4) common points: x, y and the parameters on both segments
 
 
 @kernel(allocates=False)
-def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
-    """Return how many of the first ``count`` boxes meet the box ``step`` rows later."""
+def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
+    """Return how many of the first ``count`` boxes overlap the box that is ``step`` rows later.
+
+    ``x0``, ``y0``, ``x1`` and ``y1`` are the columns of the boxes.
+    """
     ahead_x0 = x0[step : step + count]
     ahead_y0 = y0[step : step + count]
     ahead_x1 = x1[step : step + count]
@@ -68,7 +71,7 @@ def _meeting(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) 
 
 
 @kernel(allocates=False)
-def _apart(
+def _separated_across_chord(
     x0: float,
     y0: float,
     dx: float,
@@ -80,9 +83,11 @@ def _apart(
     ey: float,
     other: float,
 ) -> bool:
-    """Return whether the rectangles around two segments are separated across the first chord.
+    """Return whether two segments are separated by a line parallel to the chord of the first.
 
-    The rectangle of an arc of up to half a turn has its chord and its height as sides.
+    The first has start (x0, y0), chord (dx, dy) and bulge b, the second ends o and e and bulge
+    ``other``.  An arc of up to half a turn is replaced by the rectangle of its chord and its
+    height.
     """
     rise = -0.5 * b * (dx * dx + dy * dy)
     fx = ex - ox
@@ -97,7 +102,7 @@ def _apart(
 
 
 @kernel(allocates=False)
-def apart(
+def cannot_meet(
     x0: float,
     y0: float,
     x1: float,
@@ -109,17 +114,26 @@ def apart(
     ey: float,
     other: float,
 ) -> bool:
-    """Return whether the rectangles around two segments show that they cannot meet."""
+    """Return whether the rectangles around two segments prove that they have no common point.
+
+    The first segment has the ends (x0, y0), (x1, y1) and bulge b, the second the ends o and e and
+    bulge ``other``.
+    """
     if abs(b) > 1.0 or abs(other) > 1.0:
         return False
-    return _apart(x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other) or _apart(
-        ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b
-    )
+    return _separated_across_chord(
+        x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other
+    ) or _separated_across_chord(ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b)
 
 
 @kernel(allocates=False)
-def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch) -> bool:
-    """Return whether segments i and j, whose boxes meet, have a common point."""
+def _segments_meet(
+    segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch
+) -> bool:
+    """Return whether segments i and j, whose boxes overlap, have a common point.
+
+    ``round_corner`` states whether the segment between them is a transition at a convex corner.
+    """
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
     b, other = bulge[i], bulge[j]
     if round_corner and b == 0.0 and other == 0.0:
@@ -127,7 +141,7 @@ def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch
         return False
     x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
     ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
-    if apart(x0, y0, x1, y1, b, ox, oy, ex, ey, other):
+    if cannot_meet(x0, y0, x1, y1, b, ox, oy, ex, ey, other):
         return False
     pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
     pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
@@ -135,7 +149,7 @@ def _meet(segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch
 
 
 @kernel(allocates=False)
-def boxed(
+def write_box_columns(
     start: F64_2,
     end: F64_2,
     bulge: F64_1,
@@ -146,7 +160,7 @@ def boxed(
     x1: OutF64_1,
     y1: OutF64_1,
 ) -> None:
-    """Compute boxes of segments low … high - 1, enlarged by TOUCH, by columns."""
+    """Write the bounding boxes of segments low … high - 1, enlarged by TOUCH, to four columns."""
     for i in range(low, high):
         sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
         at = i - low
@@ -170,31 +184,32 @@ def boxed(
 
 
 @kernel(allocates=False)
-def meets_itself(
+def path_meets_itself(
     segments: CheckedSegments, low: int, high: int, boxes: OutF64_2, scratch: Scratch
 ) -> bool:
     """Return whether two segments of a closed path that are not neighbours have a common point.
 
-    The path has the segments low … high - 1; ``boxes`` (4, m) has room for half as many again.
+    The path has the segments low … high - 1.  ``boxes`` (4, m) is a scratch array with capacity for
+    1.5 times as many boxes.
     """
     start, end, bulge, inserted = segments
     count = high - low
     x0, y0, x1, y1 = boxes[0], boxes[1], boxes[2], boxes[3]
     if count < 4:
         return False
-    boxed(start, end, bulge, low, high, x0, y0, x1, y1)
-    if count > FEW:
-        first, _ = _meets_in_tree(segments, low, high, 2, boxes, scratch)
+    write_box_columns(start, end, bulge, low, high, x0, y0, x1, y1)
+    if count > MAX_PAIRWISE:
+        first, _ = _find_contact(segments, low, high, 2, boxes, scratch)
         return bool(first >= 0)
     half = count // 2
-    near = min(half, 2 * BLOCK - 1)
+    near = min(half, 2 * BLOCK_ROWS - 1)
     for i in range(near):
         x0[count + i] = x0[i]
         y0[count + i] = y0[i]
         x1[count + i] = x1[i]
         y1[count + i] = y1[i]
     for step in range(2, near + 1):
-        if _meeting(x0, y0, x1, y1, count, step) == 0:
+        if _count_overlaps(x0, y0, x1, y1, count, step) == 0:
             continue
         for i in range(count):
             at = i + step
@@ -202,17 +217,17 @@ def meets_itself(
                 j = at if at < count else at - count
                 middle = low + (i + 1 if i + 1 < count else 0)
                 round_corner = step == 2 and inserted[middle]
-                if _meet(segments, low + i, low + j, round_corner, scratch):
+                if _segments_meet(segments, low + i, low + j, round_corner, scratch):
                     return True
     if near == half:
         return False
     # Rows farther apart are compared by blocks, whose boxes follow those of the rows.
-    blocks = (count + BLOCK - 1) // BLOCK
+    blocks = (count + BLOCK_ROWS - 1) // BLOCK_ROWS
     for a in range(blocks):
         at = count + a
-        begin = a * BLOCK
+        begin = a * BLOCK_ROWS
         x0[at], y0[at], x1[at], y1[at] = x0[begin], y0[begin], x1[begin], y1[begin]
-        for i in range(begin + 1, min(begin + BLOCK, count)):
+        for i in range(begin + 1, min(begin + BLOCK_ROWS, count)):
             x0[at] = min(x0[at], x0[i])
             y0[at] = min(y0[at], y0[i])
             x1[at] = max(x1[at], x1[i])
@@ -221,47 +236,62 @@ def meets_itself(
         for c in range(a + 2, count + blocks - (a == count)):
             if x0[c] > x1[a] or x0[a] > x1[c] or y0[c] > y1[a] or y0[a] > y1[c]:
                 continue
-            one = (a - count) * BLOCK
-            two = (c - count) * BLOCK
-            for i in range(one, one + BLOCK):
-                for j in range(two, min(two + BLOCK, count)):
+            one = (a - count) * BLOCK_ROWS
+            two = (c - count) * BLOCK_ROWS
+            for i in range(one, one + BLOCK_ROWS):
+                for j in range(two, min(two + BLOCK_ROWS, count)):
                     if x0[j] > x1[i] or x0[i] > x1[j] or y0[j] > y1[i] or y0[i] > y1[j]:
                         continue
-                    if _meet(segments, low + i, low + j, False, scratch):
+                    if _segments_meet(segments, low + i, low + j, False, scratch):
                         return True
     return False
 
 
 @kernel
-def any_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
-    """Return whether two of the segments have a common point."""
+def any_segments_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
+    """Return whether any two of n segments have a common point."""
     count = len(bulge)
     boxes = np.empty((4, count))
-    boxed(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
+    write_box_columns(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
     segments = CheckedSegments(start, end, bulge, np.zeros(count, np.bool_))
-    first, _ = _meets_in_tree(segments, 0, count, 1, boxes, scratch)
+    first, _ = _find_contact(segments, 0, count, 1, boxes, scratch)
     return bool(first >= 0)
 
 
 @kernel
-def where_met(
+def find_self_contact(
     start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int
 ) -> tuple[int, int, float, float]:
-    """Return two segments of a closed path that meet but are not neighbours, or -1, and where."""
+    """Return two segments of a closed path that are not neighbours but have a common point.
+
+    The path has the segments low … high - 1.
+
+    Returns
+    -------
+    one, two
+        The segments; ``one`` is -1 if there are none.
+    x, y : mm
+        The common point.
+    """
     boxes = np.empty((4, high - low))
-    boxed(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
+    write_box_columns(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
     segments = CheckedSegments(start, end, bulge, np.zeros(high, np.bool_))
     found = np.empty((4, 4))
     scratch = Scratch(np.empty((2, 5)), found)
-    one, two = _meets_in_tree(segments, low, high, 2, boxes, scratch)
+    one, two = _find_contact(segments, low, high, 2, boxes, scratch)
     return low + one if one >= 0 else -1, low + two, found[0, 0], found[0, 1]
 
 
 @kernel
-def _meets_in_tree(
+def _find_contact(
     segments: CheckedSegments, low: int, high: int, step: int, columns: F64_2, scratch: Scratch
 ) -> tuple[int, int]:
-    """Return two segments at least ``step`` apart that meet, or -1; 2 for a closed path."""
+    """Return two of the segments low … high - 1 that have a common point, or -1.
+
+    Both are counted from ``low`` and at least ``step`` rows apart.  With ``step`` 2 the segments
+    are a closed path, whose first and last segment are neighbours.  ``columns`` (4, m) has the
+    bounding boxes.
+    """
     count = high - low
     boxes = np.empty((count, 4))
     for i in range(count):
@@ -287,6 +317,6 @@ def _meets_in_tree(
             if step == 2 and i == 0 and j == count - 1:
                 continue
             round_corner = step == 2 and j == i + 2 and segments.inserted[low + i + 1]
-            if _meet(segments, low + i, low + j, round_corner, scratch):
+            if _segments_meet(segments, low + i, low + j, round_corner, scratch):
                 return i, j
     return -1, -1

@@ -22,7 +22,7 @@ from knifetip.kernels import (
     kernel,
 )
 from knifetip.offset.records import JoinedPieces, RawRows, ResultChains
-from knifetip.offset.self_contact import apart
+from knifetip.offset.self_contact import cannot_meet
 
 #: Length of the shortest piece (mm); a shorter one is an intersection that rounding has split.
 MIN_PIECE: Final = 1e-7
@@ -95,7 +95,7 @@ def find_cuts(
             ):
                 # Neighbours that continue each other have only their joint in common.
                 continue
-            if apart(
+            if cannot_meet(
                 rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4],
                 rows[j, 0], rows[j, 1], rows[j, 2], rows[j, 3], rows[j, 4],
             ):  # fmt: skip

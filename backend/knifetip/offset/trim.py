@@ -42,7 +42,7 @@ from knifetip.offset.records import (
     OffsetGroups,
     OffsetSegments,
 )
-from knifetip.offset.self_contact import CheckedSegments, Scratch, meets_itself
+from knifetip.offset.self_contact import CheckedSegments, Scratch, path_meets_itself
 from knifetip.offset.transition import MAX_SEGMENTS, quarter_tangent, write_transition
 
 
@@ -503,7 +503,7 @@ def offset_simple(
         put, code, _, lost = trim_path(
             contours, low, high, True, signed[path], corners, segments, 0, out, done, scratch.pair
         )
-        if code != NO_FAILURE or meets_itself(checked, done, put, boxes, scratch):
+        if code != NO_FAILURE or path_meets_itself(checked, done, put, boxes, scratch):
             break
         chains.first[count] = done
         chains.owner[count] = path

@@ -1,9 +1,9 @@
-"""box_tree: a packed tree of bounding boxes, to find the boxes that overlap a given one.
+"""box_tree: a packed tree of bounding boxes, to find the boxes that overlap a given box.
 
 Each node of the tree contains up to eight boxes that follow one another in the array of boxes, so
 neighbours in the array must be neighbours in the plane: in the order of a path, or in Morton order.
-Then building takes O(n), and a query O(log n) and the number of boxes that it finds.  The tree has
-no pointers: the boxes of each level follow those of the level below.
+Then building the tree takes O(n), and a query O(log n + k) for k boxes that it finds.  The tree has
+no pointers: the boxes of each level follow the boxes of the level below.
 
 A query in a kernel::
 
@@ -93,13 +93,13 @@ def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
 
 @kernel
 def new_stack() -> Any:
-    """Return an empty stack for queries; one can be used for many queries, one after another."""
+    """Return an empty stack for queries; the same stack may be used for one query after another."""
     return np.empty((_STACK_LENGTH, 2), np.int64)
 
 
 @kernel(allocates=False)
 def start_query(tree: BoxTree, stack: OutI64_2) -> int:
-    """Write the root of a tree to the stack; return the depth of the stack for ``next_overlap``."""
+    """Write the root of a tree to a stack; return the depth of the stack, as ``next_overlap`` needs it."""
     stack[0, 0] = tree.height
     stack[0, 1] = 0
     return 1
@@ -117,14 +117,14 @@ def next_overlap(
     y1: float,
     after: int,
 ) -> tuple[int, int]:
-    """Return the next box that overlaps a given one, in ascending order.
+    """Return the next box that overlaps a given box, in ascending order of the row numbers.
 
     Parameters
     ----------
     boxes, level
-        Of the ``BoxTree``.  Passed one by one, because a group of arrays takes time in each call.
+        Arrays of the ``BoxTree``, passed separately because a named tuple takes time in each call.
     stack, depth
-        State of the query, from ``start_query`` and the call before.
+        State of the query, from ``start_query`` or the previous call.
     x0, y0, x1, y1
         The given box; it may shrink from call to call.
     after
@@ -185,7 +185,7 @@ def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
 
 @kernel
 def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
-    """Return the pairs of rows as ``box_pairs`` does, for ``others`` in Morton order, unsorted."""
+    """Return the pairs of rows as ``box_pairs`` does, but unsorted; ``others`` are in Morton order."""
     tree, stack = build_tree(others), new_stack()
     found = 0
     one = np.empty(max(16, len(boxes)), np.int64)

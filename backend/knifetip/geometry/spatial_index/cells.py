@@ -1,4 +1,4 @@
-"""cells: entries grouped by the cells of a uniform grid."""
+"""cells: group entries by the cells of a uniform grid."""
 
 from __future__ import annotations
 
