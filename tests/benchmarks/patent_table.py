@@ -30,7 +30,7 @@ from tests.controllers import linuxcnc_machine
 
 DOCS = Path(__file__).resolve().parents[2] / "backend" / "docs"
 SIDE = 30.0  #: mm
-KNOB = 0.5
+K = 0.5
 RADII = (1.0, 3.0, 6.0)  #: mm
 FEEDS = (6000.0, 12000.0, 24000.0)  #: mm/min
 LASTS = 1.0  #: a run lasts about so long, in whole laps (s)
@@ -49,7 +49,7 @@ loadusr halsampler -t samples.txt
 """
 HEADER = """\
 # LinuxCNC {version}, headless, servo period 1 ms, G64 P0.005 Q0.005, polygons of {side:g} mm sides
-# axes 1500 mm/s and 8000 mm/s2, k = {knob:g}; times in ms of LinuxCNC's own servo periods
+# axes 1500 mm/s and 8000 mm/s2, k = {k:g}; times in ms of LinuxCNC's own servo periods
 # shape turn_deg r_mm feed_mm_min type laps way_mm ms_a_lap ms_at_a_corner slowest_mm_s
 """
 
@@ -106,7 +106,7 @@ def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
     start = np.concatenate([middle, corners[1:], corners[:1]])
     end = np.concatenate([corners[1:], corners[:1], middle])
     contour = Paths(start, end, np.zeros(len(start)), np.array([0, len(start)]))
-    beside = offset_paths(contour, radius, -1, corner=corner, k=KNOB)
+    beside = offset_paths(contour, radius, -1, corner=corner, k=K)
     assert len(beside.paths) == 1
     return beside.paths
 
@@ -192,7 +192,7 @@ def table(rows: list[Row], version: str) -> str:
         lost += d.cycle > b.cycle
         count = len(shape.turns)
         model = 1000.0 * corner_durations(
-            np.radians(shape.turns), radius, np.full(count, KNOB), feed / 60.0, ACCELERATION
+            np.radians(shape.turns), radius, np.full(count, K), feed / 60.0, ACCELERATION
         ).sum(axis=0)
         expected = [model[Corner.C] - model[Corner.B], model[Corner.D] - model[Corner.B]]
         off.append(np.abs(np.subtract([c.cycle - b.cycle, d.cycle - b.cycle], expected)) / count)
@@ -206,7 +206,7 @@ def table(rows: list[Row], version: str) -> str:
     count = len(lines)
     return PAGE.format(
         version=version, count=count, quicker=quicker, smoother=smoother, lost=lost,
-        side=SIDE, knob=KNOB, touch=TOUCH, rows="\n".join(lines),
+        side=SIDE, k=K, touch=TOUCH, rows="\n".join(lines),
         c_off=np.median(off, axis=0)[0], c_worst=np.max(off, axis=0)[0],
         d_off=np.median(off, axis=0)[1], d_worst=np.max(off, axis=0)[1],
     )  # fmt: skip
@@ -222,7 +222,7 @@ PAGE = """\
 
 Regular polygons of {side:g} mm sides (and a rhombus, whose corners turn by 150° and 30°) are milled
 from outside on LinuxCNC ({version}), headless, with its own planner: G64 P0.005,
-axes of 8,000 mm/s² and 1,500 mm/s, k = {knob:g}.  Times are servo periods of 1 ms that LinuxCNC's
+axes of 8,000 mm/s² and 1,500 mm/s, k = {k:g}.  Times are servo periods of 1 ms that LinuxCNC's
 `sampler` counted.
 
 - **path** is the length of the centre's path once around the polygon.
@@ -256,7 +256,7 @@ def check(rows: list[Row]) -> None:
     """Refuse to write figures down that contradict the lengths of the patent's table."""
     for row in rows:
         turn = np.radians(row.shape.turns)
-        around = corner_lengths(turn, row.radius, np.full(len(turn), KNOB))[:, row.corner].sum()
+        around = corner_lengths(turn, row.radius, np.full(len(turn), K))[:, row.corner].sum()
         assert abs(row.way - SIDE * len(turn) - around) < 1e-6
 
 
@@ -283,7 +283,7 @@ def main() -> None:
                 rows.append(measured(machine, samples, shape, radius, feed, corner))
                 print(rows[-1].line(), flush=True)
     check(rows)
-    head = HEADER.format(version=version, side=SIDE, knob=KNOB)
+    head = HEADER.format(version=version, side=SIDE, k=K)
     log = head + "".join(f"{row.line()}\n" for row in rows)
     (DOCS / "d-type-table.log").write_text(log, "utf-8")
     (DOCS / "d-type-table.md").write_text(table(rows, version), "utf-8")

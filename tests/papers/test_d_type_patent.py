@@ -107,12 +107,12 @@ def test_d_at_120_degrees_worked_by_hand() -> None:
 
 
 turns = st.floats(5.0, 178.0)
-knobs = st.floats(0.05, 0.95)
+k_values = st.floats(0.05, 0.95)
 many = settings(max_examples=1000, deadline=None)
 
 
 @many
-@given(degrees=turns, k=knobs, radius=st.floats(0.1, 20.0))
+@given(degrees=turns, k=k_values, radius=st.floats(0.1, 20.0))
 def test_claim_d_is_longer_than_b_and_shorter_than_c(
     degrees: float, k: float, radius: float
 ) -> None:
@@ -125,7 +125,7 @@ def test_claim_d_is_longer_than_b_and_shorter_than_c(
 
 
 @many
-@given(degrees=turns, k=knobs)
+@given(degrees=turns, k=k_values)
 def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees: float, k: float) -> None:
     def joined(kind: Corner) -> Paths:
         path = way(kind, degrees, k)
@@ -146,7 +146,7 @@ def test_claim_the_centres_way_is_smooth_in_d_and_not_in_c(degrees: float, k: fl
 
 
 @many
-@given(degrees=turns, k=knobs)
+@given(degrees=turns, k=k_values)
 def test_claim_d_leaves_the_corner_at_once_and_b_touches_it_all_the_way(
     degrees: float, k: float
 ) -> None:

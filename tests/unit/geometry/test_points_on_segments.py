@@ -38,5 +38,5 @@ def test_shapely_agrees_about_lines(seed: int) -> None:
     found = find_points_on_segments(
         points, np.full(40, -1, np.int32), ends[:, 0], ends[:, 1], np.zeros(30), gap
     )
-    judged = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
-    assert found.tolist() == judged
+    expected = [min(LineString(e).distance(Point(p)) for e in ends) <= gap for p in points]
+    assert found.tolist() == expected

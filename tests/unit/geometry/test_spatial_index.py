@@ -45,9 +45,9 @@ def test_a_query_finds_the_boxes_that_shapely_finds_in_ascending_order(
 ) -> None:
     random = np.random.default_rng(seed)
     boxes = some_boxes(random, count)
-    judge = STRtree([box(*row) for row in boxes])
+    reference = STRtree([box(*row) for row in boxes])
     for wanted in some_boxes(random, 4):
-        expected = sorted(judge.query(box(*wanted)).tolist())
+        expected = sorted(reference.query(box(*wanted)).tolist())
         assert overlaps(boxes, wanted, -1) == expected
         after = int(random.integers(0, count))
         assert overlaps(boxes, wanted, after) == [i for i in expected if i > after]
@@ -57,9 +57,9 @@ def test_a_query_finds_the_boxes_that_shapely_finds_in_ascending_order(
 def test_pairs_are_those_of_shapely_by_row_and_left_side(seed: int, gap: float) -> None:
     random = np.random.default_rng(seed)
     boxes, others = some_boxes(random, 50), some_boxes(random, 80)
-    judge = STRtree([box(*row) for row in others])
+    reference = STRtree([box(*row) for row in others])
     wide = [box(x0 - gap, y0 - gap, x1 + gap, y1 + gap) for x0, y0, x1, y1 in boxes.tolist()]
-    expected = sorted(judge.query(wide).T.tolist(), key=lambda p: (p[0], others[p[1], 0], p[1]))
+    expected = sorted(reference.query(wide).T.tolist(), key=lambda p: (p[0], others[p[1], 0], p[1]))
     found = np.stack(box_pairs(boxes, others, gap), axis=1)
     assert found.tolist() == expected
 

@@ -24,7 +24,7 @@ TABLE = [
 ]
 
 angles = st.floats(0.1, 180.0)
-knobs = st.floats(0.01, 0.99)
+k_values = st.floats(0.01, 0.99)
 radii = st.floats(0.01, 100.0)
 
 
@@ -65,7 +65,7 @@ def test_c_beyond_a_right_angle_is_cut_off() -> None:
     np.testing.assert_allclose(path.end, [[2.0, 2.0], [2.0, -2.0], [0.0, -2.0]], atol=1e-14)
 
 
-@given(degrees=angles, radius=radii, k=knobs, side=st.sampled_from([-1, 1]))
+@given(degrees=angles, radius=radii, k=k_values, side=st.sampled_from([-1, 1]))
 def test_the_length_of_d_is_interpolated_between_b_and_c_by_k(
     degrees: float, radius: float, k: float, side: int
 ) -> None:
@@ -77,7 +77,7 @@ def test_the_length_of_d_is_interpolated_between_b_and_c_by_k(
 @given(
     degrees=st.floats(1.0, 180.0),
     radius=st.floats(0.1, 100.0),
-    k=knobs,
+    k=k_values,
     side=st.sampled_from([-1, 1]),
 )
 def test_d_is_smooth_and_touches_the_vertex_only_at_its_ends(

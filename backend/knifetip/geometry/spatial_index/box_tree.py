@@ -99,7 +99,7 @@ def new_stack() -> Any:
 
 @kernel(allocates=False)
 def start_query(tree: BoxTree, stack: OutI64_2) -> int:
-    """Write the root of a tree to a stack; return the depth of the stack, as ``next_overlap`` needs it."""
+    """Write the root of a tree to a stack; return the stack's depth for ``next_overlap``."""
     stack[0, 0] = tree.height
     stack[0, 1] = 0
     return 1
@@ -185,7 +185,7 @@ def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
 
 @kernel
 def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
-    """Return the pairs of rows as ``box_pairs`` does, but unsorted; ``others`` are in Morton order."""
+    """Return the pairs of rows as ``box_pairs`` does, unsorted, for ``others`` in Morton order."""
     tree, stack = build_tree(others), new_stack()
     found = 0
     one = np.empty(max(16, len(boxes)), np.int64)

@@ -15,7 +15,7 @@ _LAST_CELL: Final = (1 << 16) - 1
 
 @kernel(allocates=False)
 def morton_code(column: int, row: int) -> int:
-    """Return the Morton code of a cell of a grid, whose bits alternate between its column and its row.
+    """Return the Morton code of a grid cell: the bits of its column and row alternate.
 
     Parameters
     ----------
