@@ -87,9 +87,10 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 
 
 def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
-    """Return a press for each path in ``short``.
+    """Return one press of the wheel for each path in ``short``.
 
-    It is midway between two free ends, or at the end that is not free.
+    A path is pressed midway between its ends if both are free, otherwise at the end that is not
+    free.
     """
     paths, _ = select_paths(operation.paths, short)
     free_start = operation.start[short] == End.FREE

@@ -263,7 +263,10 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: 
 
 @kernel(allocates=False)
 def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of two lines to ``found`` and return their number."""
+    """Write the common points of two lines to ``found`` and return their number.
+
+    The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
+    """
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
     bx = two[j, 2] - two[j, 0]
@@ -309,7 +312,8 @@ def _intersect_line_arc(
 ) -> int:
     """Write the common points of a line and an arc to ``found`` and return their number.
 
-    If ``flat``, row i of ``one`` is the line and row j of ``two`` the arc, otherwise the reverse.
+    The segments are row i of ``one`` and row j of ``two``; ``flat`` states whether the first is the
+    line.
     """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]

@@ -352,13 +352,15 @@ def _finish_chain(
 ) -> int:
     """Set the bulges of a chain's segments, remove tiny segments, and close rounding gaps.
 
+    Before the call, the last column of ``line`` has the length of each segment as a fraction of the
+    raw row that it is part of; afterwards it has the bulge.
+
     Parameters
     ----------
     rows : (m, 5)
-        The rows of which the segments are parts.
+        The raw rows: x0, y0, x1, y1, bulge.
     line, tag
-        Segments of all chains, as in ``ResultChains``.  In ``line``, a segment's fraction of its
-        row is replaced by its bulge.
+        Segments of all chains, as in ``ResultChains``.
     low, high
         The chain has the segments low … high - 1.
 

@@ -48,9 +48,9 @@ from knifetip.offset.transition import MAX_SEGMENTS, quarter_tangent, write_tran
 
 @kernel(allocates=False)
 def _twice_circular_segment(x: float, y: float, radius: float) -> float:
-    """Return twice the area between a chord (x, y) and its arc of less than half a turn (mm²).
+    """Return twice the area between a chord and its arc of less than half a turn (mm²).
 
-    The area has the sign of ``radius``; it is 0 for radius 0.
+    (x, y) is the vector of the chord.  The area has the sign of ``radius``; it is 0 for radius 0.
     """
     if radius == 0.0:
         return 0.0

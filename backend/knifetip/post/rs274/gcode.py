@@ -164,7 +164,10 @@ def _convert_arcs(
 def _compose_words(
     moves: _Moves, machine: Machine, dialect: Dialect, blending: float
 ) -> _LineWords:
-    """Return the words of the lines; moves that round to zero length and turn get no line."""
+    """Return the G-code words of the lines of moves.
+
+    Moves that round to zero length and turn get no line.
+    """
     scale = 10.0**dialect.decimals
     units = np.rint(moves.pose * scale).astype(np.int64)
     emit = units[1:] != units[:-1]
