@@ -223,10 +223,9 @@ class _ShiftedSegments:
         return result
 
     def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
-        """Return the parameters of each segment at its start and end, (n,) each.
+        """Return the parameter t of each segment at its start and at its end, (n,) each.
 
-        If the direction jumps at a joint, they are the parameters of the intersection of the
-        neighbours.
+        At a jump of direction both neighbours end at their intersection.
         """
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
