@@ -7,13 +7,17 @@ calls it.  A command that runs only compiled kernels needs neither.
 
 from __future__ import annotations
 
-from typing import Any
+from pathlib import Path
+from typing import Any, Final
 
 import llvmlite.binding as llvm
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompileResult
 from numba.core.runtime import rtsys
+
+#: Raised by pickle for an index with a named tuple that was renamed, moved or changed since.
+_RENAMED: Final = (AttributeError, ImportError, TypeError)
 
 
 class _LoadedLibrary(JITCodeLibrary):
@@ -105,5 +109,21 @@ class KernelCache(FunctionCache):
         refreshes the target itself.  Machine code needs the functions that allocate memory.
         """
         rtsys.initialize(target_context)
-        loaded: CompileResult | None = self._load_overload(sig, target_context)
+        try:
+            loaded: CompileResult | None = self._load_overload(sig, target_context)
+        except _RENAMED:
+            self.flush()
+            return None
         return loaded
+
+    def is_stored(self, sig: Any, target_context: Any) -> bool:
+        """Return whether machine code for a signature and this processor is in the cache.
+
+        The machine code is not loaded.
+        """
+        key = self._index_key(sig, target_context.codegen())
+        try:
+            data_name = self._cache_file._load_index().get(key)
+        except _RENAMED:
+            return False
+        return data_name is not None and Path(self._cache_file._data_path(data_name)).is_file()

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from pathlib import Path
 from typing import Any, TypeVar, overload
 
 from numba import typeof
@@ -67,12 +66,8 @@ class Kernel(CPUDispatcher):
 
         The machine code is not loaded.
         """
-        signature = tuple(self.declared.values())
         self.targetctx.refresh()
-        key = self._cache._index_key(signature, self.targetctx.codegen())
-        file = self._cache._cache_file
-        data_name = file._load_index().get(key)
-        return data_name is not None and Path(file._data_path(data_name)).is_file()
+        return self._cache.is_stored(tuple(self.declared.values()), self.targetctx)
 
     def get_call_template(self, args: Sequence[Any], kws: dict[str, Any]) -> Any:
         """Return the types of a call from another kernel (numba's protocol).

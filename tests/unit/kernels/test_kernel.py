@@ -203,7 +203,10 @@ def test_every_kernel_of_the_package_declares_one_signature() -> None:
 
 def test_a_loaded_kernel_is_linked_into_one_that_is_compiled_later(tmp_path: Path) -> None:
     (tmp_path / "two.py").write_text(
+        "from typing import NamedTuple\n"
         "from knifetip.kernels import F64_1, kernel\n"
+        "class Pair(NamedTuple):\n    a: int\n    b: int\n"
+        "@kernel\ndef product(pair: Pair) -> int:\n    return pair.a * pair.b\n"
         "@kernel\ndef total(values: F64_1) -> float:\n    return values.copy().sum()\n"
         "@kernel\ndef twice(values: F64_1) -> float:\n    return 2.0 * total(values)\n"
     )
@@ -220,6 +223,23 @@ def test_a_loaded_kernel_is_linked_into_one_that_is_compiled_later(tmp_path: Pat
         assert done.returncode == 0, done.stderr
         return done.stdout.strip()
 
+    def rewrite(old: str, new: str) -> None:
+        (tmp_path / "two.py").write_text((tmp_path / "two.py").read_text().replace(old, new))
+
     assert hits("total") == "0"
     assert hits("total", "twice") == "1 0"
     assert hits("twice", "total") == "1 1"
+    product = "import two; print(two.product(two.{}(2, 3)), len(two.product._cache_hits))"
+
+    def multiply(name: str) -> str:
+        code = product.format(name)
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    assert multiply("Pair") == "6 0"
+    assert multiply("Pair") == "6 1"
+    rewrite("Pair", "Duo")
+    assert multiply("Duo") == "6 0"
