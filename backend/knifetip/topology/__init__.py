@@ -1,1 +1,1 @@
-"""The planar graph of a drawing: vertices, half-edges, faces, and what lies inside what."""
+"""The planar graph of a drawing: vertices, pieces of edges, faces, and which face contains what."""

@@ -1,8 +1,7 @@
-"""coincident: edges that lie wholly on others.
+"""coincident: find edges that other edges cover along their whole length.
 
-    PlanarGraph -> for each edge one that it lies on
-
-A crease drawn on a cut needs no answer: the board ends there anyway.
+A piece of an edge is coincident with another piece if both connect the same vertices along the same
+line or arc.
 """
 
 from __future__ import annotations
@@ -15,14 +14,14 @@ from knifetip.topology.planar_graph import PlanarGraph
 
 
 def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
-    """Return for each of n edges the edge that most of it lies on, (n,).
+    """Return for each of n edges the edge that covers the greatest part of it, (n,).
 
-    -1 for an edge of which a part lies on no other.
+    It is -1 for an edge that other edges do not cover along its whole length.
 
     Parameters
     ----------
-    length
-        (p,) Length of each piece.
+    length : (p,)
+        Length of each piece of the graph.
     """
     on = np.full(len(graph.first) - 1, -1, np.int32)
     _overlaid(graph.edge, graph.first, graph.same, length, on)
@@ -31,7 +30,7 @@ def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
 
 @kernel
 def _overlaid(edge: I32_1, first: I32_1, same: I32_1, length: F64_1, on: OutI32_1) -> None:
-    # For each piece with coincident ones, the edge of one of them.
+    # For each piece that others coincide with: the edge of one of these.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):
         if edge[p] != edge[same[p]] and edge[p] >= 0:

@@ -1,7 +1,7 @@
-"""dash_rows: dashes in a row, which form one line.
+"""dash_rows: find dashes that follow one another in a row and form one line.
 
-A dash points across its gap at the next one, which points back.  Three or more dashes with equal
-gaps form a line; links between their ends join them.
+Two dashes face each other across a gap if each one points at the end of the other.  Three or more
+dashes in a row with nearly equal gaps form a line, and links close the gaps.
 """
 
 from __future__ import annotations
@@ -23,14 +23,23 @@ from knifetip.topology.segment import BULGE, chord_length, outward_direction
 
 
 def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64]:
-    """Return which edges are dashes, (n,), links between them, and the reach of each end, (2n,).
+    """Return which edges are dashes of a row, links between dashes, and how far each end searches.
 
     Parameters
     ----------
     reach
-        Of a dangling end that is no dash.
+        Distance at which a dangling end that belongs to no row searches for another line.
     loose : (q,)
-        Whether only one line ends at a vertex.  Set to False for vertices that are linked.
+        Whether only one line ends at each vertex.  Set to False for vertices that get a link.
+
+    Returns
+    -------
+    dashed : (n,)
+        Whether each edge is a dash of a row.
+    links : (t, 2)
+        Pairs of vertices that a link connects.
+    gap_of : (2n,)
+        Distance at which each end searches for a line; it is larger at the two ends of a row.
     """
     ends, bulge, node, twin, grid, touch, unit = lines
     facing = np.full(2 * len(bulge), -1, np.int32)
@@ -61,6 +70,10 @@ def _rows(
     twin: I32_1,
     loose: OutBool_1,
 ) -> Any:
+    """Find rows of at least three dashes; return what ``link_dashes`` does, and write to ``loose``.
+
+    ``facing`` (2n,) is the end that each end faces across a gap, -1 for none.
+    """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
     links = 0
@@ -120,7 +133,10 @@ def _tips(
     ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
     cell: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Find the cell of each dangling end of lines that may be dashes; other entries stay -1."""
+    """Write the cells of the dangling ends of straight edges ``begin`` … ``end`` - 1 to ``cell``.
+
+    The cells of all other ends remain -1.
+    """
     low, size, side, _, _ = grid
     for i in range(begin, end):
         if abs(bulge[i]) > BULGE or twin[i] != i:
@@ -137,7 +153,17 @@ def _face(
     ends: F64_3, bulge: F64_1, touch: float, unit: float, grid: EdgeGrid, begins: I32_1,
     tips: I32_1, place: F64_2, facing: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Find for each dangling end the one it faces across a gap."""
+    """Write the end that each of the dangling ends ``begin`` … ``end`` - 1 faces to ``facing``.
+
+    Parameters
+    ----------
+    begins : (side² + 1,)
+        Index of the first dangling end in each cell of the grid.
+    tips, place : (t,) and (t, 2)
+        Dangling ends in the order of their cells, and their positions.
+    facing : (2n,)
+        Nearest dangling end ahead that points back; unchanged if there is none.
+    """
     low, size, side, _, _ = grid
     for number in range(begin, end):
         half = tips[number]
@@ -154,7 +180,7 @@ def _face(
         r1 = cell_of(max(y, y + far * uy) + 2.0 * touch, low[1], size[1], side)
         best = far
         for r in range(r0, r1 + 1):
-            # The tips of neighbouring cells in a row are contiguous.
+            # The dangling ends of neighbouring cells in a row of the grid follow one another.
             for k in range(begins[r * side + c0], begins[r * side + c1 + 1]):
                 ox, oy = place[k, 0] - x, place[k, 1] - y
                 ahead = ox * ux + oy * uy

@@ -1,7 +1,4 @@
-"""edge_grid: a uniform grid of cells with the edges that pass through each, to find neighbours.
-
-ends, bulge -> EdgeGrid, or None if edges are so crowded that a grid does not help
-"""
+"""edge_grid: a uniform grid that lists the edges in each cell, to find edges near a point."""
 
 from __future__ import annotations
 
@@ -15,29 +12,31 @@ from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutF64_1, OutF64_2, kernel
 from knifetip.topology.segment import BULGE
 
-#: Limit of pairs of edges that share a cell, per edge; beyond it a drawing is too crowded.
+#: Largest number of pairs of edges in one cell, per edge of the drawing: beyond it is too crowded.
 _WORK: Final = 400
-#: Number of edges from which the main area of a drawing is estimated.
+#: Number of edges that are sampled to estimate the main area of a drawing.
 _SAMPLE: Final = 10_000
 
 
 class EdgeGrid(NamedTuple):
-    """side × side cells; the edges of cell c are listed[first[c] : first[c + 1]]."""
+    """A grid of side × side cells; the edges in cell c are ``listed[first[c] : first[c + 1]]``."""
 
-    low: F64_1  #: (2,)
-    size: F64_1  #: (2,) of a cell
-    side: int  #: cells in each direction
-    first: I32_1  #: (side² + 1,)
-    listed: I32_1  #: edges, cell by cell
+    low: F64_1  #: (2,) x and y of the lower left corner of the grid
+    size: F64_1  #: (2,) width and height of a cell
+    side: int  #: number of rows and of columns of cells
+    first: I32_1  #: (side² + 1,) index in ``listed`` of the first edge of each cell
+    listed: I32_1  #: edges in each cell, cell by cell
 
 
 def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | None:
-    """Return the grid of n ≥ 1 edges, (n, 2, 2) and (n,), or None if they are too crowded.
+    """Return the grid of n ≥ 1 edges, or None if they are so crowded that a grid does not help.
 
     Parameters
     ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Ends and bulges of the edges.
     touch
-        An edge nearer than this to a cell counts as passing through it.
+        An edge that is nearer to a cell than this is listed in the cell.
     reach
         Largest distance from an edge at which the grid will be searched.
     """
@@ -46,7 +45,7 @@ def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | 
     bounds = np.array([np.inf, np.inf, -np.inf, -np.inf])
     _boxes(ends, bulge, boxes, bounds)
     low, high = bounds[:2] - 2.0 * reach, bounds[2:] + 2.0 * reach
-    # One edge far away must not put all others into one cell: outliers go to the border cells.
+    # One edge far away must not put all others into one cell: border cells take outliers.
     near, far = np.percentile(boxes[:: count // _SAMPLE + 1, :2], (2.0, 98.0), axis=0)
     near, far = near - (far - near), far + (far - near)
     low, high = np.maximum(low, near), np.maximum(np.minimum(high, far), low)
@@ -67,14 +66,14 @@ def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | 
 
 @kernel(allocates=False)
 def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
-    """Compute the bounding box of each edge, and of all edges."""
+    """Write the bounding box of each edge to ``boxes``, and that of all edges to ``bounds``."""
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
         boxes[i, 0], boxes[i, 2] = min(ax, bx), max(ax, bx)
         boxes[i, 1], boxes[i, 3] = min(ay, by), max(ay, by)
         b = bulge[i]
         if abs(b) > BULGE:
-            # The box of the chord and its sagitta on either side holds the arc, up to half a turn.
+            # An arc of up to half a turn is in the box of its chord, enlarged by its sagitta.
             sagitta = 0.5 * abs(b) * math.hypot(bx - ax, by - ay)
             boxes[i, 0] -= sagitta
             boxes[i, 1] -= sagitta
@@ -89,7 +88,10 @@ def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None
 def _y_range(
     ends: F64_3, bulge: F64_1, boxes: F64_2, i: int, left: float, right: float, pad: float
 ) -> tuple[float, float]:
-    """Return the least and greatest y of a segment within a column of cells."""
+    """Return the least and the greatest y of edge ``i`` between x = ``left`` and x = ``right``.
+
+    The range is enlarged by ``pad`` on both sides.
+    """
     if abs(bulge[i]) > BULGE:
         return boxes[i, 1] - pad, boxes[i, 3] + pad
     ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
@@ -114,7 +116,10 @@ def _cells_of_edges(
     pad: float,
     most: int,
 ) -> Any:
-    """Return the pairs of edge and cell it passes through; none if more than ``most``."""
+    """Return the k pairs of a cell and an edge in it: cells and edges, (k,) and (k,).
+
+    Both are empty if there are more than ``most`` pairs.
+    """
     cell, edge = np.empty(most, np.int32), np.empty(most, np.int32)
     total = 0
     for i in range(len(bulge)):

@@ -1,12 +1,11 @@
-"""exact_nesting: the bounded face around each component of edges that meet exactly at their ends.
+"""exact_nesting: find the face around each component of edges that meet exactly at their ends.
 
-    edges, the faces on their sides, their components -> enclosing face and depth of each component
+A vertical ray runs downwards from the lowest point of a component.  The first edge of another
+component that it hits bounds the face that contains the component, or belongs to a component that
+is in the same face.  Edges are split into spans, which run from left to right, so that a vertical
+ray meets each span at most once.  A tree of bounding boxes finds the spans that a ray can hit.
 
-A ray downwards from the lowest point of a component first hits either the boundary of the face
-that holds the component, or a neighbouring component in the same face.  The edges are split into
-spans, which run from left to right, so that a vertical ray meets each of them at most once.
-
-The spans that a ray can hit are found with a tree of bounding boxes.
+``graph_nesting`` does the same for a graph whose pieces meet only within a tolerance.
 """
 
 from __future__ import annotations
@@ -28,8 +27,8 @@ from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI64_1, kernel
 
-#: Columns of a span: its left and right end (4), the centre and the radius of its circle (3), and
-#: whether it is on the upper half of the circle (1), on the lower half (-1), or straight (0).
+#: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
+#: 1 for a span on the upper half of the circle, -1 on the lower half, 0 for a straight span.
 _SPAN: Final = 8
 #: By how much boxes are enlarged, for rounding (mm).
 _MARGIN: Final = 1e-6
@@ -38,22 +37,25 @@ _MARGIN: Final = 1e-6
 def find_enclosing_faces(
     start: F64, end: F64, bulge: F64, face: I32, outer: Bool, component: I32
 ) -> tuple[I64, I64]:
-    """Return the bounded face around each component, -1 for none, and its nesting depth.
+    """Return the bounded face around each component and the depth of the nesting of each component.
 
     Parameters
     ----------
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
-        Edges; ends that meet are equal to the last bit, so that no ray passes between them.
+        Edges.  Ends that meet have equal coordinates, so that no ray passes between them.
     face : (n, 2)
         Faces on the left and on the right of each edge.
     outer : (f,)
         Whether each face is the outer face of its component.
     component : (n,)
-        Component of each edge, 0 … c - 1.
+        Component of each edge, a number from 0 to c - 1.
 
     Returns
     -------
-    enclosing, depth : (c,) and (c,)
+    enclosing : (c,)
+        Bounded face that contains each component, -1 if there is none.
+    depth : (c,)
+        Number of components around each component.
     """
     count = int(component.max()) + 1
     if count == 1:
@@ -71,7 +73,7 @@ def find_enclosing_faces(
     # The uppermost spans come first, so that a ray meets its span early.
     order = order_boxes(boxes)[::-1].copy()
     hit = _first_below(lowest, spans, owner, boxes[order], order)
-    # A component that is hit has a lower lowest point, so its enclosing face is found earlier.
+    # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
     return enclosing, depth
@@ -81,7 +83,19 @@ def find_enclosing_faces(
 def _follow_hits(
     order: I64_1, hit: I64_1, above: I64_1, face: I32_1, outer: Bool_1, component: I32_1
 ) -> Any:
-    """Return enclosing face and depth of each component, from the span that its ray hits."""
+    """Return enclosing face and depth of each component as ``find_enclosing_faces``.
+
+    Parameters
+    ----------
+    order : (c,)
+        Components from the lowest to the highest.
+    hit : (c,)
+        Span that the ray of each component hits, -1 for none.
+    above : (k,)
+        Half-edge on the upper side of each span.
+    face : (2n,)
+        Face beside each half-edge.
+    """
     enclosing = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
     for c in order:
@@ -98,7 +112,10 @@ def _follow_hits(
 
 @kernel
 def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, radius: F64_1) -> Any:
-    """Return the spans of all edges, (k, 8), and the half-edge on the upper side of each, (k,)."""
+    """Return the k spans of all edges and the half-edges on their upper sides, (k, 8) and (k,).
+
+    Half-edge 2 i has the left side of edge i, half-edge 2 i + 1 the right side.
+    """
     spans = np.empty((3 * len(bulge), _SPAN))
     above = np.empty(3 * len(bulge), np.int64)
     count = 0
@@ -134,7 +151,7 @@ def _add_span(
     spans: OutF64_2, above: OutI64_1, count: int, edge: int,
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
 ) -> int:  # fmt: skip
-    """Add one span unless it is vertical; return the number of spans."""
+    """Write one span to row ``count`` unless it is vertical; return the new number of spans."""
     if ax == bx:
         return count
     right = bx > ax
@@ -147,7 +164,7 @@ def _add_span(
 
 @kernel(checks_division=True)
 def _height_at(span: F64_1, x: float) -> float:
-    """Return y of a span at x (mm)."""
+    """Return the y coordinate of a span at ``x`` (mm)."""
     if x <= span[0]:
         return float(span[1])
     if x >= span[2]:
@@ -159,7 +176,7 @@ def _height_at(span: F64_1, x: float) -> float:
 
 @kernel(checks_division=True)
 def _slope_at(span: F64_1, x: float) -> float:
-    """Return dy/dx of a span at x."""
+    """Return the slope dy/dx of a span at ``x``; infinite at the end of a half circle."""
     if span[7] == 0.0:
         return float((span[3] - span[1]) / (span[2] - span[0]))
     rise = math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0))
@@ -172,7 +189,7 @@ def _slope_at(span: F64_1, x: float) -> float:
 def _lowest_points(
     start: F64_2, end: F64_2, component: I32_1, spans: F64_2, owner: I32_1, count: int
 ) -> Any:
-    """Return the lowest point of each component, (c, 2) mm."""
+    """Return the lowest point of each of ``count`` components, (count, 2) mm."""
     lowest = np.full((count, 2), math.inf)
     for i in range(len(component)):
         c = component[i]
@@ -205,18 +222,18 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
-    The ray is taken infinitesimally to the right of the point: spans that start at its x are hit,
-    and of two that start at one point the steeper one is the upper.  Of spans that are equal in
-    this the last one is returned.
+    The ray runs infinitesimally to the right of the lowest point.  So it hits a span that starts
+    exactly below the point, and of two spans that start at one point the steeper one is the upper
+    one.  Of spans with equal height and slope the last one is returned.
 
     Parameters
     ----------
     lowest : (c, 2)
         Lowest point of each component.
     spans, owner : (k, 8) and (k,)
-        Spans, and the component of each.
+        Spans, and the component of each span.
     boxes, order : (k, 4) and (k,)
-        Bounding boxes of the spans in an order for a ``BoxTree``, and the span of each.
+        Bounding boxes of the spans in an order for a ``BoxTree``, and the span of each box.
 
     Returns
     -------

@@ -1,9 +1,7 @@
-"""faces: the faces of a planar graph, and the face on each side of every piece.
+"""faces: trace the faces of a planar graph, and find the faces on the two sides of every piece.
 
-    PlanarGraph -> Faces
-
-A face is traced by turning clockwise as sharply as possible at every vertex.  Bounded faces are
-traced counter-clockwise.
+A face is traced by taking the sharpest turn to the left at every vertex, so that the face is on the
+left.  The boundary of a bounded face runs counter-clockwise.
 """
 
 from __future__ import annotations
@@ -21,24 +19,34 @@ from knifetip.topology.graph_nesting import enclosing_faces, find_left_neighbour
 from knifetip.topology.planar_graph import PlanarGraph
 from knifetip.topology.segment import BULGE
 
-#: Resolution of directions: parts of a right angle.
+#: Number of different directions in a right angle.
 _FINE: Final = 10_000_000
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Faces:
-    """The f faces of a graph with p pieces and c components."""
+    """The f faces of a planar graph with p pieces and c components."""
 
     left: I32  #: (p,) face on the left of each piece
-    right: I32  #: (p,)
-    area: F64  #: (f,) signed; ≤ 0 for the outer face of a component
+    right: I32  #: (p,) face on the right of each piece
+    area: F64  #: (f,) signed area; ≤ 0 for the outer face of a component
     component: I32  #: (f,) component of each face
     outer_face: I32  #: (c,) outer face of each component
-    enclosing: I32  #: (c,) face that each component lies in, -1 for none
+    enclosing: I32  #: (c,) bounded face that contains each component, -1 for none
 
 
 def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Faces:
-    """Return the faces of a graph of n edges, (n, 2, 2) and (n,)."""
+    """Return the faces of the planar graph of n edges.
+
+    Parameters
+    ----------
+    graph
+        Graph of the edges.
+    ends, bulge : (n, 2, 2) and (n,)
+        Ends and bulges of the edges.
+    touch
+        Tolerance with which the graph was built.
+    """
     lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
     beside, (left, right, area) = parallel_pair(
         lambda: find_left_neighbours(graph, ends, bulge, touch),
@@ -73,7 +81,10 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tup
 
 @kernel(allocates=False)
 def _angle(x: float, y: float) -> int:
-    """Return an integer that grows with the angle of a direction; equal for nearly equal ones."""
+    """Return an integer that grows with the angle of a direction, from 0 to 4 × ``_FINE`` - 1.
+
+    Directions that differ only by rounding get equal integers.
+    """
     across = abs(x) + abs(y)
     along = y / across if across > 0.0 else 0.0
     quarters = 2.0 - along if x < 0.0 else along + 4.0 if y < 0.0 else along
@@ -82,9 +93,14 @@ def _angle(x: float, y: float) -> int:
 
 @kernel
 def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) -> Any:
-    """Return the half-edges counter-clockwise around each vertex (CSR: indices, offsets).
+    """Return the half-edges at each vertex in counter-clockwise order.
 
-    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 its end.
+    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves its end.
+
+    Returns
+    -------
+    around, begins : (h,) and (q + 1,)
+        The half-edges at vertex v are ``around[begins[v] : begins[v + 1]]``.
     """
     pieces, places = len(start), len(place)
     begins = np.zeros(places + 1, np.int32)
@@ -122,13 +138,13 @@ def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, s
 
 @kernel(allocates=False)
 def _direction(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> int:
-    """Return the direction of a half-edge at its vertex, as ``_angle`` does."""
+    """Return the direction of a half-edge at the vertex that it leaves, as ``_angle`` does."""
     p = half // 2
     a, b, bend = start[p], end[p], bent[p]
     dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
     if bend == 0.0:
         return _angle(dx, dy) if half % 2 == 0 else _angle(-dx, -dy)
-    # The chord_length, turned by a quarter of the sweep twice.
+    # The direction of the chord, turned by half the sweep.
     square = bend * bend
     c, s = (1.0 - square) / (1.0 + square), 2.0 * bend / (1.0 + square)
     if half % 2 == 0:
@@ -138,7 +154,7 @@ def _direction(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -
 
 @kernel(allocates=False)
 def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> float:
-    """Return the signed curvature of a half-edge, to order those with the same direction."""
+    """Return a number that grows with the curvature of a half-edge, to sort tangent ones."""
     p = half // 2
     a, b = start[p], end[p]
     dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
@@ -150,7 +166,10 @@ def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> fl
 def _trace(
     place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1, around: I32_1, begins: I32_1
 ) -> Any:
-    """Trace all faces: return the face left and right of each piece, and the area of each face."""
+    """Return the faces left and right of each piece, and the signed area of each face.
+
+    ``around`` and ``begins`` are the results of ``_half_edges_by_vertex``.
+    """
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
     for k in range(len(around)):
@@ -200,7 +219,10 @@ def _trace(
 
 @kernel
 def _owned(parts: int, part: I32_1, left: I32_1, right: I32_1, area: F64_1) -> Any:
-    """Return the outer face of each component, and the component of each face."""
+    """Return the outer face of each of ``parts`` components, and the component of each face.
+
+    The outer face of a component is its face with the least signed area.
+    """
     outside = np.full(parts, -1, np.int32)
     component_of_face = np.empty(len(area), np.int32)
     for p in range(len(part)):

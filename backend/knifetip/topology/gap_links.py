@@ -1,4 +1,7 @@
-"""gap_links: links from dangling ends to the lines that they stop just short of."""
+"""gap_links: connect dangling ends with the lines that they stop just short of.
+
+A link is a straight piece of the planar graph that belongs to no edge and closes such a gap.
+"""
 
 from __future__ import annotations
 
@@ -38,7 +41,7 @@ from knifetip.topology.segment import (
 )
 from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity
 
-#: Largest distance by which both ends of a crease may stop short of the lines they belong to (mm).
+#: Largest gap that is closed at both ends of a straight line, such as a crease (mm).
 _SHORT: Final = 2.5
 
 
@@ -47,24 +50,24 @@ def link_loose_ends(
 ) -> tuple[Splits, I32, VertexTable]:
     """Link each dangling end to the nearest line ahead of it.
 
-    Creases are often drawn short at both ends: then a line straight ahead is linked from farther
-    away.
+    A straight line of which both ends stop short of other lines, as creases often do, is linked
+    across wider gaps.
 
     Parameters
     ----------
     loose : (q,)
-        Whether only one line ends at a vertex.
+        Whether only one line ends at each vertex.
     gap_of : (2n,)
-        Reach of each end.
+        Largest distance from each end to the line that it is linked to.
 
     Returns
     -------
     splits
-        Of lines that are met between their ends.
+        Splits of the lines at which links end, unless a link ends at a vertex of the line.
     links : (t, 2)
-        Pairs of vertices.
+        Pairs of vertices that a link connects.
     vertices
-        With those of the splits.
+        The given vertices and those of the splits.
     """
     ends, bulge, node, twin, grid, touch, unit = lines
     ahead = _SHORT * unit
@@ -95,12 +98,16 @@ def _find_targets(
     begin: int,
     end: int,
 ) -> None:
-    """Find the line that each dangling end of some edges points at, and the parameter on it."""
+    """Write the line ahead of each dangling end of edges ``begin`` … ``end`` - 1.
+
+    Writes the line to ``partner``, (2n,), and the parameter of the nearest point on it to
+    ``where``, (2n,).  Ends without a line ahead are not changed.
+    """
     low, size, side, first, listed = grid
     for i in range(begin, end):
         if twin[i] != i or not (loose[node[2 * i]] or loose[node[2 * i + 1]]):
             continue
-        # Both ends stop short of a line straight ahead.
+        # Whether there is a line straight ahead of both ends.
         both = loose[node[2 * i]] and loose[node[2 * i + 1]] and abs(bulge[i]) <= BULGE
         both = both and chord_length(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
@@ -140,7 +147,11 @@ def _link(
     where: F64_1,
     vertices: VertexTable,
 ) -> Any:
-    """Return edge, parameter and vertex of splits, links, and the number of vertices."""
+    """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
+
+    ``met`` are the ends that have a line ahead; ``partner`` and ``where`` are that line and the
+    parameter on it, as ``_find_targets`` writes them.
+    """
     count = vertices.known
     row = np.empty(len(met), np.int32)
     share = np.empty(len(met))
@@ -169,7 +180,17 @@ def _link(
 
 
 def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits, I32, VertexTable]:
-    """Split links by lines that run through the gaps they close; return as ``link_loose_ends``."""
+    """Split links, (t, 2), at lines that run through the gaps that the links close.
+
+    Returns
+    -------
+    splits
+        Splits of these lines.
+    links : (at least t, 2)
+        Pairs of vertices that a link connects.
+    vertices
+        The given vertices and those of the splits.
+    """
     ends, bulge, _, twin, grid, touch, _ = lines
     is_crossed = np.zeros(len(link), np.bool_)
 
@@ -196,7 +217,7 @@ def _find_crossed(
     begin: int,
     end: int,
 ) -> None:
-    """Find for some links whether a line runs through them."""
+    """Write whether a line crosses each of the links ``begin`` … ``end`` - 1 to ``is_crossed``."""
     for k in range(begin, end):
         is_crossed[k] = _first_through(ends, bulge, touch, twin, link, point, grid, k)[0] >= 0
 
@@ -212,7 +233,13 @@ def _first_through(
     grid: EdgeGrid,
     k: int,
 ) -> tuple[int, float, float, float]:
-    """Return the first line across a link, -1 for none, the parameter on it, and the point."""
+    """Return the line that crosses link ``k`` nearest to its start, and where.
+
+    Returns
+    -------
+    line, parameter, x, y
+        The line is -1 if none crosses the link; the parameter, 0 … 1, is on the line.
+    """
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
     ux, uy = point[link[k, 1], 0] - ax, point[link[k, 1], 1] - ay
@@ -247,7 +274,11 @@ def _cross(
     vertices: VertexTable,
     grid: EdgeGrid,
 ) -> Any:
-    """Split the links ``wanted``, and again what is left of them."""
+    """Split the links ``wanted`` at all lines that cross them.
+
+    Returns edge, parameter and vertex of the splits, the links, and the three columns of the
+    vertices: positions, next vertex in the hash bucket, and number.
+    """
     point, places, onward, head = vertices
     row = np.empty(16, np.int32)
     share = np.empty(16)
@@ -280,7 +311,7 @@ def _cross(
 
 @kernel(allocates=False)
 def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: EdgeGrid) -> bool:
-    """Return whether another line lies straight ahead of an end, within ``far``."""
+    """Return whether another line is straight ahead of end ``half``, at most ``far`` away."""
     low, size, side, first, listed = grid
     i = half // 2
     x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]

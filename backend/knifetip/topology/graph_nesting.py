@@ -1,9 +1,10 @@
-"""graph_nesting: the face of a drawing's planar graph in which each component lies.
+"""graph_nesting: find the face in which each component of a drawing's planar graph lies.
 
-    PlanarGraph -> first piece to the left of each component -> enclosing face of each component
+A ray runs to the left from the leftmost vertex of a component.  The first piece of another
+component that it meets bounds the face that contains the component, or belongs to a component that
+is in the same face.  The ray starts beside the vertex, because pieces meet only within a tolerance.
 
-The ray to the left from a component's leftmost vertex first meets the face that encloses it, or a
-component beside it in the same face.
+``exact_nesting`` does the same for edges that meet exactly at their ends.
 """
 
 from __future__ import annotations
@@ -24,14 +25,24 @@ from knifetip.topology.segment import BULGE
 
 
 class LeftNeighbours(NamedTuple):
-    """The first piece to the left of each of c components."""
+    """The first piece of another component to the left of each of c components."""
 
-    piece: I32  #: (c,) -1 for none
-    upward: Bool  #: (c,) whether it runs upwards there
+    piece: I32  #: (c,) first piece to the left of each component, -1 for none
+    upward: Bool  #: (c,) whether that piece runs upwards where the ray meets it
 
 
 def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> LeftNeighbours:
-    """Return the first pieces to the left of the components of a graph of n edges."""
+    """Return the first piece to the left of each component of a graph.
+
+    Parameters
+    ----------
+    graph
+        Planar graph of n edges.
+    ends, bulge : (n, 2, 2) and (n,)
+        Ends and bulges of the edges.
+    touch
+        Tolerance with which the graph was built.
+    """
     count = len(graph.leftmost)
     beside = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
 
@@ -47,10 +58,12 @@ def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float
 
 
 def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32, owner: I32) -> I32:
-    """Return the face that encloses each component, -1 for none, (c,).
+    """Return the face that contains each of c components, (c,), -1 if there is none.
 
     Parameters
     ----------
+    beside
+        First piece to the left of each component.
     left, right : (p,)
         Faces on the two sides of each piece.
     outside : (c,)
@@ -79,7 +92,19 @@ def _find_left(
     begin: int,
     end: int,
 ) -> None:
-    """Find the first piece to the left of the leftmost vertex of some components."""
+    """Find the first pieces to the left of components ``begin`` … ``end`` - 1.
+
+    Writes the pieces to ``piece``, and whether they run upwards there to ``upward``, both (c,).
+
+    Parameters
+    ----------
+    place : (q, 2)
+        Positions of the vertices.
+    first_piece, share : (n + 1,) and (p,)
+        First piece of each edge, and the parameter on the edge at which each piece starts.
+    part, leftmost : (p,) and (c,)
+        Component of each piece, and leftmost vertex of each component.
+    """
     low, size, side, first, listed = grid
     for c in range(begin, end):
         x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
@@ -111,7 +136,11 @@ def _find_left(
 
 @kernel
 def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
-    """Follow outer faces of neighbouring components until an enclosing face is found."""
+    """Return the face that contains each component, (c,), -1 if there is none.
+
+    ``hit`` (c,) is the face that the ray of each component meets first, -1 for none.  If it is the
+    outer face of a neighbouring component, the face that contains the neighbour is returned.
+    """
     parts = len(hit)
     within = np.full(parts, -1, np.int32)
     known = np.zeros(parts, np.bool_)
@@ -135,7 +164,11 @@ def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Return x where a segment has the height y, NaN for nowhere, and whether it runs upwards."""
+    """Return the x coordinate of edge ``i`` at the height ``y``, and whether it runs upwards there.
+
+    The x coordinate is NaN if the edge does not reach that height.  ``root`` selects the left (0)
+    or the right (1) half of the circle of an arc.
+    """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
     b = bulge[i]
@@ -153,7 +186,7 @@ def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float,
     if square <= 0.0:
         return np.nan, False
     half = math.sqrt(square) if root == 1 else -math.sqrt(square)
-    # The circle lies on both sides of the chord_length, the arc on the right where it turns left.
+    # The circle is on both sides of the chord; an arc that turns left is on the right of its chord.
     if ((bx - ax) * (y - ay) - (by - ay) * (cx + half - ax)) * b > 0.0:
         return np.nan, False
     return cx + half, (half > 0.0) == (b > 0.0)
@@ -161,7 +194,7 @@ def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float,
 
 @kernel(allocates=False)
 def _share(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
-    """Return the parameter of a point on a segment."""
+    """Return the parameter, 0 … 1, of the point (``x``, ``y``) on edge ``i``."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]

@@ -1,4 +1,4 @@
-"""intersections: where edges must be split, because others end on them or cross them."""
+"""intersections: find where edges must be split, because others cross them or end on them."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ from knifetip.topology.lines import Lines
 from knifetip.topology.segment import BULGE, chord_length, crossing_shares, distance_to
 from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity
 
-#: Smallest number of vertices, or of cells, that is worth a task on another core.
+#: Smallest number of vertices or cells for which a task on another core saves time.
 MIN_CHUNK: Final = 40_000
 
 
 class Splits(NamedTuple):
-    """Points at which edges are split."""
+    """The c points at which edges are split."""
 
-    row: I32_1  #: (c,) edge
+    row: I32_1  #: (c,) edge that is split
     share: F64_1  #: (c,) parameter on the edge, 0 … 1
-    vertex: I32_1  #: (c,)
+    vertex: I32_1  #: (c,) vertex at the point
 
 
 def concatenate(*several: Splits) -> Splits:
-    """Return all splits of several records."""
+    """Return one record with the splits of all given records."""
     return Splits(*(np.concatenate(column) for column in zip(*several, strict=True)))
 
 
 class Crossings(NamedTuple):
-    """Crossings of two lines between their ends."""
+    """The c points at which two straight edges cross between their ends."""
 
-    pair: I32_2  #: (c, 2) the lines
-    share: F64_2  #: (c, 2) parameters on both, 0 … 1
+    pair: I32_2  #: (c, 2) the two edges
+    share: F64_2  #: (c, 2) parameters of the point on both edges, 0 … 1
 
 
 def find_crossings(ends: F64, bulge: F64, touch: float, grid: EdgeGrid, most: int) -> Crossings:
-    """Return where lines cross; the search stops soon after ``most``."""
+    """Return the crossings of straight edges; the search stops soon after it has found ``most``."""
 
     def crossed(run: tuple[int, int]) -> Any:
         return _crossed(ends, bulge, touch, grid, most, *run)
@@ -54,9 +54,23 @@ def find_crossings(ends: F64, bulge: F64, touch: float, grid: EdgeGrid, most: in
 def find_splits(
     lines: Lines, vertices: VertexTable, pairs: Crossings, most: int
 ) -> tuple[Splits, Splits, VertexTable] | None:
-    """Return the splits by ends that lie on edges, those by crossings, and all vertices.
+    """Return the points at which edges must be split, or None if there are more than ``most``.
 
-    None if there are more than ``most`` splits.
+    Parameters
+    ----------
+    vertices
+        Vertices at the ends of the edges.
+    pairs
+        Crossings of the edges.
+
+    Returns
+    -------
+    on
+        Splits of edges on which an end of another edge lies.
+    across
+        Splits of both edges of each crossing.
+    vertices
+        The given vertices and those of the crossings.
     """
     ends, touch = lines.ends, lines.tolerance
     if 2 * len(pairs.pair) > most:
@@ -84,7 +98,7 @@ def find_splits(
 def _split_at_crossings(
     ends: F64, touch: float, pairs: Crossings, vertices: VertexTable
 ) -> tuple[Splits, VertexTable]:
-    """Return the splits of lines at crossings, and the vertices with those of the crossings."""
+    """Return the splits of both edges of each crossing, and the old and new vertices."""
     pair, share = pairs
     vertices = with_capacity(vertices, len(pair))
     at = np.empty(len(pair), np.int32)
@@ -103,7 +117,13 @@ def _split_by_ends(
     begin: int,
     end: int,
 ) -> Any:
-    """Return edge, parameter and vertex where a vertex lies on an edge that does not end there."""
+    """Return where vertices ``begin`` … ``end`` - 1 lie on edges that do not end there.
+
+    Returns
+    -------
+    row, share, cut : (k,)
+        Edge, parameter on the edge (0 … 1), and vertex.
+    """
     low, size, side, first, listed = grid
     row = np.empty(end - begin + 16, np.int32)
     share = np.empty(end - begin + 16)
@@ -114,7 +134,7 @@ def _split_by_ends(
         cell = cell_of(y, low[1], size[1], side) * side + cell_of(x, low[0], size[0], side)
         for k in range(first[cell], first[cell + 1]):
             i = listed[k]
-            # Checked first for arcs, whose distance is slow to compute.
+            # For arcs this is checked first, because their distance takes long to compute.
             if abs(bulge[i]) > BULGE and (node[2 * i] == at or node[2 * i + 1] == at):
                 continue
             away, part = distance_to(ends, bulge, i, x, y, touch)
@@ -133,7 +153,13 @@ def _split_by_ends(
 def _crossed(
     ends: F64_3, bulge: F64_1, touch: float, grid: EdgeGrid, most: int, begin: int, end: int
 ) -> Any:
-    """Return the pairs of lines that cross within cells ``begin`` … ``end``, and the parameters."""
+    """Return the straight edges that cross within the grid cells ``begin`` … ``end`` - 1.
+
+    Returns
+    -------
+    pair, share : (c, 2) and (c, 2)
+        The two edges of each crossing, and the parameters of the point on both, 0 … 1.
+    """
     low, size, side, first, listed = grid
     pair = np.empty((64, 2), np.int32)
     share = np.empty((64, 2))
@@ -176,7 +202,7 @@ def _crossed(
 def _join(
     ends: F64_3, touch: float, pair: I32_2, share: F64_2, vertices: VertexTable, at: OutI32_1
 ) -> int:
-    """Find or add the vertices of crossings; return the number of vertices."""
+    """Write the vertex of each crossing to ``at``; return the number of all vertices."""
     count = vertices.known
     for k in range(len(pair)):
         i, s = pair[k, 0], share[k, 0]

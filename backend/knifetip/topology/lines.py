@@ -1,4 +1,4 @@
-"""lines: the edges of a drawing while their planar graph is built."""
+"""lines: the edges of a drawing and what is found about them before they are split."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from knifetip.topology.edge_grid import EdgeGrid
 
 
 class Lines(NamedTuple):
-    """n edges, and what is known of them before they are split."""
+    """The n edges of a drawing, with vertices and grid, from which its planar graph is built."""
 
-    ends: F64  #: (n, 2, 2)
-    bulge: F64  #: (n,)
-    end_vertex: I32  #: (2n,) vertex of each end
-    twin: I32  #: (n,) first edge that coincides with each, or the edge itself
+    ends: F64  #: (n, 2, 2) start and end point of each edge
+    bulge: F64  #: (n,) tan(sweep / 4) of each edge
+    end_vertex: I32  #: (2n,) vertices of start and end of each edge
+    twin: I32  #: (n,) first edge that coincides with each edge; the edge itself if none does
     grid: EdgeGrid
     tolerance: float  #: ends nearer than this are one vertex
-    unit: float  #: one millimetre in file units
+    unit: float  #: number of drawing units in one millimetre

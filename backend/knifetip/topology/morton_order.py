@@ -1,9 +1,7 @@
-"""morton_order: an order of edges in which neighbours follow one another.
+"""morton_order: sort edges so that neighbours in the plane are neighbours in memory.
 
-    ends -> permutation, or None if the order of the file is good enough
-
-Lookups about an edge touch memory near that of its neighbours.  Most programs write a carton line
-by line; for a file in random order the lookups take twice as long.
+Most programs write a carton edge by edge, and that order is kept.  For a file in random order,
+searching for neighbours without sorting takes twice as long.
 """
 
 from __future__ import annotations
@@ -16,18 +14,26 @@ from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.spatial_index.morton import morton_code
 from knifetip.kernels import F64_3, kernel
 
-#: Fewer edges fit into the cache in any order.
+#: Number of edges below which the order does not matter, because they fit into the cache.
 _MANY: Final = 20_000
-#: The next edge is far away beyond this fraction of the drawing's size …
+#: An edge is far from the one before beyond this fraction of the drawing's size.
 _FAR: Final = 1.0 / 16.0
-#: … and this fraction of all edges may be far from the one before.
+#: Largest fraction of edges that may be far from the one before in an order that is kept.
 _LEAPS: Final = 0.2
-#: Cells along each side of the drawing, a power of two.
+#: Number of columns and of rows of cells, a power of two.
 _CELLS: Final = 256
 
 
 def spatial_order(ends: F64) -> I64 | None:
-    """Return a spatial order of n edges, (n, 2, 2); None if their own is good enough."""
+    """Return an order of n edges in which neighbours follow one another, (n,); None if not needed.
+
+    It is None for few edges, and if most edges already follow a neighbour.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Ends of the edges.
+    """
     if len(ends) < _MANY:
         return None
     left, low, size = _frame(ends)
@@ -39,7 +45,7 @@ def spatial_order(ends: F64) -> I64 | None:
 
 @kernel
 def _frame(ends: F64_3) -> Any:
-    """Return the least x and y of the starts, and the larger extent."""
+    """Return the least x, least y and larger extent of the start points of all edges, (3,)."""
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
     for i in range(len(ends)):
@@ -51,7 +57,7 @@ def _frame(ends: F64_3) -> Any:
 
 @kernel
 def _leaps(ends: F64_3, far: float) -> int:
-    """Return the number of edges that are far from the one before."""
+    """Return the number of edges that are more than ``far`` away in x or y from the edge before."""
     leaps = 0
     for i in range(1, len(ends)):
         across, along = ends[i, 0, 0] - ends[i - 1, 0, 0], ends[i, 0, 1] - ends[i - 1, 0, 1]
@@ -61,7 +67,11 @@ def _leaps(ends: F64_3, far: float) -> int:
 
 @kernel
 def _by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
-    """Return the edges sorted by the Morton code of their cells."""
+    """Return the rows of the edges, (n,), sorted by the Morton code of the cell of the start point.
+
+    ``left`` and ``low`` are the least coordinates, ``scale`` is the number of cells in a unit of
+    length.
+    """
     count = len(ends)
     cell = np.empty(count, np.int64)
     first = np.zeros(_CELLS * _CELLS + 1, np.int64)

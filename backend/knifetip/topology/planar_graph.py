@@ -1,13 +1,10 @@
-"""planar_graph: the edges of a drawing as a planar graph: vertices, and pieces between them.
+"""planar_graph: build the planar graph of a drawing: vertices, and pieces of edges between them.
 
-    ends, bulge -> PlanarGraph
+Edges are split where others end on them or cross them.  Links close gaps: a link is a piece without
+an edge, between a dangling end and the line that it stops short of, or between two dashes of a row.
 
-Edges are split where others end on them or cross them.  Links close gaps: they are pieces without
-an edge, between a dangling end and the line it stops short of, or between the dashes of a row.
-Coincident lines count once.
-
-All of it is compiled: 100,000 edges take less than 0.1 s.  For a drawing so crowded that this would
-take long, ``build_graph`` returns None.
+Building the graph of 100,000 edges takes less than 0.1 s.  For a drawing with so many crossings
+that it would take long, ``build_graph`` returns None.
 """
 
 from __future__ import annotations
@@ -34,24 +31,24 @@ from knifetip.topology.vertices import VertexTable, first_coincident, merge_ends
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PlanarGraph:
-    """p pieces of n edges and of links, between q vertices."""
+    """A planar graph of n edges: p pieces and links, q vertices and c connected components."""
 
     grid: EdgeGrid
-    vertex: F64  #: (q, 2) position
+    vertex: F64  #: (q, 2) position of each vertex
     start: I32  #: (p,) vertex at which each piece starts
-    end: I32  #: (p,)
-    bulge: F64  #: (p,)
+    end: I32  #: (p,) vertex at which each piece ends
+    bulge: F64  #: (p,) tan(sweep / 4) of each piece
     edge: I32  #: (p,) edge of each piece, -1 for a link
-    share: F64  #: (p,) parameter on the edge at which it starts, 0 … 1
-    first: I32  #: (n + 1,) pieces of edge i: first[i] … first[i + 1] - 1
-    end_vertex: I32  #: (2n,) vertices of the two ends of each edge
-    same: I32  #: (p,) first piece that coincides with this one
-    component: I32  #: (p,) connected component
+    share: F64  #: (p,) parameter on its edge at which each piece starts, 0 … 1
+    first: I32  #: (n + 1,) edge i has the pieces first[i] … first[i + 1] - 1
+    end_vertex: I32  #: (2n,) vertices of start and end of each edge
+    same: I32  #: (p,) first piece that coincides with each piece; the piece itself if none does
+    component: I32  #: (p,) connected component of each piece
     leftmost: I32  #: (c,) leftmost vertex of each component
-    dashed: Bool  #: (n,) the edge is a dash of a row
+    dashed: Bool  #: (n,) whether each edge is a dash of a row
 
     def chords(self) -> F64:
-        """Return the distance between the ends of each piece, (p,)."""
+        """Return the distance between the two ends of each piece, (p,)."""
         chord: F64 = _chords(self.vertex, self.start, self.end)
         return chord
 
@@ -67,15 +64,16 @@ def _chords(place: F64_2, start: I32_1, end: I32_1) -> Any:
 
 
 def build_graph(ends: F64, bulge: F64, touch: float, reach: float) -> PlanarGraph | None:
-    """Return the graph of n edges, or None if they are too crowded.
+    """Return the planar graph of n edges, or None if they are too crowded.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
+        Ends and bulges of the edges.
     touch
-        Ends nearer than this are one vertex.
+        Ends of edges that are nearer to each other than this become one vertex.
     reach
-        A dangling end nearer than this to another line is linked to it.
+        Largest distance from a dangling end to the line that it is linked to.
     """
     count = len(bulge)
     if count == 0:
@@ -112,13 +110,16 @@ def build_graph(ends: F64, bulge: F64, touch: float, reach: float) -> PlanarGrap
 def _find_crossings(
     ends: F64, bulge: F64, touch: float, reach: float, most: int
 ) -> tuple[EdgeGrid, Crossings] | None:
-    """Return the grid of edges, and their crossings."""
+    """Return the grid and the crossings of edges, or None if they are too crowded for a grid."""
     grid = build_grid(ends, bulge, touch, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, touch, grid, most))
 
 
 def _merge(ends: F64, bulge: F64, touch: float) -> tuple[VertexTable, I32, I32]:
-    """Return the vertices, those of all ends, (2n,), and each edge's first coincident edge."""
+    """Return the vertices, the vertex of each end, and the first edge coincident with each edge.
+
+    The last two have the shapes (2n,) and (n,).
+    """
     vertices, node = merge_ends(ends, touch)
     return (
         vertices,
@@ -129,7 +130,15 @@ def _merge(ends: F64, bulge: F64, touch: float) -> tuple[VertexTable, I32, I32]:
 
 @kernel
 def connected_components(place: F64_2, start: I32_1, end: I32_1) -> Any:
-    """Return the component of each piece, and the leftmost vertex of each component."""
+    """Return the component of each piece, (p,), and the leftmost vertex of each component, (c,).
+
+    Parameters
+    ----------
+    place : (q, 2)
+        Positions of the vertices.
+    start, end : (p,)
+        Vertices of each piece.
+    """
     pieces, places = len(start), len(place)
     parent = np.arange(places)
     for p in range(pieces):
@@ -156,7 +165,15 @@ def connected_components(place: F64_2, start: I32_1, end: I32_1) -> Any:
 
 @kernel
 def _dangling(node: I32_1, twin: I32_1, on: I32_1, across: I32_1, places: int) -> Any:
-    """Return at which vertices only one line ends, (q,)."""
+    """Return the mask of vertices at which only one edge ends and no edge is split, (places,).
+
+    Parameters
+    ----------
+    node, twin : (2n,) and (n,)
+        Vertex of each end, and the first edge that coincides with each edge.
+    on, across
+        Vertices at which edges are split.
+    """
     degree = np.zeros(places, np.uint8)
     for half in range(len(node)):
         if twin[half // 2] == half // 2:
@@ -169,7 +186,22 @@ def _dangling(node: I32_1, twin: I32_1, on: I32_1, across: I32_1, places: int) -
 
 @kernel
 def _pieces(bulge: F64_1, node: I32_1, row: I32_1, share: F64_1, cut: I32_1, link: I32_2) -> Any:
-    """Return start, end, bulge, edge and parameter of each piece, and the pieces of each edge."""
+    """Return the pieces of all edges, split at the given vertices, and the links.
+
+    Parameters
+    ----------
+    node : (2n,)
+        Vertex of each end.
+    row, share, cut : (c,)
+        Edge, parameter on the edge, and vertex of each split.
+    link : (t, 2)
+        Vertices of each link.
+
+    Returns
+    -------
+    start, end, bulge, edge, share, first
+        Columns of ``PlanarGraph``.
+    """
     n, cuts, links = len(bulge), len(row), len(link)
     begins = np.zeros(n + 1, np.int32)
     for k in range(cuts):
@@ -199,7 +231,7 @@ def _pieces(bulge: F64_1, node: I32_1, row: I32_1, share: F64_1, cut: I32_1, lin
             there, to = node[2 * i + 1], 1.0
             if k < begins[i + 1]:
                 there, to = cut[ordered[k]], share[ordered[k]]
-            # A piece between equal vertices is dropped as debris unless it is a long arc.
+            # A piece with both ends at one vertex is dropped as debris unless it is a long arc.
             round_ = abs(bulge[i]) > BULGE and to - last > 0.5
             if there == here and not round_:
                 continue

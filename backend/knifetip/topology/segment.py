@@ -1,4 +1,4 @@
-"""segment: geometry of one line, or of one arc of at most half a turn, for kernels."""
+"""segment: geometry of one line or of one arc of at most half a turn, for kernels."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 
 from knifetip.kernels import F64_1, F64_3, inline_kernel, kernel
 
-#: A segment with a smaller bulge is a line.
+#: Bulge below which a segment counts as a line.
 BULGE: Final = 1e-9
-#: Squares of distances that differ by more than rounding.
+#: Ratio above which two squares of distances differ by more than rounding.
 _CLEARLY: Final = 1.000001
 
 
@@ -19,9 +19,10 @@ _CLEARLY: Final = 1.000001
 def distance_to(
     ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float
 ) -> tuple[float, float]:
-    """Return the distance from a point to a segment, and the parameter of the nearest point, 0 … 1.
+    """Return the distance from a point to segment ``i``, and the parameter of the nearest point.
 
-    A segment that is clearly farther than ``far`` may get an infinite distance.
+    The parameter is 0 … 1.  For a segment that is clearly farther away than ``far`` the distance
+    may be infinite.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -35,7 +36,7 @@ def distance_to(
         ox -= share * dx
         oy -= share * dy
         return math.sqrt(ox * ox + oy * oy), share
-    # The circle over its chord holds an arc of at most half a turn.
+    # An arc of at most half a turn is in the circle with its chord as diameter.
     mx, my = ox - 0.5 * dx, oy - 0.5 * dy
     room = 0.5 * math.sqrt(square) + far
     if mx * mx + my * my > _CLEARLY * room * room:
@@ -47,7 +48,10 @@ def distance_to(
 def _distance_to_arc(
     dx: float, dy: float, b: float, x: float, y: float, far: float
 ) -> tuple[float, float]:
-    """Return what ``distance_to`` does, for an arc from (0, 0) to (``dx``, ``dy``)."""
+    """Return distance and parameter as ``distance_to``, for an arc from (0, 0) to (``dx``, ``dy``).
+
+    ``b`` is the bulge of the arc.
+    """
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
     up = (1.0 - b * b) / (4.0 * b)
@@ -76,7 +80,7 @@ def _distance_to_arc(
 
 @inline_kernel
 def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, float]:
-    """Return the point of a segment at parameter ``share``, 0 … 1."""
+    """Return the point (x, y) of segment ``i`` at the parameter ``share``, 0 … 1."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]
@@ -92,12 +96,16 @@ def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, fl
 
 @inline_kernel
 def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
-    """Return the unit vector in which a segment would continue beyond its end ``half`` % 2."""
+    """Return the unit vector in which a segment would continue beyond one of its ends.
+
+    End ``half`` is the start of segment half / 2 if ``half`` is even, the end if it is odd.  The
+    vector is (0, 0) for a segment without length.
+    """
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     if half % 2 == 0:
         dx, dy = -dx, -dy
-    # The chord_length, turned by half the sweep.
+    # The direction of the chord, turned by half the sweep.
     b = bulge[i] if half % 2 == 1 else -bulge[i]
     c, s = (1.0 - b * b) / (1.0 + b * b), 2.0 * b / (1.0 + b * b)
     long = math.sqrt(dx * dx + dy * dy)
@@ -110,9 +118,10 @@ def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, floa
 def crossing_shares(
     ax: float, ay: float, ux: float, uy: float, ends: F64_3, j: int
 ) -> tuple[float, float]:
-    """Return the parameters at which a line from (``ax``, ``ay``) along u and line ``j`` cross.
+    """Return the parameters, 0 … 1, at which two lines cross, or NaN twice if they do not cross.
 
-    Both are NaN if the lines do not cross between their ends.
+    The first line starts at (``ax``, ``ay``) and ends at (``ax + ux``, ``ay + uy``); the second one
+    is line ``j``.
     """
     vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
     ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
@@ -127,6 +136,6 @@ def crossing_shares(
 
 @inline_kernel
 def chord_length(ends: F64_3, i: int) -> float:
-    """Return the distance between the ends of a segment."""
+    """Return the distance between the two ends of segment ``i``."""
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     return math.sqrt(dx * dx + dy * dy)

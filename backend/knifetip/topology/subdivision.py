@@ -1,9 +1,7 @@
-"""subdivision: the faces into which edges divide the plane, and the nesting of components.
+"""subdivision: find the faces into which edges divide the plane, and which face contains what.
 
-    edges that meet only at their ends -> Subdivision
-
-In contrast to ``planar_graph`` no edge is split and no gap is closed here: whoever calls has split
-the edges where they meet.
+The edges meet only at their ends.  In contrast to ``planar_graph``, no edge is split and no gap is
+closed.
 """
 
 from __future__ import annotations
@@ -21,23 +19,23 @@ from knifetip.topology.faces import trace_sides
 from knifetip.topology.planar_graph import connected_components
 from knifetip.topology.vertices import first_coincident
 
-#: A face with a smaller signed area is the outer face of its component (mm²).
+#: Signed area below which a face is the outer face of its component (mm²).
 _LEAST_AREA: Final = 0.5e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Subdivision:
-    """n edges in c components, and f faces."""
+    """The f faces into which n edges in c components divide the plane."""
 
     face: I64  #: (n, 2) faces on the left and on the right of each edge
-    outer: Bool  #: (f,) the face is the outer face of its component
+    outer: Bool  #: (f,) whether each face is the outer face of its component
     component: I64  #: (n,) component of each edge
     enclosing: I64  #: (c,) bounded face around each component, -1 for none
     depth: I64  #: (c,) number of components around each component
 
     @property
     def merged(self) -> I64:
-        """(f,) For each outer face the bounded face it belongs to, -1 for none; else the face."""
+        """(f,) The face itself if it is bounded, else the bounded face around it or -1."""
         component_of_face = np.zeros(len(self.outer), np.int64)
         component_of_face[self.face] = self.component[:, None]
         result: I64 = np.where(
@@ -47,13 +45,13 @@ class Subdivision:
 
 
 def subdivide(ends: F64, bulge: F64) -> Subdivision:
-    """Return the faces between edges.
+    """Return the faces into which n edges divide the plane.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Edges in any order and direction.  Coincident edges divide the plane as one does.  Faces
-        beside edges that meet elsewhere than at their ends are wrong.
+        Edges in any order and direction, which meet only at their ends: otherwise the faces beside
+        them are wrong.  Of coincident edges only one divides the plane.
     """
     if len(ends) == 0:
         none = np.zeros(0, np.int64)

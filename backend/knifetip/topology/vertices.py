@@ -1,7 +1,7 @@
-"""vertices: points within a tolerance become one vertex; coincident lines between two vertices.
+"""vertices: merge points within a tolerance into one vertex, and find edges that coincide.
 
-A point belongs to the nearest vertex within the tolerance, and becomes a vertex if there is none.
-Points that are equal always get the same vertex, even if a nearer one is made later.
+A point gets the nearest vertex within the tolerance, or becomes a vertex if there is none.  Points
+with equal coordinates get the same vertex, even if a nearer vertex is added later.
 """
 
 from __future__ import annotations
@@ -26,24 +26,27 @@ from knifetip.kernels import (
 
 #: Width of a hash cell, in multiples of the tolerance.
 _CELL: Final = 16.0
-#: Results of ``_nearest`` that are no vertex.
+#: Results of ``_nearest`` for no vertex, and for several.
 _NONE: Final = -1
 _SEVERAL: Final = -2
-#: Points are equal if they differ by less than this fraction of the tolerance.
+#: Points are equal if they round to the same multiples of the tolerance divided by this.
 _FINE: Final = 1000.0
 
 
 class VertexTable(NamedTuple):
-    """A hash table of q vertices by position."""
+    """A hash table that finds q vertices by their positions."""
 
-    point: OutF64_2  #: (≥ q, 2)
-    known: int  #: q
-    onward: OutI32_1  #: (≥ q,) next vertex in the same hash bucket
-    head: OutI32_1  #: (2^k,) last vertex of each hash bucket
+    point: OutF64_2  #: (≥ q, 2) position of each vertex
+    known: int  #: q, the number of vertices
+    onward: OutI32_1  #: (≥ q,) next vertex in the same hash bucket, -1 for none
+    head: OutI32_1  #: (2^k,) vertex that was added last to each hash bucket, -1 for none
 
 
 def merge_ends(ends: F64, touch: float) -> tuple[VertexTable, I32]:
-    """Merge the ends of n edges, (n, 2, 2), into vertices; return these, and that of each end."""
+    """Return the vertices of the ends of n edges, (n, 2, 2), and the vertex of each end, (2n,).
+
+    Ends that are at most ``touch`` apart become one vertex.
+    """
     count = len(ends)
     size = 1 << (4 * count + 15).bit_length()
     vertices = VertexTable(
@@ -58,7 +61,7 @@ def merge_ends(ends: F64, touch: float) -> tuple[VertexTable, I32]:
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
-    """Return the same vertices with room for ``more``."""
+    """Return the same vertices in a table to which ``more`` vertices can be added."""
     point, onward = np.empty((vertices.known + more, 2)), np.empty(vertices.known + more, np.int32)
     point[: vertices.known] = vertices.point[: vertices.known]
     onward[: vertices.known] = vertices.onward[: vertices.known]
@@ -69,7 +72,11 @@ def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
 def _place(
     ends: F64_3, touch: float, vertices: VertexTable, node: OutI32_1, several: OutBool_1
 ) -> Any:
-    """Find the vertex of each end, and whether several are near; return the counts of both."""
+    """Write the vertex of each end to ``node`` and whether several are near to ``several``.
+
+    Returns the number of vertices, and the number of ends with several vertices within the
+    tolerance.
+    """
     count = near = 0
     for half in range(len(node)):
         x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
@@ -88,7 +95,7 @@ def _place(
 
 @kernel
 def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return the slot of the hash table for ends at the same point as this one."""
+    """Return the slot of the hash table ``known`` for ends at the same position as end ``half``."""
     mask = len(known) - 1
     x, y = _rounded(ends, half, fine)
     slot = _hashed(x, y, mask)
@@ -99,6 +106,7 @@ def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
 
 @kernel
 def _rounded(ends: F64_3, half: int, fine: float) -> Any:
+    """Return x and y of an end as integers, in units of 1 / ``fine``."""
     return (
         np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
         np.int64(np.rint(ends[half // 2, half % 2, 1] * fine)),
@@ -107,6 +115,7 @@ def _rounded(ends: F64_3, half: int, fine: float) -> Any:
 
 @kernel(allocates=False)
 def _hashed(cx: int, cy: int, mask: int) -> Any:
+    """Return the hash bucket of a cell, for a table of ``mask`` + 1 buckets."""
     key = np.uint64(cx) * np.uint64(0x9E3779B97F4A7C15) ^ np.uint64(cy) * np.uint64(
         0xC2B2AE3D27D4EB4F
     )
@@ -117,7 +126,7 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
 def vertex_at(
     x: float, y: float, touch: float, point: OutF64_2, count: int, head: OutI32_1, onward: OutI32_1
 ) -> int:
-    """Return the vertex at a point; ``count`` if it is a new one, which is added."""
+    """Return the vertex at (``x``, ``y``), or ``count`` after adding a vertex with that number."""
     at = _nearest(x, y, touch, point, head, onward)
     if at == _NONE:
         _add(x, y, touch, point, count, head, onward)
@@ -127,10 +136,10 @@ def vertex_at(
 
 @inline_kernel
 def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward: I32_1) -> int:
-    """Return the nearest vertex within the tolerance of a point.
+    """Return the nearest vertex within the tolerance ``touch`` of a point, or a negative number.
 
-    ``_NONE`` if there is none; ``_SEVERAL`` minus the vertex if several are near and none is equal
-    to the point.  One number, because returning two is slower.
+    It is ``_NONE`` if there is no vertex.  If several vertices are near, and none is exactly at the
+    point, it is ``_SEVERAL`` minus the vertex: returning a second value would take longer.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * touch), y / (_CELL * touch)
@@ -166,7 +175,7 @@ def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward
 def _add(
     x: float, y: float, touch: float, point: OutF64_2, number: int, head: OutI32_1, onward: OutI32_1
 ) -> None:
-    """Add a vertex."""
+    """Write a vertex with a number and position to the hash table."""
     fx, fy = x / (_CELL * touch), y / (_CELL * touch)
     own = _hashed(math.floor(fx), math.floor(fy), len(head) - 1)
     point[number, 0], point[number, 1] = x, y
@@ -176,7 +185,19 @@ def _add(
 
 @kernel
 def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> Any:
-    """Return for each line the first line between the same vertices that coincides with it."""
+    """Return the first edge coincident with each of n edges, (n,); itself if there is none.
+
+    Edges coincide if they connect the same vertices along the same line or arc.
+
+    Parameters
+    ----------
+    start, end, bent : (n,)
+        Vertices and bulge of each edge.
+    point : (q, 2)
+        Positions of the vertices.
+    touch
+        Half of the largest distance between the middles of coincident arcs.
+    """
     count = len(start)
     same = np.empty(count, np.int32)
     mask = 1
@@ -206,15 +227,18 @@ def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch:
     return same
 
 
-# With its types said: it is needed by few drawings, and nobody shall wait for it then.
 @kernel
 def _unify(ends: F64_3, touch: float, several: I32_1, node: OutI32_1) -> None:
-    """Give equal ends, of those with several vertices near, the vertex of the first of them."""
+    """Give ends with equal positions the same vertex, that of the first of them, in ``node``.
+
+    ``several`` are the ends that have several vertices within the tolerance; other ends keep theirs
+    unless they are at the position of one of these.
+    """
     mask = 1
     while mask < 4 * len(several):
         mask *= 2
     mask -= 1
-    # Points that round differently are still within the tolerance.
+    # Points that are rounded to different integers are still within the tolerance.
     fine = _FINE / touch
     known = np.full(mask + 1, -1, np.int32)
     place = np.full(mask + 1, -1, np.int32)
