@@ -1,5 +1,5 @@
-"""Classification: the line type of each edge, with the reason; questions where it is uncertain.
+"""Classification finds the line type of each edge, with the reason, and asks where it is uncertain.
 
-``shape`` computes features from geometry alone; ``decision`` combines them with profile rules,
-names and colours; ``vocabulary`` has the words of names.  ``classify`` is the entry.
+The package ``shape`` computes features from geometry alone, ``decision`` combines them with profile
+rules, names and colours, and ``vocabulary`` has the words of names.  Callers use ``classify``.
 """

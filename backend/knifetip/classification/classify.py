@@ -1,11 +1,9 @@
-"""classify: decide the line type of each edge of a drawing, and why.
+"""classify: decide the line type of each edge of a drawing, with the reason.
 
-    Drawing, LineRules -> Dieline            by profile rules, shape, names and colours
-    Dieline, overrides -> Dieline            line types that the user gives come last
-
-The rules of the profile, the shape of the drawing, the words in layers' names and the colour
-conventions of other companies are combined in ``decision``.  An edge that is not certain stays
-unclassified and becomes a question (``questions``).  No edge is cut by default.
+The package ``decision`` combines the rules of the profile, the shape of the drawing, the words in
+layer names, and the colour conventions of other companies.  Line types that the user gives come
+last.  An edge whose line type is not certain remains unclassified, and the module ``questions``
+makes a question of it.  No edge is cut by default.
 """
 
 from __future__ import annotations
@@ -47,12 +45,12 @@ from knifetip.model.profile import LineRules
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:
-    """Return the dieline: every edge of the drawing with its line type and the reason.
+    """Return the dieline of a drawing: all edges with their line types and reasons.
 
     Parameters
     ----------
     drawing
-        n edges.
+        A drawing of n edges.
     rules
         The customer's profile.
     conventions
@@ -61,11 +59,12 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     Returns
     -------
     Dieline
-        n edges; row i is edge i of the drawing.  ``rules`` holds the reasons, with only the
-        patterns that matched: ``profile default: layer "FOLDS"``.  Confidence is 1 for a rule on
-        layer and colour, 0.95 on a layer, 0.8 on colour or linetype; without a rule it is that of
-        the evidence, 0 if there is none.  An edge that needs a question is unclassified, and its
-        confidence is that of the best guess: the first of the ``alternatives`` of its reason.
+        n edges in the order of the drawing.  ``rules`` are the reasons, with only the patterns that
+        matched, such as ``profile default: layer "FOLDS"``.  The confidence is 1 for a rule on
+        layer and colour, 0.95 for a rule on a layer, and 0.8 for a rule on colour or linetype.
+        Without a rule it is the confidence of the evidence, or 0 if there is none.  An edge that
+        needs a question is unclassified and has the confidence of the best guess, which is the
+        first of the ``alternatives`` of its reason.
     """
     lengths, styles = parallel_pair(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
     matches = match_rules(styles, rules)
@@ -91,7 +90,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
 
 
 class _Reasons:
-    """The different reasons of decisions, each with its alternatives."""
+    """The distinct reasons of the decisions, each with its alternative line types."""
 
     def __init__(self) -> None:
         self.messages: list[Message] = []
@@ -99,7 +98,7 @@ class _Reasons:
         self._index: dict[tuple[Message, tuple[LineType, ...]], int] = {}
 
     def row_of(self, message: Message, alternatives: tuple[LineType, ...]) -> int:
-        """Return the index of a reason with its alternatives, adding it if it is new."""
+        """Return the index of a reason with its alternative line types; a new reason is added."""
         index = self._index.setdefault((message, alternatives), len(self.messages))
         if index == len(self.messages):
             self.messages.append(message)
@@ -109,17 +108,17 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """The decisions of n edges, in columns that later steps write to."""
+    """The decisions about n edges; later steps of the classification write to its columns."""
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
-    guess: U8  #: (n,) the best guess
-    confidence: F64  #: (n,) of the best guess
+    guess: U8  #: (n,) LineType of the best guess
+    confidence: F64  #: (n,) confidence of the best guess, 0 … 1
     reason: I32  #: (n,) index into ``reasons``
     reasons: _Reasons
 
 
 def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
-    """Return the decision of each edge; edges with equal keys, (n,), share a decision."""
+    """Return the decisions about n edges; edges with equal keys, (n,), get the same decision."""
     first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
     kinds = np.array([decision.kind for decision in decisions], np.uint8)
@@ -137,7 +136,7 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
 
 
 def _decide(classifier: Classifier, key: int) -> Decision:
-    """Return the decision for one key of style, role and flags."""
+    """Return the decision for a key, which is a number for a style, a role and flags."""
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))
     decision = classifier.decide(style, Role(role), must_fold=bool(flags & MUST_FOLD))
@@ -156,9 +155,9 @@ def _decide(classifier: Classifier, key: int) -> Decision:
 def _restore_folds_on_cuts(
     edges: _EdgeDecisions, classifier: Classifier, features: ShapeFeatures
 ) -> None:
-    """Give undecided folds that coincide with a cut the line type of their rule.
+    """Give unclassified folds that coincide with a cut the line type of their profile rule.
 
-    Cleaning merges such a fold with the cut, so that no question is needed.
+    Cleaning merges such a fold with the cut, so that no question is needed.  Writes to ``edges``.
     """
     styles, matches = classifier.styles, classifier.matches
     on_edge = features.coincident
@@ -179,7 +178,10 @@ def _restore_folds_on_cuts(
 def _withdraw_contradicted(
     edges: _EdgeDecisions, ends: F64, features: ShapeFeatures, lengths: F64
 ) -> None:
-    """Make questions of decisions that symmetry or connectivity contradicts."""
+    """Make edges unclassified whose line types symmetry or connectivity contradicts.
+
+    Writes to ``edges``.
+    """
     asymmetric, separating = parallel_pair(
         lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),
         lambda: find_separating_cuts(features, edges.line_type),
@@ -199,10 +201,10 @@ def _withdraw_contradicted(
 
 
 def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:
-    """Return the shape features of the edges that may belong to the carton.
+    """Return the shape features of all edges, computed from those that may belong to the carton.
 
-    Edges that the profile ignores are left out.  Edges that only their layer's name describes as
-    dimensions or notes are left out if the outlines close without them.
+    Edges that the profile ignores are left out.  Edges whose layer has the name of an annotation
+    are left out if the outlines close without them.
     """
     ignored = (matches.line_type == LineType.IGNORED) & (matches.confidence >= LAYER)
     named = np.array(
@@ -225,13 +227,16 @@ def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatche
 
 
 def _is_named_annotation(layer: str) -> bool:
-    """Return whether a layer's name describes dimensions, notes or the like."""
+    """Return whether a layer's name describes annotations, such as dimensions or notes."""
     meaning = name_meaning(layer)
     return meaning.kind == LineType.IGNORED and not meaning.denied
 
 
 def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeatures:
-    """Return the shape features of the edges in a mask; the role of all others is UNKNOWN."""
+    """Return the shape features of all edges, computed from the edges in a mask, (n,).
+
+    The role of all edges outside the mask is UNKNOWN.
+    """
     rows = np.flatnonzero(mask)
     ends, bulge = drawing.ends, drawing.bulge
     texts, unit_known = drawing.annotations, bool(drawing.unit)

@@ -1,7 +1,4 @@
-"""questions: ask the user about the edges that are not classified.
-
-Drawing, Dieline -> list[Question]
-"""
+"""questions: make questions to the user about edges that are not classified."""
 
 from __future__ import annotations
 
@@ -20,18 +17,18 @@ from knifetip.model.question import Question
 
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
-    """Return one question for each layer, colour, linetype and reason of unclassified edges.
+    """Return one question for each combination of style and reason of unclassified edges.
 
     Parameters
     ----------
     drawing, dieline
-        The same n edges.
+        The drawing and its dieline, with the same n edges.
 
     Returns
     -------
     list of Question
-        In the order of their first edges.  ``edges`` are rows of the drawing; ``choices`` are the
-        words of all line types, the likeliest first.
+        In the order of the first edges.  ``edges`` are rows of the drawing; ``choices`` are the
+        names of all line types, the likeliest first.
     """
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     if len(rows) == 0:
@@ -47,7 +44,15 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
 
 
 def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bounds: F64) -> Question:
-    """Return the question about the edges in some rows, which have one style and one reason."""
+    """Return the question about unclassified edges, which have one style and one reason.
+
+    Parameters
+    ----------
+    rows : (k,)
+        Rows of the edges.
+    lengths, bounds : (n,) and (4,)
+        Length of each edge of the drawing, and bounding box of the drawing.
+    """
     example = rows[0]
     layer = drawing.layers[drawing.layer[example]]
     linetype = drawing.linetypes[drawing.linetype[example]]
@@ -93,9 +98,9 @@ def _guess_message(dieline: Dieline, row: int) -> Message | None:
 def _likely_types(
     layer: str, linetype: str, spans_drawing: bool, straight: bool
 ) -> Sequence[LineType]:
-    """Return likely line types by name, linetype and extent, the likeliest first.
+    """Return line types that fit name, linetype and extent, the likeliest first.
 
-    The layer's name is the best evidence, then the linetype, then the extent: edges that span the
+    The layer name is the best evidence, then the linetype, then the extent: edges that span the
     drawing are its outline, straight lines inside it are folds, and arcs inside it are holes.
     """
     folded_linetype = fold_name(linetype)

@@ -1,12 +1,10 @@
-"""rule_proposals: propose profile rules that would have given the user's overrides.
+"""rule_proposals: propose profile rules that give the line types that a user chose by hand.
 
-    Drawing, Dieline, overrides, LineRules -> list[ProposedRule]
-
-A proposed rule contradicts nothing: it matches no edge that the user left with another line type,
-and no other override.  It may match edges that are not decided yet, and lists them.  A layer whose
-name has no meaning (``0``, ``Default``, ``Design``) is combined with a colour.  Overrides that the
-edges' attributes cannot separate, such as cuts and creases among the red lines of one layer, yield
-no rule.
+A line type that the user gives to an edge is an override.  A proposed rule matches no edge that the
+user left with another line type, and no override with another line type.  It may match edges that
+are not decided yet, and lists them.  A layer whose name has no meaning (``0``, ``Default``,
+``Design``) is combined with a colour.  If the attributes of edges cannot separate two overrides,
+such as cuts and creases among the red lines of one layer, no rule is proposed.
 """
 
 from __future__ import annotations
@@ -54,12 +52,12 @@ _TRAIT_SETS: Final = (
 def propose_rules(
     drawing: Drawing, dieline: Dieline, overrides: U8, profile: LineRules
 ) -> list[ProposedRule]:
-    """Return rules that give the user's overrides, those that cover most overrides first.
+    """Return rules that give the user's overrides; rules that cover most overrides come first.
 
     Parameters
     ----------
     drawing, dieline
-        The same n edges as they were classified, with or without the overrides.
+        The drawing and its dieline, with the same n edges, before or after the overrides.
     overrides : (n,) uint8
         LineType, or ``NO_OVERRIDE`` (255) for edges that the user left as they are.
     profile
@@ -68,12 +66,12 @@ def propose_rules(
     Returns
     -------
     list of ProposedRule
-        To be inserted before the profile's own rules.
+        Rules to be inserted before the rules of the profile.
 
     Raises
     ------
     ValueError
-        The column of overrides has another length.
+        The length of ``overrides`` is not n.
     """
     given = np.asarray(overrides, np.uint8)
     overridden = given != NO_OVERRIDE
@@ -103,9 +101,10 @@ def propose_rules(
 def _best_rule(
     styles: StyleTable, remaining: Bool, excluded: Bool, kind: LineType
 ) -> tuple[LineRule, Bool] | None:
-    """Return the rule that covers most remaining styles and no excluded one, and what it covers.
+    """Return the rule that covers most remaining and no excluded styles, and the mask it covers.
 
-    Of equally good rules it is the first by ``_TRAIT_SETS``; None if there is none.
+    Of equally good rules it is the one whose traits come first in ``_TRAIT_SETS``.  Returns None if
+    no rule covers a style.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}
@@ -133,7 +132,10 @@ def _best_rule(
 
 
 def _trait_codes(styles: StyleTable, trait: str) -> I64:
-    """Return a number of each style, (c,), equal for styles in which the trait is equal."""
+    """Return a number of each style, (c,), that is equal for styles with an equal trait.
+
+    ``trait`` is the name of a column of ``StyleTable``, such as ``layer``.
+    """
     if trait == "colour":
         values: list[object] = list(
             zip(styles.colour.tolist(), styles.true_colour.tolist(), strict=True)
@@ -145,7 +147,7 @@ def _trait_codes(styles: StyleTable, trait: str) -> I64:
 
 
 def _rule_for(styles: StyleTable, row: int, traits: tuple[str, ...], kind: LineType) -> LineRule:
-    """Return the rule that matches the given traits of one style."""
+    """Return the rule for a line type that matches the given traits of the style in ``row``."""
     index, true = int(styles.colour[row]), int(styles.true_colour[row])
     coloured = "colour" in traits
     names = {

@@ -1,13 +1,12 @@
-"""vocabulary: the line type that the name of a layer or linetype suggests, in many languages.
+"""vocabulary: find the line type that the name of a layer or linetype suggests, in many languages.
 
-    "Schnitt außen", "Línea de hendido", "no cut" -> NameMeaning
+Examples of names are "Schnitt außen", "Línea de hendido" and "no cut".  The words are in the file
+``vocabulary.toml``.  A name is compared word by word, never by parts of words: ``SCHNITTKANTEN``
+does not contain ``Schnitt``, nor ``Cutout`` ``cut``.  A negating word cancels the meaning, and so
+do two words that contradict each other.  Chinese, Japanese and Korean do not separate words, so
+their names are searched for substrings.
 
-The words are data: ``vocabulary.toml``.  A name is compared word by word, never by parts of words:
-``SCHNITTKANTEN`` does not contain ``Schnitt``, nor ``Cutout`` ``cut``.  A negating word cancels the
-meaning; so do two words that contradict each other.  Chinese, Japanese and Korean do not separate
-words, so their names are searched for substrings.
-
-A name alone decides nothing; ``decision.classifier`` combines it with the other evidence.
+A name alone decides nothing; ``decision.classifier`` combines it with other evidence.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ _GROOVE_WORDS: Final = ("groove", "grooves", "nut", "nuten")
 
 @dataclass(frozen=True, slots=True)
 class NameMeaning:
-    """The meaning of one name."""
+    """The line type that the name of a layer or linetype suggests."""
 
     kind: LineType | None  #: None if no word has a meaning, or if two words contradict each other
     word: str  #: the part of the name that has this meaning
@@ -57,7 +56,7 @@ class _Vocabulary:
 
 @cache
 def _vocabulary() -> _Vocabulary:
-    """Return the vocabulary, read at the first use."""
+    """Return the contents of ``vocabulary.toml``; the file is read at the first call."""
     text = (resources.files(__package__) / "vocabulary.toml").read_text("utf-8")
     data = tomllib.loads(text)
     meanings: dict[str, set[LineType]] = {}

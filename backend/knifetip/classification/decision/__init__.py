@@ -1,4 +1,4 @@
-"""Decisions: the line type of each edge, from profile rules, shape features, names and colours.
+"""Decisions about the line type of each edge, from profile rules, shape, names and colours.
 
-``classifier`` combines the evidence; ``connectivity`` and ``symmetry`` check its decisions.
+The module ``classifier`` combines the evidence; ``connectivity`` and ``symmetry`` check decisions.
 """

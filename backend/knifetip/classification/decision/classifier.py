@@ -1,9 +1,7 @@
-"""classifier: decide what each edge is, from rules, shape features, names and colours.
+"""classifier: decide the line type of edges from rules, shape features, names and colours.
 
-    StyleTable, RuleMatches, StyleTotals, FittingConventions -> Decision per style and role
-
-Edges of one style in one role share a decision.  A rule of the profile decides unless shape
-contradicts it: a crease cannot be the outline of a blank.  Without a rule, either two independent
+Edges of one style in one role get the same decision.  A rule of the profile decides unless the
+shape contradicts it: a crease cannot be the outline of a blank.  Without a rule, two independent
 kinds of evidence must agree, or the shape must be certain.  A decision with a confidence below
 ``MIN_CONFIDENCE`` becomes a question that has the best guess as its first choice.
 """
@@ -37,9 +35,9 @@ MIN_CONFIDENCE: Final = 0.8
 _DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)
 #: Roles that are so certain that they override rules.
 _OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
-#: A style is the main fold style if it has more than this share of all dividers' length, …
+#: A style is the main fold style if it has more than this fraction of the length of all dividers …
 _MAIN_FOLD_SHARE: Final = 0.6
-#: … and if more than this share of its own dividers' length must be folds.
+#: … and if more than this fraction of the length of its own dividers must be folds.
 _MUST_FOLD_SHARE: Final = 0.5
 #: Line types that a closed line inside a panel may have, besides cut.
 _CLOSED_IN_PANEL: Final = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
@@ -68,23 +66,23 @@ _POSSIBLE_TYPES: Final[dict[Role, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """The line type of edges of one style in one role."""
+    """The line type of the edges of one style in one role, with confidence and reason."""
 
     kind: LineType  #: the best guess
     confidence: float  #: 0 … 1
     reason: Message  #: the rule or the evidence
-    others: tuple[LineType, ...] = ()  #: other possible line types
-    by_rule: bool = False  #: a rule decides, and nothing contradicts it
+    others: tuple[LineType, ...] = ()  #: other possible line types, the likeliest first
+    by_rule: bool = False  #: whether a rule decides and nothing contradicts it
 
     @property
     def asked(self) -> bool:
-        """Whether the user must decide."""
+        """Whether the user must decide, because the confidence is too low."""
         unsure = self.confidence < MIN_CONFIDENCE and not self.by_rule
         return unsure or self.kind == LineType.UNCLASSIFIED
 
 
 class _Guess:
-    """A line type that changes while evidence is added, with its confidence and reasons."""
+    """A line type with confidence and reasons, which changes while evidence is added."""
 
     def __init__(self, kind: LineType, confidence: float) -> None:
         self.kind = kind
@@ -93,7 +91,7 @@ class _Guess:
         self.others: list[LineType] = []
 
     def strengthen(self, factor: float) -> None:
-        """Multiply the remaining doubt by a factor."""
+        """Multiply the doubt, which is 1 minus the confidence, by a factor."""
         self.confidence = 1.0 - (1.0 - self.confidence) * factor
 
     def replace(self, kind: LineType, confidence: float) -> None:
@@ -101,26 +99,26 @@ class _Guess:
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
-        """Limit the confidence, and add other possible line types."""
+        """Reduce the confidence to at most ``limit``, and add other possible line types."""
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Classifier:
-    """All that the decisions about one drawing's c styles depend on."""
+    """The evidence about the c styles of one drawing, from which the line types are decided."""
 
     styles: StyleTable
     profile: LineRules
     matches: RuleMatches
     conventions: Sequence[FittingConvention]
     length: F64  #: (c, roles) of all edges that share layer, colour and linetype with the style
-    total: F64  #: (roles,) of all edges
+    total: F64  #: (roles,) length of all edges
     other_folds: F64  #: (c,) length of dividers in other styles that have nearly only dividers
-    only_divides: Bool  #: (c,) nearly all of its edges are dividers
-    dashed: F64  #: (c,) share of its dividers' length that is in rows of dashes
-    paired: F64  #: (c,) share of its dividers' length with a parallel line beside it
-    main_folds: Bool  #: (c,) it has most of all dividers, and most of its own must be folds
+    only_divides: Bool  #: (c,) whether nearly all edges of the style are dividers
+    dashed: F64  #: (c,) fraction of the dividers' length that is in rows of dashes
+    paired: F64  #: (c,) fraction of the dividers' length with a parallel line beside it
+    main_folds: Bool  #: (c,) whether it is the main fold style
     has_outline: bool  #: whether the drawing has blanks with a closed outline
     swapped: Message | None  #: why the profile seems to swap cut and crease; None if it does not
 
@@ -133,7 +131,17 @@ class Classifier:
         totals: StyleTotals,
         conventions: Sequence[FittingConvention],
     ) -> Classifier:
-        """Compute the features of the whole drawing that decisions use."""
+        """Return the classifier of a drawing.
+
+        Parameters
+        ----------
+        styles, matches, totals
+            Styles of the drawing, the profile rules that match them, and sums of lengths by style.
+        profile
+            The customer's profile.
+        conventions
+            Colour conventions that fit the drawing.
+        """
         group = _group_styles(styles)
         length = totals.length
         grouped = np.zeros((int(group.max(initial=-1)) + 1, length.shape[1]))
@@ -165,10 +173,12 @@ class Classifier:
         )
 
     def decide(self, style: int, role: Role, *, must_fold: bool = False) -> Decision:
-        """Return the decision for edges of a style in a role.
+        """Return the decision for the edges of a style that have a role.
 
         Parameters
         ----------
+        style
+            Row of the style.
         must_fold
             Whether a panel is attached by these edges alone.
         """
@@ -179,7 +189,7 @@ class Classifier:
     # ── styles with a rule in the profile ────────────────────────────────────────────────────────
 
     def _decide_by_rule(self, style: int, role: Role) -> Decision:
-        """Return the rule's line type, with less confidence where shape contradicts it."""
+        """Return the decision of the profile rule, less certain if the shape contradicts the rule."""
         kind = LineType(int(self.matches.line_type[style]))
         confidence = float(self.matches.confidence[style])
         rule = Message(
@@ -208,7 +218,10 @@ class Classifier:
     def _contradiction(
         self, kind: LineType, confidence: float, style: int, role: Role
     ) -> tuple[Message | None, tuple[LineType, ...]]:
-        """Return why shape contradicts a rule, None if it does not, and other possible types."""
+        """Return why the shape contradicts a rule, or None, and the other possible line types.
+
+        ``kind`` and ``confidence`` are the line type of the rule and the confidence in it.
+        """
         weak = confidence < 0.9
         if kind == LineType.IGNORED:
             if role in (Role.OUTLINE, Role.DIVIDER):
@@ -233,7 +246,7 @@ class Classifier:
     # ── styles without a rule ────────────────────────────────────────────────────────────────────
 
     def _decide_by_evidence(self, style: int, role: Role, must_fold: bool) -> Decision:
-        """Return what shape, conventions and names together suggest."""
+        """Return the decision that shape, conventions and names suggest, for a style without a rule."""
         if role == Role.OPEN:
             shape = Message(
                 "classification.no-rule-but-shape",
@@ -259,7 +272,7 @@ class Classifier:
         return Decision(guess.kind, guess.confidence, reason, tuple(others[:3]))
 
     def _weigh_conventions(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the line types that the fitting conventions give to its colour."""
+        """Change a guess by the line types that fitting conventions give to the style's colour."""
         types = {LineType(int(fit.line_type[style])) for fit in self.conventions}
         types.discard(LineType.UNCLASSIFIED)
         if len(types) > 1:
@@ -282,7 +295,7 @@ class Classifier:
             guess.weaken(0.6, kind)
 
     def _weigh_names(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the meaning of the layer's name, or else of the linetype's."""
+        """Change a guess according to the meaning of the style's layer name or linetype name."""
         meaning, by_layer = self._meaning(style)
         if meaning.denied:
             if by_layer:
@@ -309,9 +322,9 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return the meaning of a style's layer, or of its linetype, and whether it is the layer's.
+        """Return the meaning of a style's layer or linetype name, and whether it is the layer's.
 
-        The linetype counts only if the layer's name has no meaning.
+        The linetype name counts only if the layer name has no meaning.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
@@ -324,7 +337,7 @@ class Classifier:
         """Return the line type that shape alone suggests, its confidence, and the reasons."""
         own, total = self.length[style], self.total
         outlines = own[Role.OUTLINE] >= 0.3 * total[Role.OUTLINE]
-        # If another style has the folds, this one does not.
+        # Only one style has the folds of a drawing.
         folds_elsewhere = outlines and self.other_folds[style] > 1.4 * own[Role.DIVIDER]
         if role == Role.OUTLINE:
             # A style with dividers does not close the outline if another style closes most of it.
@@ -359,7 +372,10 @@ class Classifier:
     def _guess_divider(
         self, style: int, must_fold: bool, outlines: bool
     ) -> tuple[LineType, float, Sequence[Message]]:
-        """Return the same for lines between panels, unless another style has the folds."""
+        """Return the line type that shape suggests for dividers, its confidence and the reasons.
+
+        ``outlines`` is whether the style has at least 30 % of the length of all outlines.
+        """
         if self.only_divides[style]:
             reasons = [Message("classification.as-its-style")]
             if self.main_folds[style]:
@@ -378,12 +394,22 @@ class Classifier:
 
 
 def _likeliest_type(role: Role) -> LineType:
-    """Return the likeliest line type of a role."""
+    """Return the likeliest line type of edges with a role."""
     return _POSSIBLE_TYPES[role][0]
 
 
 def _divider_share(part: F64, group: I64, grouped: F64) -> F64:
-    """Return the share of the dividers' length of each style's group that ``part`` is, (c,)."""
+    """Return the fraction of the dividers' length of each style's group that ``part`` is, (c,).
+
+    Parameters
+    ----------
+    part : (c,)
+        Length of some of the dividers of each style.
+    group : (c,)
+        Group of each style.
+    grouped : (groups, roles)
+        Length of the edges of each group, by role.
+    """
     whole = np.maximum(grouped[:, Role.DIVIDER], 1e-12)
     share: F64 = (np.bincount(group, part, len(grouped)) / whole)[group]
     return share
@@ -410,7 +436,7 @@ def _group_styles(styles: StyleTable) -> I64:
 def _swap_reason(
     matches: RuleMatches, length: F64, conventions: Sequence[FittingConvention]
 ) -> Message | None:
-    """Return why the profile seems to swap cut and crease, None if it does not."""
+    """Return why the profile seems to swap cut and crease, or None if it does not."""
     folds = np.isin(matches.line_type, (LineType.CREASE, LineType.V_GROOVE, LineType.COMBI))
     cuts = matches.line_type == LineType.CUT
     outline, divider = length[:, Role.OUTLINE], length[:, Role.DIVIDER]
@@ -425,6 +451,6 @@ def _swap_reason(
 
 
 def _contradiction_message(rule: Message, role: Role, against: Message | None) -> Message:
-    """Return the message that a role contradicts a rule."""
+    """Return the message that the role of edges contradicts a rule."""
     reason = Message("classification.role-against", role=role.message, against=against)
     return Message("classification.contradicted", rule=rule, reason=reason)

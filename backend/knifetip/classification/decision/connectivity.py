@@ -1,11 +1,9 @@
-"""connectivity: find decided cuts that would separate a panel from its blank.
+"""connectivity: find cuts that would separate a panel from its blank.
 
-    ShapeFeatures, line types -> which cuts separate a panel
-
-A blank must stay in one piece when it has been cut.  A slit between two flaps leaves both of them
-attached by their creases.  A cut between two panels of which the outer one is attached by no fold
-was meant as a fold, or was drawn on the wrong layer.  What falls out of the middle of a blank is
-a hole, and may fall out.
+A blank must remain in one piece when it has been cut.  A slit between two flaps leaves both flaps
+attached by their creases.  If a cut runs between two panels, and no fold attaches the outer panel
+to the blank, the cut was meant as a fold or was drawn on the wrong layer.  A piece that falls out
+of the middle of a blank is a hole, and is permitted.
 """
 
 from __future__ import annotations
@@ -21,18 +19,20 @@ from knifetip.geometry.union_find import flatten, union
 from knifetip.kernels import I32_2, kernel
 from knifetip.model.dieline import LineType
 
-#: A piece with less than this share of the other's area is a separated panel; two larger pieces are
-#: two blanks that share a cut.
+#: A piece with less than this fraction of the area of the other piece is a separated panel; two
+#: pieces of more equal area are two blanks with a common cut.
 _MAX_AREA_SHARE: Final = 0.35
 
 
 def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
-    """Return which cuts would separate a panel at the rim from its blank, (n,).
+    """Return the mask of cuts that would separate a panel at the rim from its blank, (n,).
 
     Parameters
     ----------
+    features
+        Shape features of n edges.
     line_type : (n,)
-        LineType as decided so far.  Undecided edges keep panels together like folds.
+        LineType as decided so far.  Unclassified edges keep panels together as folds do.
     """
     divider = features.role == Role.DIVIDER
     cut = divider & (line_type == LineType.CUT)
@@ -62,7 +62,10 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
 
 @kernel
 def _label_connected_faces(faces: int, sides: I32_2) -> Any:
-    """Return a label of each face, (faces,), equal where pairs of ``sides``, (k, 2), connect it."""
+    """Return a label of each face, (faces,), equal for faces that pairs of ``sides`` connect.
+
+    ``sides`` (k, 2) are pairs of faces.
+    """
     parent = np.arange(faces)
     for k in range(len(sides)):
         union(parent, sides[k, 0], sides[k, 1])

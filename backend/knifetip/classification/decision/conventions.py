@@ -1,10 +1,8 @@
-"""conventions: which colour conventions of other companies fit a drawing.
+"""conventions: find the colour conventions of other companies that fit a drawing.
 
-    StyleTable, StyleTotals, conventions -> FittingConvention of each that fits
-
-Red is a cut in one company and a crease in another.  Shape shows which convention a drawing uses:
-outlines must be cuts, and lines between panels creases.  A convention does not fit if it makes part
-of an outline a crease or leaves it open.
+Red is a cut in one company and a crease in another.  The shape shows which convention a drawing
+uses: outlines must be cuts, and lines between panels must be creases.  A convention does not fit if
+it makes a part of an outline a crease or leaves the outline open.
 """
 
 from __future__ import annotations
@@ -25,34 +23,36 @@ from knifetip.model.profile import LineRules
 
 #: Line types of fold lines.
 FOLD_TYPES: Final = (LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.COMBI)
-#: Drawings with more styles than this are not tried.
+#: Largest number of styles of a drawing for which conventions are tried.
 _MOST_STYLES: Final = 2000
-#: Least share of the outlines' length that a fitting convention cuts.
+#: Least fraction of the outlines' length that a fitting convention cuts.
 _MIN_CUT: Final = 0.97
-#: Least share of the dividers' length, and of their number, that it creases.
+#: Least fraction of the dividers, by length and by number, that a fitting convention creases.
 _MIN_CREASED: Final = 0.6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class FittingConvention:
-    """A convention that fits the drawing, and the line types that it gives to c styles."""
+    """A convention that fits the drawing, with the line types that it gives to c styles."""
 
     name: str
     line_type: U8  #: (c,) UNCLASSIFIED where it has no rule
-    message: Message  #: why it fits
+    message: Message  #: why the convention fits
 
 
 def find_fitting_conventions(
     styles: StyleTable, unmatched: Bool, totals: StyleTotals, conventions: Sequence[LineRules]
 ) -> list[FittingConvention]:
-    """Return the conventions that fit, the best first.
+    """Return the conventions that fit a drawing, the best one first.
 
     Parameters
     ----------
+    styles, totals
+        The c styles of the drawing, and sums of lengths by style.
     unmatched : (c,)
-        Styles without a rule in the profile; only these are compared.
+        Mask of styles without a rule in the profile; only these are compared.
     conventions
-        Profiles that hold only the rules that distinguish them.
+        Profiles that contain only the rules that distinguish them from other profiles.
     """
     outline = np.where(unmatched, totals.length[:, Role.OUTLINE], 0.0)
     divider = np.where(unmatched, totals.length[:, Role.DIVIDER], 0.0)

@@ -1,14 +1,12 @@
 """profile_rules: match the rules of a profile against the styles of a drawing.
 
-    Drawing                -> StyleTable     combinations of layer, colour, linetype, entity, block
-    StyleTable, LineRules  -> RuleMatches    the first rule that matches each combination
+A style is a combination of layer, colour, linetype, kind of entity and block.  A drawing of 100,000
+edges has a few dozen styles.  Rules are matched against the styles, and each edge gets the result
+of its style.
 
-A drawing of 100,000 edges has a few dozen combinations, called styles.  Rules are matched against
-the styles; each edge has the result of its style.
-
-Patterns are shell globs.  Names in a drawing are literal: a layer called ``[CUT]`` matches only
-itself.  Comparison ignores case and uses one Unicode form, since ``BIÇAK`` may be written with or
-without a combining mark.
+Patterns are shell globs.  Names in a drawing are literal: a layer called ``[CUT]`` matches only the
+same name.  Comparison ignores case and uses one Unicode form, since ``BIÇAK`` may be written with
+or without a combining mark.
 """
 
 from __future__ import annotations
@@ -61,12 +59,12 @@ class StyleTable:
     """The c styles of a drawing's n edges, in the order in which they first occur."""
 
     row: I64  #: (n,) style of each edge, as an index into the other columns
-    layer: tuple[str, ...]  #: (c,)
+    layer: tuple[str, ...]  #: (c,) name of the layer
     colour: I32  #: (c,) colour index for rules; 0 for a true colour without an index
     true_colour: I32  #: (c,) 0xRRGGBB for rules; -1 for an index without a true colour
-    linetype: tuple[str, ...]  #: (c,)
-    entity: tuple[str, ...]  #: (c,)
-    block: tuple[str, ...]  #: (c,) "" outside blocks
+    linetype: tuple[str, ...]  #: (c,) name of the linetype
+    entity: tuple[str, ...]  #: (c,) kind of entity, such as LINE
+    block: tuple[str, ...]  #: (c,) name of the block, "" outside blocks
 
     def __len__(self) -> int:
         return len(self.layer)
@@ -79,7 +77,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
     blocks, block = numbered(report.block or ("",))
     entity_key = np.zeros(len(report), np.int32)
     entity_key[:] = kind if len(blocks) == 1 else kind * len(blocks) + block
-    # All traits but the colours are packed into one number.
+    # All attributes except the colours are combined in one number.
     key = (drawing.layer.astype(np.int64) * len(drawing.linetypes)) + drawing.linetype
     key = key * (len(kinds) * len(blocks)) + entity_key[drawing.entity]
     first, style = unique_rows(key, drawing.colour, drawing.true_colour)
@@ -100,11 +98,11 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RuleMatches:
-    """The rules of a profile that match c styles."""
+    """The first rule of a profile that matches each of c styles."""
 
     line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
     rule: I32  #: (c,) index of the rule, -1 for none
-    confidence: F64  #: (c,) 0 … 1
+    confidence: F64  #: (c,) confidence of the rule, 0 … 1
     #: (c,) the conditions of the rule with only the patterns that matched; None without a rule
     conditions: tuple[Message | None, ...]
 
@@ -116,7 +114,7 @@ def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
 
 
 def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
-    """Return the first rule that matches each style."""
+    """Return the first rule of a profile that matches each style."""
     count = len(styles)
     line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
     matched_rule = np.full(count, -1, np.int32)
@@ -154,17 +152,17 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
 
 @lru_cache(maxsize=1 << 16)
 def fold_name(name: str) -> str:
-    """Return a name in the form in which names are compared: NFC, without case and margins."""
+    """Return a name as it is compared: in Unicode form NFC, without case and outer spaces."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name.strip()).casefold())
 
 
 def escape_pattern(name: str) -> str:
-    """Return the pattern that matches only this name."""
+    """Return the shell glob that matches only the given name."""
     return glob.escape(name)
 
 
 def display_name(name: str) -> str:
-    """Return a name that is safe to print: control characters replaced, at most 80 characters."""
+    """Return a name that is safe to print: no control characters, at most 80 characters."""
     clean = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in name)
     return clean if len(clean) <= _MOST_SHOWN else clean[: _MOST_SHOWN - 1] + "…"
 
@@ -223,10 +221,12 @@ def narrow_rule(
     true_colour: int = -1,
     block: int = 0,
 ) -> LineRule:
-    """Return a rule with only the patterns that matched, for messages.
+    """Return a rule with only the patterns that matched a style, to be shown in messages.
 
     Parameters
     ----------
+    rule
+        Rule of a profile, perhaps with several patterns for each attribute.
     layer, linetype, entity, block
         Indices of the patterns that matched.
     colour

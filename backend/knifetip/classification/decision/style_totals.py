@@ -1,6 +1,6 @@
-"""style_totals: lengths and numbers of edges by style and role, and which edges share a decision.
+"""style_totals: sum up lengths and numbers of edges by style and role.
 
-ShapeFeatures, style of each edge -> StyleTotals -> decision keys
+The sums also show which edges can share a decision: their decision keys are equal.
 """
 
 from __future__ import annotations
@@ -25,32 +25,32 @@ from knifetip.kernels import (
 )
 
 #: Flags in a decision key, beside style and role.
-MIXED_ROLES: Final = 1  #: a third of the edge has another role
+MIXED_ROLES: Final = 1  #: at least a third of the edge has another role
 NEAR_TEXT: Final = 2  #: a text is beside the edge
 MUST_FOLD: Final = 4  #: a panel is attached by the edge alone
 FLAG_COUNT: Final = 8
 _ROLES: Final = len(Role)
 _STRAY, _DIVIDER, _UNKNOWN = (int(role) for role in (Role.STRAY, Role.DIVIDER, Role.UNKNOWN))
-#: An edge with less than this share of its length in its main role has mixed roles.
+#: An edge with less than this fraction of its length in its main role has mixed roles.
 _MAIN_ROLE: Final = 0.7
-#: If more than this share of a style's necessary folds is dashed, all its dashes are folds.
+#: If more than this fraction of a style's necessary folds is dashed, all its dashes are folds.
 _MOSTLY_DASHED: Final = 0.9
 
 
 class StyleTotals(NamedTuple):
-    """Sums over the edges of each of c styles."""
+    """Numbers and lengths of edges of each of c styles."""
 
     edges: I64  #: (c, roles) number of edges
-    length: F64  #: (c, roles) their length
+    length: F64  #: (c, roles) length of the edges
     dashed: F64  #: (c,) length of dividers in rows of dashes
     paired: F64  #: (c,) length of dividers with a parallel line beside them
     must_fold: F64  #: (c,) length of dividers that must be folds
-    #: (c, 2) length of all edges that must be folds, and of those of them that are dashed
+    #: (c, 2) length of all edges that must be folds, and of dashed edges that must be folds
     fold_lengths: F64
 
     @classmethod
     def sum(cls, style: I64, styles: int, features: ShapeFeatures, lengths: F64) -> StyleTotals:
-        """Return the sums, added in the order of the drawing.
+        """Return the totals of all styles.
 
         Parameters
         ----------
@@ -58,6 +58,8 @@ class StyleTotals(NamedTuple):
             Style of each edge.
         styles
             Number of styles, c.
+        features
+            Shape features of the edges.
         lengths : (n,)
             Length of each edge.
         """
@@ -81,9 +83,9 @@ class StyleTotals(NamedTuple):
         return totals
 
     def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
-        """Return style × role × flags of each edge as one number, (n,).
+        """Return the decision key of each edge, (n,): style, role and flags combined in one number.
 
-        Edges with equal keys share one decision.
+        Edges with equal keys share one decision.  ``style`` (n,) is the style of each edge.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
@@ -115,7 +117,10 @@ def _add(
     must_fold_length: OutF64_1,
     fold_lengths: OutF64_2,
 ) -> None:
-    """Add the edges to the totals of their styles."""
+    """Add numbers and lengths of n edges to the columns of their styles.
+
+    The arguments from ``count`` on are the columns of ``StyleTotals`` and are written to.
+    """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
         count[s, role[i]] += 1
@@ -144,7 +149,10 @@ def _write_keys(
     dashes_fold: Bool_1,
     key: OutI64_1,
 ) -> None:
-    """Write the decision key of each edge; ``dashes_fold`` is by style."""
+    """Write the decision key of each edge to ``key``, (n,).
+
+    ``dashes_fold`` (c,) is whether all dashes of a style are folds.
+    """
     for i in range(len(style)):
         flags = 0
         if role_share[i] < _MAIN_ROLE and role[i] != _UNKNOWN:

@@ -1,10 +1,8 @@
 """symmetry: find cuts whose mirror image is a fold.
 
-    ShapeFeatures, line types -> edges that contradict their mirror image
-
 A line between two panels may be a fold or a slit, and often only its layer distinguishes the two.
 If a blank is its own mirror image, and such a line is cut while its image is folded, one of the two
-was drawn on the wrong layer.
+lines was drawn on the wrong layer.
 """
 
 from __future__ import annotations
@@ -20,31 +18,34 @@ from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.model.dieline import LineType
 
-#: Lines nearer than this share of the blank's size are the same line.
+#: Lines nearer to each other than this fraction of the blank's size count as the same line.
 _TOLERANCE: Final = 1.0 / 500.0
-#: Whether each line type is a fold: a table is faster than ``isin``.
+#: Whether each line type is a fold, as a table, which is faster than ``numpy.isin``.
 _IS_FOLD: Final = np.isin(np.arange(256), FOLD_TYPES)
-#: A blank is symmetrical if at least this share of its length has a mirror image.
+#: A blank is symmetrical if at least this fraction of its length has a mirror image.
 _MIN_MIRRORED: Final = 0.9
-#: Most blanks that are checked.
+#: Largest number of blanks that are checked.
 _MOST_BLANKS: Final = 50
 
 
 class _Blanks(NamedTuple):
-    """Edges by the blank that they belong to."""
+    """The n edges of a drawing and the b blanks that they belong to."""
 
-    ends: F64  #: (n, 2, 2)
+    ends: F64  #: (n, 2, 2) ends of each edge
     blank: I32  #: (n,) number of the blank, -1 for none
-    centre: F64  #: (b, 2) of each blank's box
-    size: F64  #: (b,) longer side of each blank's box
+    centre: F64  #: (b, 2) centre of each blank's bounding box
+    size: F64  #: (b,) longer side of each blank's bounding box
 
 
 def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, length: F64) -> Bool:
-    """Return which edges are cut while their mirror image is folded, or the reverse, (n,).
+    """Return the mask of edges that are cut and whose mirror image is folded, or the reverse, (n,).
 
     Parameters
     ----------
     ends, length : (n, 2, 2) and (n,)
+        Ends and length of each edge.
+    features
+        Shape features of the edges.
     line_type : (n,)
         LineType as decided so far.
     """
@@ -69,7 +70,7 @@ def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, len
 
 
 def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
-    """Return the components that have some of the given cuts, numbered from 0."""
+    """Return the components that contain one of the edges ``cut``, as blanks numbered from 0."""
     number = np.full(int(component.max()) + 2, -1, np.int32)
     number[component[cut]] = 0
     wanted = np.flatnonzero(number == 0)
@@ -86,7 +87,10 @@ def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
 
 
 def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tuple[I64, I64]:
-    """Return the rows that have a mirror image among the candidates, and that image, (k,) each."""
+    """Return the rows with a mirror image among the candidates, and these images, (k,) and (k,).
+
+    ``axis`` is 0 for images with opposite x and 1 for images with opposite y.
+    """
     found: list[tuple[I64, I64]] = []
     # Two grids, half a cell apart: lines near a border of one are inside a cell of the other.
     for shift in (0.0, 0.5):
@@ -103,9 +107,10 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
 
 
 def _position_keys(blanks: _Blanks, rows: I64, axis: int, sign: float, shift: float) -> I64:
-    """Return the grid cells of the middle and extent of each line, and its blank, (k, 5).
+    """Return a key of each line's position, (k, 5): cells of its middle and extent, and its blank.
 
-    A line with ``sign`` 1 has the key of its mirror image with ``sign`` -1.
+    A line with ``sign`` 1 has the same key as its mirror image with ``sign`` -1.  ``shift`` moves
+    the borders of the cells.
     """
     blank = blanks.blank[rows]
     tolerance = _TOLERANCE * blanks.size[blank][:, None]

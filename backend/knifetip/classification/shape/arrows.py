@@ -1,11 +1,8 @@
-"""arrows: find dimension arrows, which annotate a carton and are never worked.
+"""arrows: find dimension arrows, which annotate a carton and are never made.
 
-    PlanarGraph -> which edges are arrowheads, their shafts, and extension lines
-
-An arrowhead is two short edges of equal length that meet at the end of a third, the shaft.  They
-lie back along the shaft, at equal angles on both sides, and their other ends are loose or joined to
-each other.  A notch at the end of a crease opens the other way, and its ends continue in the
-outline.
+An arrowhead is two short edges of equal length that meet at the end of a third edge, the shaft.
+Both point back along the shaft at equal angles, and their other ends are free or joined to each
+other.  A notch at the end of a crease points the other way, and its ends continue in the outline.
 """
 
 from __future__ import annotations
@@ -21,16 +18,16 @@ from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
 from knifetip.topology.intersections import MIN_CHUNK
 from knifetip.topology.planar_graph import PlanarGraph
 
-#: Greatest length of an arrowhead (mm), …
+#: Greatest length of an arrowhead (mm).
 _MAX_LENGTH: Final = 12.0
-#: … and as a share of its shaft.
+#: Greatest length of an arrowhead as a fraction of the length of its shaft.
 _MAX_SHARE: Final = 0.75
 #: Least and greatest angle between an edge of the head and the shaft (radians).
 _MIN_ANGLE: Final = math.radians(5.0)
 _MAX_ANGLE: Final = math.radians(50.0)
 #: Greatest difference between the angles of the two sides (radians).
 _ANGLE_TOLERANCE: Final = math.radians(4.0)
-#: Greatest difference between the lengths of the two sides, as a share.
+#: Greatest difference between the lengths of the two sides, as a fraction.
 _LENGTH_TOLERANCE: Final = 0.05
 #: Greatest length of an extension line beyond the arrow's tip (mm).
 _EXTENSION: Final = 8.0
@@ -41,25 +38,27 @@ _MAX_DEGREE: Final = 24
 class _Graph(NamedTuple):
     """Columns of a ``PlanarGraph``: q vertices, p pieces, n edges."""
 
-    vertex: F64_2  #: (q, 2)
+    vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts
-    end: I32_1  #: (p,) vertex at which it ends
-    edge: I32_1  #: (p,) edge that it is a part of, -1 for none
+    end: I32_1  #: (p,) vertex at which each piece ends
+    edge: I32_1  #: (p,) edge that each piece is a part of, -1 for none
     first: I32_1  #: (n + 1,) index of the first piece of each edge
 
 
 class _Incidence(NamedTuple):
-    """Pieces by vertex, in CSR form."""
+    """The pieces at each vertex: those of vertex v are ``piece[first[v] : first[v + 1]]``."""
 
     first: I32_1  #: (q + 1,) index of the first entry of each vertex
     piece: I32_1  #: pieces that start or end at the vertex
 
 
 def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
-    """Return which of n edges belong to arrows, (n,).
+    """Return the mask of edges that belong to arrows, (n,): heads, shafts and extension lines.
 
     Parameters
     ----------
+    graph
+        Planar graph of n edges.
     count
         Number of edges, n.
     unit
@@ -133,13 +132,13 @@ def _mark_arrowheads(
             i = edge[p]
             if i < 0 or bulge[p] != 0.0:
                 continue
-            # The whole edge counts, although other lines may cross it.
+            # Other lines may cross the edge: its whole length counts, not that of a piece.
             far = _other_end(start, end, first_piece, i, at)
             if far < 0:
                 continue
             dx, dy = vertex[far, 0] - vertex[at, 0], vertex[far, 1] - vertex[at, 1]
             chord = math.hypot(dx, dy)
-            # The far end is loose, or a corner of a closed head.
+            # The far end is dangling, or is a corner of a closed arrowhead.
             if not 0.0 < chord <= max_length or first[far + 1] - first[far] > 2:
                 continue
             side_edge[sides], far_end[sides] = i, far
@@ -172,7 +171,7 @@ def _mark_arrowheads(
                         continue
                     tip[at] = True
                     found[side_edge[a]] = found[side_edge[b]] = found[i] = True
-                    # Sides that were drawn twice with a small difference.
+                    # Such sides are one side that was drawn twice with a small difference.
                     for c in range(sides):
                         turn = min(
                             abs(_turn(direction[c], direction[a])),
@@ -193,7 +192,10 @@ def _mark_arrowheads(
 def _mark_extension_lines(
     graph: _Graph, incidence: _Incidence, unit: float, found: OutBool_1, tip: Bool_1
 ) -> None:
-    """Mark the lines at which arrows start: they end shortly beyond an arrow's tip."""
+    """Mark the extension lines of dimensions: lines that end shortly beyond the tip of an arrow.
+
+    Sets ``found``, (n,), to True for them; ``tip`` (q,) is the mask of vertices at tips.
+    """
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
     for at in range(len(vertex)):
@@ -219,7 +221,7 @@ def _mark_extension_lines(
 
 @kernel(allocates=False)
 def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
-    """Mark the edges that coincide with marked edges along their whole length."""
+    """Set ``found``, (n,), to True for edges that marked edges cover along their whole length."""
     for i in range(len(found)):
         if found[i] or graph.first[i] == graph.first[i + 1]:
             continue
@@ -232,7 +234,7 @@ def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
 
 @kernel(allocates=False)
 def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) -> int:
-    """Return the other end vertex of edge i if one of its ends is ``at``, otherwise -1."""
+    """Return the other end vertex of edge ``i`` if one end is vertex ``at``, otherwise -1."""
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == at:
         far: int = two
@@ -245,7 +247,7 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) ->
 
 @kernel(allocates=False)
 def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool:
-    """Return whether an edge connects two vertices."""
+    """Return whether one edge connects vertices ``one`` and ``two``."""
     for k in range(incidence.first[one], incidence.first[one + 1]):
         i = graph.edge[incidence.piece[k]]
         if i >= 0 and _other_end(graph.start, graph.end, graph.first, i, one) == two:
@@ -255,13 +257,13 @@ def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool
 
 @kernel(allocates=False)
 def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i: int) -> float:
-    """Return the distance between the end vertices of edge i."""
+    """Return the distance between the two end vertices of edge ``i``."""
     a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
     return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])
 
 
 @kernel(allocates=False)
 def _turn(one: float, other: float) -> float:
-    """Return the angle from one direction to another, -π … π (radians)."""
+    """Return the angle from direction ``one`` to direction ``other``, from -π to π (radians)."""
     turn = (other - one) % (2.0 * math.pi)
     return turn - 2.0 * math.pi if turn > math.pi else turn

@@ -1,7 +1,4 @@
-"""enclosing: find components that surround blanks: frames, bleeds, outlines of whole cartons.
-
-PlanarGraph, Faces, ComponentBoxes -> Enclosures
-"""
+"""enclosing: find components that surround blanks: frames, bleeds, outlines of whole cartons."""
 
 from __future__ import annotations
 
@@ -16,7 +13,7 @@ from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 from knifetip.topology.segment import distance_to, point_at
 
-#: Least share of a frame's face that its contents cover, without and with a title block.
+#: Least fraction of a frame's face that its contents cover, without and with a title block.
 _MIN_COVERED: Final = 0.15
 _MIN_COVERED_WITH_TITLE: Final = 0.01
 #: Least and greatest distance of a bleed from its blank (mm).
@@ -25,24 +22,24 @@ _BLEED_DISTANCE: Final = (0.4, 20.0)
 _MITRE_RATIO: Final = 2.2
 #: Least number of panels of a carton.
 _CARTON_PANELS: Final = 6
-#: Only this many components are examined for bleeds.
+#: Largest number of components that are examined for bleeds.
 _MAX_BLEEDS: Final = 300
 
 
 class Enclosures(NamedTuple):
-    """Which of c connected components enclose others."""
+    """Which of the c connected components of a drawing enclose other components."""
 
     panels: I64  #: (c,) number of faces inside the outline
-    parent: I32  #: (c,) the component in one of whose faces it lies, -1 for none
-    frame: Bool  #: (c,) it is a rectangle round blanks, perhaps with a title block
-    bleed: Bool  #: (c,) it follows the outline of its contents
-    carton: Bool  #: (c,) it encloses a whole carton, and is neither frame nor bleed
+    parent: I32  #: (c,) component that has a face with this one inside, -1 for none
+    frame: Bool  #: (c,) whether it is a rectangle round blanks, perhaps with a title block
+    bleed: Bool  #: (c,) whether it follows the outline of its contents
+    carton: Bool  #: (c,) whether it encloses a whole carton, and is neither frame nor bleed
 
     @classmethod
     def find(
         cls, graph: PlanarGraph, faces: Faces, boxes: ComponentBoxes, unit: float
     ) -> Enclosures:
-        """Return the enclosing components of a graph; ``unit`` is drawing units per mm."""
+        """Return which components of a graph enclose others; ``unit`` is drawing units per mm."""
         count, owner = len(faces.outer_face), faces.component
         bounded = faces.area > unit * unit
         bounded[faces.outer_face] = False
@@ -63,12 +60,16 @@ class Enclosures(NamedTuple):
 def _find_frames(
     faces: Faces, boxes: ComponentBoxes, parent: I32, panels: I64, bounded_area: F64
 ) -> Bool:
-    """Return which components are rectangles round blanks, perhaps with a title block, (c,).
+    """Return the mask of components that are rectangles round blanks, (c,).
+
+    A frame may contain a title block too.
 
     Parameters
     ----------
+    parent, panels : (c,) and (c,)
+        Component around each component, and number of faces inside its outline.
     bounded_area : (c,)
-        Sum of the areas of each component's faces.
+        Sum of the areas of the bounded faces of each component.
     """
     box, rectilinear = boxes
     count, owner = len(box), faces.component
@@ -93,7 +94,7 @@ def _find_frames(
                 and (parent[c] < 0 or frame[parent[c]] or plain[parent[c]])
             ):
                 frame[c] = found = True
-        # The outer line of a double frame.
+        # A frame around a frame is the outer line of a double frame.
         for c in np.flatnonzero(frame).tolist():
             if parent[c] >= 0 and not frame[parent[c]] and plain[parent[c]]:
                 frame[parent[c]] = found = True
@@ -104,9 +105,9 @@ def _find_frames(
 def _find_bleeds(
     graph: PlanarGraph, box: F64, parent: I32, frame: Bool, panels: I64, unit: float
 ) -> Bool:
-    """Return which components follow the outline of a blank inside them, (c,).
+    """Return the mask of components that follow the outline of a blank inside them, (c,).
 
-    The blank must have several panels: a ring in a ring may be a gasket.
+    The blank must have several panels, because a ring inside a ring may be a gasket.
     """
     count = len(parent)
     bleed = np.zeros(count, np.bool_)
@@ -145,16 +146,16 @@ def _find_bleeds(
 class _Lines(NamedTuple):
     """Columns of a ``PlanarGraph``: q vertices, p pieces."""
 
-    vertex: F64_2  #: (q, 2)
+    vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts
-    end: I32_1  #: (p,) vertex at which it ends
-    bulge: F64_1  #: (p,)
+    end: I32_1  #: (p,) vertex at which each piece ends
+    bulge: F64_1  #: (p,) tan(sweep / 4) of each piece
 
 
 class _ComponentPieces(NamedTuple):
-    """Pieces by component, in CSR form."""
+    """The pieces of each component: those of component c are ``piece[first[c] : first[c + 1]]``."""
 
-    piece: I32_1  #: (p,) sorted by component
+    piece: I32_1  #: (p,) pieces sorted by component
     first: I64_1  #: (c + 1,) index of the first piece of each component
 
 
@@ -183,14 +184,16 @@ def _mark_bleeds(
     nearest: float,
     bleed: OutBool_1,
 ) -> None:
-    """Mark which of k components follow the outlines of their contents.
+    """Set ``bleed`` to True for components that follow the outlines of their contents.
 
     Parameters
     ----------
     outer : (k,)
-        The components.
+        The components to check.
     contents : (k, 2)
-        Begin and end of the contents of each, as indices into ``inner``.
+        Begin and end of the contents of each component, as indices into ``inner``.
+    inner
+        Components inside the components ``outer``.
     nearest
         Least distance between a component and its contents (drawing units).
     """
@@ -205,7 +208,7 @@ def _mark_bleeds(
 
 @kernel
 def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> Any:
-    """Return the pieces of some components as segments, (m, 2, 2), and their bulges, (m,)."""
+    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of some components."""
     vertex, start, end, bulge = lines
     count = 0
     for c in components:
@@ -227,9 +230,9 @@ def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> 
 def _distance_range(
     ends: F64_3, bulge: F64_1, other_ends: F64_3, other_bulge: F64_1
 ) -> tuple[float, float]:
-    """Return the least and greatest distance of segments from other segments.
+    """Return the least and the greatest distance of segments from other segments.
 
-    Only the starts and middles of the former are measured.
+    Only the distances of the starts and the middles of the segments are measured.
     """
     least, most = np.inf, 0.0
     for p in range(len(bulge)):

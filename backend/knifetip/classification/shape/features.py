@@ -1,13 +1,12 @@
-"""features: the role of each edge in the shape of a drawing, and other features of its shape.
+"""features: find the role of each edge in the shape of a drawing, and other features of its shape.
 
-    ends, bulge, annotations -> ShapeFeatures
+The drawing becomes a planar graph with faces.  The outer contour of a component that is inside no
+other component is the outline of a blank.  A line between two faces of a blank divides panels, a
+closed line inside a face is a hole, and a line with a dangling end is a slit or touches nothing.
+``part_kinds`` finds components that are not blanks.  Arrows are removed first, since they would
+divide panels.
 
-The drawing becomes a planar graph with faces.  The outer contour of a component that lies in no
-other is the outline of a blank.  A line between two faces of a blank divides panels; a closed line
-inside a face is a hole; a dangling line is a slit, or lies free.  ``part_kinds`` finds components
-that are not blanks.  Arrows are removed first (``arrows``), since they would divide panels.
-
-A role depends on the whole component, never on a single line: a crease is recognised by the two
+A role depends on the whole component and never on a single line: a crease is recognised by the two
 panels on its sides.
 """
 
@@ -58,32 +57,32 @@ _NARROW: Final = 6.0
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ShapeFeatures:
-    """Shape features of n edges in a graph with f faces."""
+    """Shape features of n edges, whose planar graph has f faces."""
 
-    role: U8  #: (n,) Role of the greatest part of each edge
-    role_share: F64  #: (n,) share of the edge's length that has this role, 0 … 1
+    role: U8  #: (n,) Role of the greatest part of each edge's length
+    role_share: F64  #: (n,) fraction of the edge's length that has this role, 0 … 1
     paired: Bool  #: (n,) whether a narrow face on one side separates it from a parallel line
     dashed: Bool  #: (n,) whether it is one of a row of dashes
     must_fold: Bool  #: (n,) whether a panel is attached by this edge alone
-    near_text: Bool  #: (n,) whether a text is in or beside the box of its component
-    coincident: I32  #: (n,) another edge that covers the whole edge, -1 for none
+    near_text: Bool  #: (n,) whether a text is in or beside the bounding box of its component
+    coincident: I32  #: (n,) edge that covers the whole length of each edge, -1 for none
     component: I32  #: (n,) connected component of the graph, -1 for none
-    faces: I32  #: (n, 2) faces on the left and right of its longest piece
-    face_area: F64  #: (f,) ≤ 0 for the outer face of a component
+    faces: I32  #: (n, 2) faces on the left and on the right of the longest piece of each edge
+    face_area: F64  #: (f,) signed area of each face, ≤ 0 for the outer face of a component
     sides: I32  #: (n, 2) as ``faces``, with the face round its component for an outer face, or -1
     part: I32  #: (n,) outermost component that the edge belongs to or lies in, -1 for none
 
     def spread(self, count: int, rows: I64, role: Role) -> ShapeFeatures:
-        """Return the features of ``count`` edges of which these n edges are some.
+        """Return the features of ``count`` edges, some of which are the n edges of this record.
 
         Parameters
         ----------
         count
             Number of all edges.
         rows : (n,)
-            Row of each of these edges among all.
+            Row of each of the n edges among all edges.
         role
-            Role of the other edges.
+            Role of all other edges.
         """
         columns: dict[str, Any] = {}
         for field in fields(self):
@@ -117,6 +116,7 @@ def extract_shape_features(
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
+        Ends and bulges of the edges.
     annotations
         Texts and dimensions of the drawing.
     unit_known
@@ -139,7 +139,7 @@ def extract_shape_features(
 
 
 def _no_features(count: int) -> ShapeFeatures:
-    """Return the features of edges that are too crowded for a graph."""
+    """Return the features of edges that are too crowded for a planar graph: all unknown."""
     none = np.zeros(count, np.bool_)
     return ShapeFeatures(
         np.zeros(count, np.uint8),
@@ -158,7 +158,7 @@ def _no_features(count: int) -> ShapeFeatures:
 
 
 class _Extraction(NamedTuple):
-    """The edges and options of one extraction; ``unit`` is drawing units per mm."""
+    """The edges and options of one extraction of shape features."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
@@ -167,7 +167,7 @@ class _Extraction(NamedTuple):
     with_folds: bool
 
     def features(self) -> ShapeFeatures:
-        """Return the features of all edges: first arrows, then the shape of the rest."""
+        """Return the features of all edges: arrows are found first, then all other features."""
         count = len(self.bulge)
         graph = self._graph()
         if graph is None:
@@ -183,11 +183,11 @@ class _Extraction(NamedTuple):
         return rest._features_in(graph).spread(count, rows, Role.ARROW)
 
     def _graph(self) -> PlanarGraph | None:
-        """Return the graph of the edges, None if they are too crowded."""
+        """Return the planar graph of the edges, or None if they are too crowded."""
         return build_graph(self.ends, self.bulge, GAP * self.unit, _REACH * self.unit)
 
     def _features_in(self, graph: PlanarGraph) -> ShapeFeatures:
-        """Return the features of the edges of a graph without arrows."""
+        """Return the features of the edges of a planar graph without arrows."""
         count, unit, touch = len(self.bulge), self.unit, GAP * self.unit
         (length, boxes), faces = parallel_pair(
             lambda: (
@@ -228,19 +228,19 @@ class _Extraction(NamedTuple):
 
 
 def _bounded_faces(faces: Faces) -> I32:
-    """Return each face itself, and for an outer face the face around its component or -1, (f,)."""
+    """Return each bounded face itself, and for an outer face the face around it or -1, (f,)."""
     bounded = np.arange(len(faces.area), dtype=np.int32)
     bounded[faces.outer_face] = faces.enclosing
     return bounded
 
 
 def _outermost_components(faces: Faces, inside: Bool) -> I32:
-    """Return for each component the outermost one around it, (c,); itself if it is in no blank.
+    """Return the outermost component around each component, (c,); itself if it is in no blank.
 
     Parameters
     ----------
     inside : (c,)
-        Whether a component lies in a face of a blank.
+        Whether each component is inside a face of a blank.
     """
     own = np.arange(len(inside), dtype=np.int32)
     outermost = np.where(
@@ -253,23 +253,23 @@ def _outermost_components(faces: Faces, inside: Bool) -> I32:
 
 
 class _Pieces(NamedTuple):
-    """Columns of p pieces."""
+    """Columns of the p pieces of a planar graph."""
 
-    component: I32_1  #: (p,)
+    component: I32_1  #: (p,) connected component
     length: F64_1  #: (p,)
     role: U8_1  #: (p,) Role
-    left: I32_1  #: (p,) face
-    right: I32_1  #: (p,) face
+    left: I32_1  #: (p,) face on the left
+    right: I32_1  #: (p,) face on the right
 
 
 class _EdgeSums(NamedTuple):
-    """Results of n edges, computed from their pieces."""
+    """Features of n edges that are computed from the pieces of each edge."""
 
     role: OutU8_1  #: (n,) Role of the greatest part of the length
-    share: OutF64_1  #: (n,) share of the length that has this role
+    share: OutF64_1  #: (n,) fraction of the length that has this role
     length: OutF64_1  #: (n,) length of all pieces; 0 for edges without pieces
-    paired: OutBool_1  #: (n,) whether most of it has a narrow face on exactly one side
-    component: OutI32_1  #: (n,) -1 for edges without pieces
+    paired: OutBool_1  #: (n,) whether most of the edge has a narrow face on exactly one side
+    component: OutI32_1  #: (n,) connected component, -1 for edges without pieces
     faces: OutI32_2  #: (n, 2) faces on both sides of the longest piece
 
     @classmethod
@@ -288,12 +288,15 @@ class _EdgeSums(NamedTuple):
 def _fill_short_edges(
     edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, touch: float
 ) -> None:
-    """Give edges too short to have pieces the role and component of an edge that they continue."""
+    """Give edges without pieces the role and component of an edge that continues them.
+
+    An edge has no pieces if it is shorter than the tolerance ``touch``.  Writes to ``edges``.
+    """
     short = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
     previous = np.maximum.accumulate(with_pieces)[short]
     gap = np.hypot(*(ends[previous, 1] - ends[short, 0]).T)
-    # If the file has another order: the edge of the longest piece that ends there.
+    # If the edge before in the file does not end there: the edge of the longest piece that does.
     model = np.where(
         (edges.length[previous] > 0.0) & (gap <= 4.0 * touch),
         previous,
@@ -307,7 +310,7 @@ def _fill_short_edges(
 
 @kernel
 def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, width: float) -> Any:
-    """Return which faces are long and narrower than ``width``, (f,)."""
+    """Return the mask of faces that are long and narrower than ``width``, (f,)."""
     left_length, right_length = np.zeros(len(area)), np.zeros(len(area))
     for p in range(len(length)):
         left_length[left[p]] += length[p]
@@ -324,7 +327,7 @@ def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, wi
 def _sum_pieces(
     first: I32_1, pieces: _Pieces, narrow: Bool_1, edges: _EdgeSums, begin: int, end: int
 ) -> None:
-    """Write the results of edges ``begin`` … ``end`` - 1.
+    """Write the features of edges ``begin`` … ``end`` - 1 to ``edges``.
 
     Parameters
     ----------
@@ -360,9 +363,9 @@ def _sum_pieces(
 
 
 def _longest_neighbours(graph: PlanarGraph, length: F64, short: I64) -> I32:
-    """Return the edge of the longest piece that ends at the end of each short edge, (k,).
+    """Return the edge of the longest piece at the start of each short edge, (k,), or -1.
 
-    -1 if no piece ends there.
+    ``short`` (k,) are rows of edges without pieces, ``length`` (p,) is the length of each piece.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short) == 0:
@@ -373,7 +376,7 @@ def _longest_neighbours(graph: PlanarGraph, length: F64, short: I64) -> I32:
     edge = np.tile(graph.edge, 2)
     piece = np.flatnonzero(wanted[vertex] & (edge >= 0))
     piece = piece[np.argsort(np.tile(length, 2)[piece], kind="stable")]
-    # The last assignment to a vertex wins: its longest piece.
+    # Pieces are assigned by length, so that the longest one at a vertex remains.
     found[vertex[piece]] = edge[piece]
     return found[graph.end_vertex[2 * short]]
 
@@ -388,7 +391,7 @@ _SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
 
 def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
     """Return the role of each piece, (p,)."""
-    # Later rows have precedence.
+    # A component of several kinds gets the roles of the last of these rows.
     rows = (
         (kinds.doubtful, [Role.OPEN] * 4),
         (kinds.inside, _INSIDE),
@@ -430,12 +433,12 @@ def _look_up_roles(
     begin: int,
     end: int,
 ) -> None:
-    """Write the roles of pieces ``begin`` … ``end`` - 1.
+    """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``.
 
     Parameters
     ----------
     table : (kinds, 4)
-        Role by the component's kind and the faces on the piece's sides.
+        Role for the kind of the component and the faces on the two sides of the piece.
     row : (c,)
         Row of each component in the table.
     """

@@ -1,9 +1,7 @@
-"""lettering: find text that was converted to lines.
+"""lettering: find letters of texts that were converted to lines.
 
-    boxes of parts, lengths of their lines -> which parts are letters
-
-Letters are small parts in a row, at the distances of letters and with different shapes.  Five holes
-in a row have equal shapes, and are no word.
+Letters are small components in a row, at the distances of letters and with different shapes.  Five
+holes in a row have equal shapes, and are no word.
 """
 
 from __future__ import annotations
@@ -19,21 +17,21 @@ from knifetip.kernels import F64_2, I64_1, OutBool_1, kernel
 _LARGEST: Final = 25.0
 #: Least number of different shapes in a word.
 _FEWEST_SHAPES: Final = 3
-#: Drawings with more small parts than this are not searched.
+#: Largest number of small components of a drawing that is searched.
 _MOST_PARTS: Final = 20_000
-#: Number of parts after each one among which the next letter is searched.
+#: Number of following components among which the next letter is searched.
 _LOOKAHEAD: Final = 40
 
 
 def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
-    """Return which of c parts are letters, (c,).
+    """Return the mask of components that are letters, (c,).
 
     Parameters
     ----------
     box : (c, 4)
-        x min, y min, x max, y max of each part.
+        x min, y min, x max, y max of each component.
     length, pieces : (c,)
-        Total length and number of the pieces of each part.
+        Total length and number of the pieces of each component.
     unit
         Number of drawing units in a millimetre.
     """
@@ -55,14 +53,16 @@ def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
 
 @kernel
 def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBool_1) -> None:
-    """Mark the parts in rows along an axis that have enough different shapes.
+    """Mark the components in rows along an axis that have enough different shapes for a word.
 
     Parameters
     ----------
-    box, shape : (k, 4)
-        Boxes; shorter and longer side, length and number of pieces.
+    box : (k, 4)
+        Bounding boxes of k small components.
+    shape : (k, 4)
+        Shorter and longer side, total length and number of pieces of each component.
     order : (k,)
-        The parts sorted by the lower end of their boxes along the axis.
+        The components sorted by the lower ends of their boxes along the axis.
     letter : (k,)
         Set to True for letters.
     """

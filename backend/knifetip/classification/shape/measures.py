@@ -1,7 +1,4 @@
-"""measures: measure each connected component of a drawing.
-
-PlanarGraph, Faces, annotations -> ComponentBoxes, Measures
-"""
+"""measures: measure boxes, areas, lengths and nearby texts of the components of a drawing."""
 
 from __future__ import annotations
 
@@ -21,14 +18,14 @@ from knifetip.model.drawing import Annotation
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 
-#: Greatest number of letters in the name of a line type, as legends have it.
+#: Greatest number of letters in the name of a line type in a legend.
 _MAX_NAME: Final = 30
 #: Greatest width of a slot, and greatest diameter of a round hole, in a panel (mm).
 _SLOT_WIDTH: Final = 6.0
 _HOLE_DIAMETER: Final = 50.0
 #: Greatest number of pieces of a slot or a round hole.
 _MAX_PIECES: Final = 8
-#: Only this many texts are compared with components.
+#: Largest number of texts that are compared with components.
 _MAX_TEXTS: Final = 300
 #: Fewest pairs of components and texts in a chunk for one core.
 _MIN_PAIRS: Final = 300_000
@@ -42,7 +39,7 @@ class ComponentBoxes(NamedTuple):
 
     @classmethod
     def measure(cls, graph: PlanarGraph, unit: float) -> ComponentBoxes:
-        """Return the boxes of a graph's components; ``unit`` is drawing units per mm."""
+        """Return the bounding boxes of a graph's components; ``unit`` is drawing units per mm."""
         count = len(graph.leftmost)
         box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
         rectilinear = np.ones(count, np.bool_)
@@ -63,15 +60,15 @@ class ComponentBoxes(NamedTuple):
 class Measures(NamedTuple):
     """Measures of c connected components, in drawing units."""
 
-    area: F64  #: (c,) inside the outline
-    size: F64  #: (c,) diagonal of the box
-    length: F64  #: (c,) of all pieces
+    area: F64  #: (c,) area inside the outline
+    size: F64  #: (c,) diagonal of the bounding box
+    length: F64  #: (c,) length of all pieces
     dangling: F64  #: (c,) length of the pieces that have the outside on both sides
     outline: F64  #: (c,) length of the pieces that have the outside on one side
     is_slot: Bool  #: (c,) whether it has the shape of a slot or a round hole
     is_letter: Bool  #: (c,) whether it is a letter, by its neighbours
-    texts: I64  #: (c,) number of texts in the box
-    near_text: Bool  #: (c,) whether a text is in the box or beside it
+    texts: I64  #: (c,) number of texts in the bounding box
+    near_text: Bool  #: (c,) whether a text is in the bounding box or beside it
     near_type_name: Bool  #: (c,) whether a text beside it names a line type
 
     @classmethod
@@ -130,7 +127,10 @@ def _measure_boxes(
     box: OutF64_2,
     rectilinear: OutBool_1,
 ) -> None:
-    """Write the box of each component, and whether it is rectilinear within the tolerance."""
+    """Write the box of each component to ``box``, and whether it is rectilinear to ``rectilinear``.
+
+    Rectilinear components have only lines that are horizontal or vertical within ``tolerance``.
+    """
     for p in range(len(start)):
         c, a, b = component[p], start[p], end[p]
         dx, dy = vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1]
@@ -152,7 +152,10 @@ def _add_lengths(
     edge: I32_1, component: I32_1, left: I32_1, right: I32_1, outer_face: I32_1, length: F64_1,
     total: OutF64_1, dangling: OutF64_1, outline: OutF64_1, pieces: OutI64_1,
 ) -> None:  # fmt: skip
-    """Add up the lengths of each component's pieces: all, dangling, and in the outline."""
+    """Add the lengths and the number of the pieces to the totals of their components.
+
+    Writes to ``total``, ``dangling``, ``outline`` and ``pieces``, (c,) each.
+    """
     for p in range(len(edge)):
         c = component[p]
         total[c] += length[p]
@@ -167,7 +170,7 @@ def _add_lengths(
 
 
 def _has_slot_shape(area: F64, perimeter: F64, pieces: I64, size: F64, unit: float) -> Bool:
-    """Return which closed components are narrow or round, and have few pieces, (c,)."""
+    """Return the mask of closed components that are narrow or round and have few pieces, (c,)."""
     length = np.maximum(perimeter, 1e-12)
     is_round = 4.0 * np.pi * area > 0.98 * length * length
     is_round &= size <= _HOLE_DIAMETER * unit * 2.0**0.5
@@ -177,13 +180,13 @@ def _has_slot_shape(area: F64, perimeter: F64, pieces: I64, size: F64, unit: flo
 
 
 def _is_type_name(text: str) -> bool:
-    """Return whether a text is only the name of a line type, as in a legend."""
+    """Return whether a text consists of the name of a line type, as in a legend."""
     return len(text) <= _MAX_NAME and name_meaning(text).kind not in (None, LineType.IGNORED)
 
 
 def _text_positions(annotations: Sequence[Annotation]) -> F64:
     """Return x, y, height and width of texts, (t, 4), sorted by x."""
-    # The insertion point of a text is its lower left corner; letters are about 0.7 high wide.
+    # The insertion point of a text is its lower left corner; a letter's width is 0.7 of its height.
     positions = np.array(
         [
             (text.x, text.y, text.height, 0.7 * text.height * len(text.text))

@@ -1,11 +1,8 @@
-"""part_kinds: what each connected component of a drawing is: a blank, a frame, a word, a mark.
+"""part_kinds: find what each component of a drawing is: a blank, a frame, a letter, a mark.
 
-    PlanarGraph, Faces, annotations -> PartKinds
-
-A component inside no other is a blank.  A rectangle round blanks is a frame; a contour that follows
-a blank at a constant distance is its bleed (``enclosing``).  A grid of boxes with texts is a title
-block, and small shapes in a row are letters (``measures``).  An outline with many dangling edges
-has a gap.
+A component inside no other component is a blank.  A rectangle round blanks is a frame, and a
+contour that follows a blank at a constant distance is its bleed.  A grid of boxes with texts is a
+title block, and small shapes in a row are letters.  An outline with many dangling edges has a gap.
 """
 
 from __future__ import annotations
@@ -25,13 +22,13 @@ from knifetip.model.drawing import Annotation
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 
-#: A component smaller than this share of the largest is a mark or a letter, not a blank.
+#: A component below this fraction of the largest component's area is a mark or a letter.
 _SMALL_SHARE: Final = 0.004
-#: An outline has a gap if the length of dangling edges exceeds this share of its own.
+#: An outline has a gap if its dangling edges exceed this fraction of its length.
 _MAX_DANGLING: Final = 0.1
 #: Greatest size of debris (mm).
 _DEBRIS_SIZE: Final = 30.0
-#: Only this many open components are examined for what they enclose.
+#: Largest number of open components that are examined for what they enclose.
 _MAX_OPEN: Final = 300
 #: Fewest pairs of components in a chunk for one core.
 _MIN_PAIRS: Final = 300_000
@@ -39,21 +36,21 @@ _MIN_PAIRS: Final = 300_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PartKinds:
-    """What each of c connected components is: one mask per kind.  A blank is in none of them."""
+    """The kinds of c connected components, one mask per kind; a blank is in none of the masks."""
 
-    inside: Bool  #: (c,) it lies inside a face of a blank
-    frame: Bool  #: (c,) it is a rectangle round blanks
-    table: Bool  #: (c,) it is a title block, a dimension or a label
-    small: Bool  #: (c,) it is a mark
-    doubtful: Bool  #: (c,) its outline does not close
-    near_text: Bool  #: (c,) a text is in its box or beside it
-    bleed: Bool  #: (c,) it follows the outline of its contents
-    letter: Bool  #: (c,) it is a letter
-    debris: Bool  #: (c,) it is short, encloses nothing, and lies outside all others
-    flat: Bool  #: (c,) it encloses no area
-    slot: Bool  #: (c,) it is a slot or a round hole in a panel, and empty
-    legend: Bool  #: (c,) it is a sample line beside the name of a line type
-    enclosing: Bool  #: (c,) it encloses a whole carton, and is neither frame nor bleed
+    inside: Bool  #: (c,) inside a face of a blank
+    frame: Bool  #: (c,) a rectangle round blanks
+    table: Bool  #: (c,) a title block, a dimension or a label
+    small: Bool  #: (c,) a mark, too small for a blank
+    doubtful: Bool  #: (c,) an outline that does not close
+    near_text: Bool  #: (c,) with a text in or beside its bounding box
+    bleed: Bool  #: (c,) a contour that follows the outline of its contents
+    letter: Bool  #: (c,) a letter of a text that was converted to lines
+    debris: Bool  #: (c,) short lines that enclose nothing, outside all other components
+    flat: Bool  #: (c,) lines that enclose no area
+    slot: Bool  #: (c,) an empty slot or round hole in a panel
+    legend: Bool  #: (c,) a sample line beside the name of a line type
+    enclosing: Bool  #: (c,) a contour round a whole carton that is neither frame nor bleed
 
     @classmethod
     def find(
@@ -65,12 +62,16 @@ class PartKinds:
         annotations: Sequence[Annotation],
         unit: float,
     ) -> PartKinds:
-        """Return what the components of a graph are.
+        """Return the kinds of the components of a graph.
 
         Parameters
         ----------
         length : (p,)
             Length of each piece.
+        boxes
+            Bounding boxes of the components.
+        annotations
+            Texts and dimensions of the drawing.
         unit
             Number of drawing units in a millimetre.
         """
@@ -119,14 +120,18 @@ class PartKinds:
 
 
 def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, tiny: float) -> Bool:
-    """Return which components have too many dangling edges for a closed outline, (c,).
+    """Return the mask of components with too many dangling edges for a closed outline, (c,).
 
-    Small components are never doubtful, but their edges may belong to the outline of another.
+    Small components are never doubtful, but their edges may belong to the outline of a larger one.
 
     Parameters
     ----------
-    outlines : (c,)
-        Components that may be blanks, or parts of the outline of one.
+    box : (c, 4)
+        Bounding box of each component.
+    outlines, small : (c,)
+        Components that may be blanks or parts of the outline of one, and small components.
+    tiny
+        A square millimetre in drawing units.
     """
     blank = outlines & ~small & (measures.area > tiny)
     dangling = np.where(blank, measures.dangling, 0.0)
@@ -157,7 +162,11 @@ def _add_open_outlines(
     blank: I64_1,
     dangling: OutF64_1,
 ) -> None:
-    """Add to each blank's dangling length that of the open components round most of it."""
+    """Add to the dangling length of each blank the dangling length of open components around it.
+
+    An open component counts if its box covers most of the blank's box.  Writes to
+    ``dangling``.
+    """
     for m in range(len(blank)):
         b = blank[m]
         left, low, right, high = box[b, 0], box[b, 1], box[b, 2], box[b, 3]

@@ -1,13 +1,11 @@
 """required_folds: find the edges that must be folds because a panel is attached by them alone.
 
-    PlanarGraph, Faces, roles -> which edges must be folds
-
 A blank is cut out in one piece.  If one straight line alone connects a panel to the rest of the
-blank, it cannot be a cut.  If panels meet in a ring round a corner, one of the lines between them
-is a slit.  A slit starts at the rim, so a straight line between two inner corners is no slit.
+blank, the line cannot be a cut.  If panels meet in a ring round a corner, one of the lines between
+them is a slit.  A slit starts at the rim, so a straight line between two inner corners is no slit.
 
-The result is empty for several equal blanks without space between them.  Faces framed by bends,
-such as tabs, slots and windows, do not count as panels.
+For several equal blanks without space between them no edge is found.  Faces framed by bends, such
+as tabs, slots and windows, do not count as panels.
 """
 
 from __future__ import annotations
@@ -26,11 +24,11 @@ from knifetip.topology.planar_graph import PlanarGraph
 
 #: Greatest difference between the directions of two lines on one straight line (radians).
 _STRAIGHT: Final = math.radians(1.0)
-#: Greatest difference between the areas of equal panels, as a share.
+#: Greatest difference between the areas of equal panels, as a fraction.
 _AREA_TOLERANCE: Final = 0.003
 #: Fewer panels than this are a board, a cover or a card rather than a carton.
 _FEWEST_PANELS: Final = 6
-#: Greatest distance between the centres of equal panels, as a share of the largest panel's size.
+#: Greatest distance between the centres of equal panels, as a fraction of the largest panel's size.
 _CENTRE_TOLERANCE: Final = 0.01
 #: If more than this share of the panels repeats others, they may be those of further blanks: …
 _REPEATED: Final = 0.4
@@ -41,16 +39,16 @@ _REPEATED_IN_ROW: Final = 0.55
 _MOST_EQUAL: Final = 16
 #: Least share of the length of a carton's dividers that is straight from face to face.
 _STRAIGHT_SHARE: Final = 0.6
-#: Components with more panels than this are taken for several blanks.
+#: A component with more panels than this counts as several blanks.
 _MOST_PANELS: Final = 64
-#: Only this many components are examined.
+#: Largest number of components that are examined.
 _MOST_COMPONENTS: Final = 200
 
 
 def find_required_folds(
     graph: PlanarGraph, faces: Faces, role: U8, length: F64, count: int
 ) -> Bool:
-    """Return which of n edges must be folds, (n,).
+    """Return the mask of edges that must be folds, (n,).
 
     Parameters
     ----------
@@ -92,14 +90,16 @@ def find_required_folds(
 
 
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
-    """Return which faces are panels, (f,): bounded, and at the rim or not framed by bends.
+    """Return the mask of faces that are panels, (f,): at the rim, or bounded but not by bends.
 
     Parameters
     ----------
+    divider : (d,)
+        Pieces between two faces of a blank.
     at_rim : (f,)
-        Faces at the outline of a blank.
+        Whether each face is at the outline of a blank.
     bend : (q,)
-        Vertices at which exactly two pieces meet, at an angle.
+        Whether exactly two pieces meet at each vertex, at an angle.
     """
     framed = np.zeros(len(faces.area), np.bool_)
     for side in (faces.left, faces.right):
@@ -127,7 +127,10 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
 
 
 def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
-    """Return the pairs of faces that pieces divide, (k, 2), and the pair of each piece, (d,)."""
+    """Return the distinct pairs of faces beside pieces, (k, 2), and the pair of each piece, (d,).
+
+    ``left`` and ``right`` are the faces on the sides of each piece, (d,).
+    """
     low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
     key = low * (int(high.max()) + 1) + high
     known, number = np.unique(key, return_inverse=True)
@@ -138,12 +141,12 @@ class _Borders(NamedTuple):
     """The borders between k pairs of faces: d pieces of a graph, by pair."""
 
     graph: PlanarGraph
-    piece: I64  #: (d,)
+    piece: I64  #: (d,) pieces of the borders
     pair: I64  #: (d,) number of the pair of faces on the two sides of each piece
-    pairs: int  #: k
+    pairs: int  #: k, the number of pairs of faces
 
     def straight(self) -> Bool:
-        """Return whether all pieces of a border lie on one straight line, (k,)."""
+        """Return the mask of borders whose pieces are all on one straight line, (k,)."""
         graph, rows, number = self.graph, self.piece, self.pair
         start, end = graph.vertex[graph.start[rows]], graph.vertex[graph.end[rows]]
         length = np.hypot(*(end - start).T)
@@ -168,12 +171,12 @@ class _Borders(NamedTuple):
         return result
 
     def between_inner_corners(self, on_rim: Bool, degree: I64) -> Bool:
-        """Return whether a border starts and ends at corners that are not on the rim, (k,).
+        """Return the mask of borders that start and end at corners away from the rim, (k,).
 
         Parameters
         ----------
         on_rim, degree : (q,)
-            Whether each vertex is on the rim, and its number of pieces.
+            Whether each vertex is on the rim, and the number of pieces at it.
         """
         graph, vertices = self.graph, len(self.graph.vertex)
         key = np.concatenate(
@@ -191,7 +194,7 @@ class _Borders(NamedTuple):
         return result
 
     def longest(self, length: F64, count: int) -> Bool:
-        """Return which pieces are of a border's longest edge, or are dashes of a dashed one, (d,).
+        """Return the mask of pieces of the longest edge, or of the dashes, of each border, (d,).
 
         Short edges at the ends of a fold may be slits that lock it.
 
@@ -216,13 +219,13 @@ class _Borders(NamedTuple):
 class _Panels(NamedTuple):
     """Measures of the panels of one component, m of them, or of all faces."""
 
-    area: F64  #: (m,)
+    area: F64  #: (m,) area of each panel
     centre: F64  #: (m, 2) mean of the contour
     box: F64  #: (m, 4) x min, y min, x max, y max
-    at_rim: Bool  #: (m,)
+    at_rim: Bool  #: (m,) whether each panel is at the outline of a blank
 
     def take(self, rows: I64) -> _Panels:
-        """Return the panels in some rows."""
+        """Return the measures of the panels in some rows."""
         area, centre, box, at_rim = self
         return _Panels(area[rows], centre[rows], box[rows], at_rim[rows])
 
@@ -230,9 +233,9 @@ class _Panels(NamedTuple):
 def _find_single_cartons(
     graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool, panel: Bool
 ) -> Bool:
-    """Return which components have enough panels for a carton, and are not several blanks, (c,).
+    """Return the mask of components with the panels of one carton, not of several blanks, (c,).
 
-    Equal blanks lie beside each other, or head to tail: one translation, or one half-turn, maps
+    Equal blanks are beside each other, or head to tail: one translation, or one half-turn, maps
     every panel at the rim onto another panel.  A single carton has a glue flap or a base without
     such an image.
     """
@@ -250,7 +253,7 @@ def _find_single_cartons(
 
 
 def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return the measures of all faces; coincident pieces count once."""
+    """Return the measures of all faces of a graph; coincident pieces count once."""
     count = len(faces.area)
     own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
     start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
@@ -270,7 +273,7 @@ def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) 
 
 
 def _has_repeated_blanks(panels: _Panels) -> bool:
-    """Return whether panels repeat others under a translation or a half-turn."""
+    """Return whether panels are images of other panels under one translation or one half-turn."""
     area, centre, box, at_rim = panels
     if len(area) > _MOST_PANELS:
         return True
@@ -306,7 +309,10 @@ def _has_repeated_blanks(panels: _Panels) -> bool:
 
 
 def _find_bridges(pair: I64, faces: int) -> Bool:
-    """Return which of k pairs of faces are bridges of the graph of faces, (k,)."""
+    """Return the mask of pairs of faces that alone connect two parts of the graph of faces, (k,).
+
+    ``pair`` (k, 2) are pairs of neighbouring faces; such pairs are the bridges of the graph.
+    """
     ends = np.concatenate([pair[:, 0], pair[:, 1]])
     order = np.argsort(ends, kind="stable")
     first = np.searchsorted(ends[order], np.arange(faces + 1))
@@ -316,14 +322,14 @@ def _find_bridges(pair: I64, faces: int) -> Bool:
 
 @kernel
 def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any:
-    """Find bridges by depth-first search (Tarjan 1974).
+    """Return the mask of pairs that are bridges, (k,), by depth-first search (Tarjan 1974).
 
     Parameters
     ----------
     pair : (k, 2)
         Edges of the graph of faces.
     first, incident : (faces + 1,) and (2k,)
-        Pairs of each face, in CSR form.
+        The pairs with face f are ``incident[first[f] : first[f + 1]]``.
     """
     bridge = np.zeros(len(pair), np.bool_)
     entered = np.full(faces, -1, np.int64)

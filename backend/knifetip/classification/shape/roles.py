@@ -1,4 +1,4 @@
-"""roles: what an edge is in the shape of a drawing."""
+"""roles: the roles that an edge can have in the shape of a drawing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from knifetip.messages import Message
 
 
 class Role(IntEnum):
-    """What an edge is in the shape of a drawing."""
+    """The role of an edge in the shape of a drawing, such as outline, divider or hole."""
 
     UNKNOWN = 0  #: not examined
     OUTLINE = 1  #: closes the outline of a blank
