@@ -189,7 +189,7 @@ class Classifier:
     # ── styles with a rule in the profile ────────────────────────────────────────────────────────
 
     def _decide_by_rule(self, style: int, role: Role) -> Decision:
-        """Return the decision of the profile rule, less certain if the shape contradicts the rule."""
+        """Return the decision of the profile rule, less certain if the shape contradicts it."""
         kind = LineType(int(self.matches.line_type[style]))
         confidence = float(self.matches.confidence[style])
         rule = Message(
@@ -246,7 +246,7 @@ class Classifier:
     # ── styles without a rule ────────────────────────────────────────────────────────────────────
 
     def _decide_by_evidence(self, style: int, role: Role, must_fold: bool) -> Decision:
-        """Return the decision that shape, conventions and names suggest, for a style without a rule."""
+        """Return the decision that shape, conventions and names suggest, without a rule."""
         if role == Role.OPEN:
             shape = Message(
                 "classification.no-rule-but-shape",

@@ -90,7 +90,9 @@ def find_required_folds(
 
 
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
-    """Return the mask of faces that are panels, (f,): at the rim, or bounded but not by bends.
+    """Return the mask of faces that are panels, (f,).
+
+    A panel is bounded, and is at the outline of a blank or is not framed by bends.
 
     Parameters
     ----------
