@@ -42,6 +42,8 @@ def with_more(
         source=np.arange(len(more), dtype=np.int32),
         rule=np.concatenate([line.rule, line.rule[like]]),
         confidence=np.concatenate([line.confidence, line.confidence[like]]),
+        face=np.concatenate([line.face, line.face[like]]),
+        part=np.concatenate([line.part, line.part[like]]),
     )
 
 
