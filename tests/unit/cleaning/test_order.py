@@ -19,7 +19,7 @@ WORKED = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, LineT
 
 def shuffled(dieline: Dieline, seed: int) -> Dieline:
     order = np.random.default_rng(seed).permutation(len(dieline))
-    columns = ("ends", "bulge", "line_type", "rule", "confidence")
+    columns = ("ends", "bulge", "line_type", "rule", "confidence", "face", "part")
     return replace(dieline, **{name: getattr(dieline, name)[order] for name in columns})
 
 

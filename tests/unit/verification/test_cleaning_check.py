@@ -86,6 +86,8 @@ def test_an_edge_that_was_not_drawn_is_found() -> None:
         source=np.append(line.source, 3),
         rule=np.append(line.rule, 0),
         confidence=np.append(line.confidence, 1.0),
+        face=np.append(line.face, [[-1, -1]], axis=0),
+        part=np.append(line.part, -1),
     )
     assert (
         findings_text(replace(made, dieline=more))
