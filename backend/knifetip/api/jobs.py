@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Annotated, Any, Literal
 
-import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
@@ -49,7 +48,7 @@ from knifetip.messages import hint, render
 from knifetip.model.corners import Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.columns import unpack_columns
-from knifetip.presentation.verdict import EDGE_COLUMNS
+from knifetip.presentation.verdict import EDGE_COLUMNS, areas_json, unpack_areas
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
 
@@ -186,19 +185,13 @@ def verdict_out(block: bytes) -> VerdictOut:
     }
     summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
     return VerdictOut.model_validate(
-        {**summary, **figures, "findings": meta["findings"], "areas": _areas(columns)}
+        {
+            **summary,
+            **figures,
+            "findings": meta["findings"],
+            "areas": areas_json(unpack_areas(columns)),
+        }
     )
-
-
-def _areas(columns: dict[str, Any]) -> list[dict[str, float]]:
-    if "area_size" not in columns or len(columns["area_size"]) == 0:
-        return []
-    size, first = columns["area_size"], columns["area_first"]
-    middle = np.add.reduceat(columns["area_ends"][:, 0], first[:-1]) / np.diff(first)[:, None]
-    return [
-        {"area": float(size[row]), "x": float(middle[row, 0]), "y": float(middle[row, 1])}
-        for row in np.argsort(-size, kind="stable")
-    ]
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})

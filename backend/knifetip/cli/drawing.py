@@ -11,10 +11,18 @@ import typer
 
 from knifetip import pipeline
 from knifetip.cli.rules import find_profile
-from knifetip.cli.terminal import QUESTIONS, print_json, read_bytes, report_questions, write_bytes
-from knifetip.errors import LibraryError
+from knifetip.cli.terminal import (
+    QUESTIONS,
+    print_json,
+    print_stderr,
+    read_bytes,
+    report_questions,
+    write_bytes,
+)
+from knifetip.errors import KnifetipError, LibraryError
 from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64, U8
+from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 from knifetip.model.interpretation import NO_OVERRIDE
@@ -72,8 +80,11 @@ class LoadedDrawing:
         return pipeline.questions(self.drawing, self.dieline, machine)
 
     def as_json(self, name: str) -> dict[str, Any]:
-        """Return the drawing and its edges as JSON data, with the fields of REST."""
-        outcomes = edge_outcomes(self.drawing, self.dieline)
+        """Return the drawing and its edges as JSON data, with the fields of REST.
+
+        If the drawing cannot be cleaned, all its edges have the outcome *kept*.
+        """
+        outcomes = edge_outcomes(self.drawing, self.dieline, self._cleaned())
         data = classified_json(
             self.drawing, self.dieline, outcomes, self.questions(), self.overrides
         )
@@ -81,6 +92,16 @@ class LoadedDrawing:
             "drawing": _with_report(name, self.drawing, data),
             "edges": EdgeTable.of(self.drawing, self.dieline, outcomes).rows(),
         }
+
+    def _cleaned(self) -> Cleaned | None:
+        """Return the result of cleaning; None without a unit, or if cleaning raises an error."""
+        if not self.drawing.unit:
+            return None
+        try:
+            return pipeline.clean(self.dieline)
+        except KnifetipError as error:
+            print_stderr(f"The drawing was not cleaned: {error.text}", "yellow")
+            return None
 
 
 def load_drawing(

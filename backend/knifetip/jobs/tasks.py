@@ -25,7 +25,7 @@ from knifetip.jobs.readings import (
     restore_or_read,
 )
 from knifetip.library import load
-from knifetip.messages import Message, printable
+from knifetip.messages import Message, finite, printable
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress, Stage
@@ -34,7 +34,7 @@ from knifetip.presentation.edges import EdgeTable, restore_drawing
 from knifetip.presentation.import_report import import_report_rows, pack_rows
 from knifetip.presentation.outcomes import edge_outcomes
 from knifetip.presentation.toolpath import pack_toolpath, used_stations
-from knifetip.presentation.verdict import findings_json, finite, pack_verdict, verdict_summary
+from knifetip.presentation.verdict import findings_json, pack_verdict, verdict_summary
 from knifetip.warming import Part, compile_module, missing_parts
 
 if TYPE_CHECKING:
@@ -80,7 +80,9 @@ def read(
         overrides = _carried(before, handles, [printable(handle) for handle in drawing.handles])
     progress(Stage.CLASSIFY, 0.6)
     dieline = pipeline.interpret(drawing, replace(interpretation, overrides=overrides.tobytes()))
-    outcomes = edge_outcomes(drawing, dieline)
+    # The limits of cleaning are lengths in mm.
+    cleaned = pipeline.clean(dieline) if drawing.unit else None
+    outcomes = edge_outcomes(drawing, dieline, cleaned)
     progress(Stage.STORE, 0.9)
     questions = pipeline.questions(drawing, dieline)
     return Reading(

@@ -5,7 +5,7 @@ the arguments.  ``codes`` and ``english`` are tables made from it.  Another lang
 module with the tables of ``english``.
 """
 
-from knifetip.messages.message import Argument, Message, from_json, printable
+from knifetip.messages.message import Argument, Message, finite, from_json, printable
 from knifetip.messages.render import hint, render, with_text
 
-__all__ = ["Argument", "Message", "from_json", "hint", "printable", "render", "with_text"]
+__all__ = ["Argument", "Message", "finite", "from_json", "hint", "printable", "render", "with_text"]

@@ -11,7 +11,7 @@ from knifetip.messages.codes import CODES, STORED
 from knifetip.messages.entry import Kind
 
 #: Value in JSON for numbers that are infinite or not a number, which JSON cannot represent.
-_FAR: Final = 1e9
+_NOT_FINITE: Final = 1e9
 
 
 @runtime_checkable
@@ -118,9 +118,16 @@ def _plain(value: Any) -> Any:
         case str():
             return printable(value)
         case float():
-            return value if math.isfinite(value) else math.copysign(_FAR, value)
+            return finite(value)
         case _:
             return value
+
+
+def finite(number: float) -> float:
+    """Return a number as JSON can represent it: ±1e9 for ±infinity, and 1e9 for NaN."""
+    if math.isfinite(number):
+        return float(number)
+    return -_NOT_FINITE if number < 0.0 else _NOT_FINITE
 
 
 def printable(text: str) -> str:

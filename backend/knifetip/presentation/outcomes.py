@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64, I32, U8
 from knifetip.messages import Message, printable
-from knifetip.model.cleaned import CleaningReason
+from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
 
@@ -43,20 +43,19 @@ class EdgeOutcomes:
     summary: dict[str, Any]  #: JSON data of the schema ``ReportOut``
 
 
-def edge_outcomes(drawing: Drawing, dieline: Dieline) -> EdgeOutcomes:
-    """Clean a dieline and return the outcome of every edge with a summary by reason.
+def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -> EdgeOutcomes:
+    """Return the outcome of every edge of a drawing, with a summary by reason.
 
-    A drawing without a unit is not cleaned, because the limits of cleaning are lengths in mm; all
-    its edges are kept.
+    Parameters
+    ----------
+    cleaned
+        The result of cleaning the dieline; None if it was not cleaned: all edges are kept.
     """
-    from knifetip.cleaning.clean import clean
-
     lengths = drawing.lengths
     outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
     reason = np.full(len(drawing), CleaningReason.AS_DRAWN, np.int32)
     parts: list[tuple[ImportOutcome, CleaningReason, F64]] = []
-    if drawing.unit:
-        cleaned = clean(dieline)
+    if cleaned is not None:
         outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
         # Parts of kept edges may be merged or dropped; they are counted separately.
         kept = outcome == ImportOutcome.KEPT

@@ -1,6 +1,6 @@
 """A verdict as JSON data and as columns: the one definition for REST, command line and store.
 
-All measures are finite, because JSON has no other numbers; 1e9 replaces infinity and NaN.
+All measures are finite, because JSON cannot represent infinity and NaN, see ``messages.finite``.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from knifetip.geometry.columns import F64
-from knifetip.messages import with_text
+from knifetip.messages import finite, with_text
 from knifetip.model.verdict import Unreached, Verdict
 from knifetip.presentation.columns import pack_columns
 
@@ -29,17 +30,13 @@ EDGE_COLUMNS = (
     "top_overcut",
     "tidied",
 )
-_FAR = 1e9
-
-
-def finite(measure: float) -> float:
-    """Return a measure, or ±1e9 instead of infinity and 1e9 instead of NaN."""
-    return float(np.nan_to_num(measure, nan=_FAR, posinf=_FAR, neginf=-_FAR))
 
 
 def finite_column(measures: F64) -> F64:
-    """Return a column with ±1e9 instead of infinity and 1e9 instead of NaN."""
-    column: F64 = np.nan_to_num(measures, nan=_FAR, posinf=_FAR, neginf=-_FAR)
+    """Return the measures with ``messages.finite`` applied to each, shape (n,)."""
+    column: F64 = np.nan_to_num(
+        measures, nan=finite(np.nan), posinf=finite(np.inf), neginf=finite(-np.inf)
+    )
     return column
 
 
@@ -108,20 +105,29 @@ def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
 
 
 def areas_json(areas: Unreached) -> list[dict[str, Any]]:
-    """Return the areas that no cutter reaches as JSON data.
+    """Return the areas that no cutter reaches as JSON data, largest first.
 
-    Each has its ``area`` (mm²) and its ``outline``, a list of [start, end, bulge].
+    Each has its ``area`` (mm²), its centre ``x``, ``y`` (the mean of the vertices, mm) and its
+    ``outline``: a list of [start, end, bulge], one for each line or arc.
     """
     ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
-    return [
-        {
-            "area": float(areas.area[row]),
-            "outline": [
-                [*ends[at], bulge[at]] for at in range(areas.first[row], areas.first[row + 1])
-            ],
-        }
-        for row in range(len(areas))
-    ]
+    rows = []
+    for row in np.argsort(-areas.area, kind="stable").tolist():
+        first, last = areas.first[row : row + 2].tolist()
+        x, y = areas.ends[first:last, 0].mean(axis=0).tolist()
+        outline = [[*ends[at], bulge[at]] for at in range(first, last)]
+        rows.append({"area": float(areas.area[row]), "x": x, "y": y, "outline": outline})
+    return rows
+
+
+def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
+    """Return the areas that no cutter reaches from the columns of a packed verdict.
+
+    There are none if the verdict was stored by an older version, which did not store them.
+    """
+    if "area_size" not in columns:
+        return Unreached()
+    return Unreached(*(columns[f"area_{name}"] for name in ("ends", "bulge", "first", "size")))
 
 
 def pack_verdict(

@@ -7,8 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from knifetip import pipeline
 from knifetip.dxf.samples import samples
 from knifetip.library import load
+from knifetip.model.cleaned import Cleaned
+from knifetip.model.dieline import Dieline
 from tests.support.command import Command
 from tests.support.writers import dxf_text as text
 from tests.support.writers import pdf_text
@@ -49,6 +52,40 @@ def test_classify_exits_with_2_while_a_question_is_open(
     assert (code, out != "") == (2, True)
     code, _, err = knifetip("classify", tmp_path / "open.dxf", "--layer", "?=cut", *options)
     assert (code, err) == (0, "")
+
+
+def test_classify_prints_edges_that_cleaning_refuses(
+    knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawing = tmp_path / "overlaps.dxf"
+    overlaps = [text.line(0, 0, 100, 0, (8, "CUT")), text.line(50, 0, 150, 0, (8, "CUT"))]
+    drawing.write_bytes(text.dxf(*overlaps, units=4))
+    for name in ("_STRETCHES", "_TO_AN_EDGE"):
+        monkeypatch.setattr(f"knifetip.cleaning.remove_overlaps.{name}", 0)
+    assert knifetip("clean", drawing)[0] == 3
+    code, out, err = knifetip("classify", drawing, "--json")
+    assert (code, "not cleaned" in err) == (0, True)
+    data = json.loads(out)
+    assert [(edge["type"], edge["outcome"]) for edge in data["edges"]] == [("cut", "kept")] * 2
+    report = data["drawing"]["report"]
+    assert (report["kept"], report["merged"], report["dropped"]) == (200.0, 0.0, 0.0)
+
+
+def test_classify_cleans_only_for_json(
+    knifetip: Command, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cleaned: list[Dieline] = []
+
+    def clean(dieline: Dieline) -> Cleaned:
+        cleaned.append(dieline)
+        return pipeline_clean(dieline)
+
+    pipeline_clean = pipeline.clean
+    monkeypatch.setattr(pipeline, "clean", clean)
+    assert knifetip("classify", folder / "rigid-box-blank.dxf")[0] == 0
+    assert len(cleaned) == 0
+    assert knifetip("classify", folder / "rigid-box-blank.dxf", "--json")[0] == 0
+    assert len(cleaned) == 1
 
 
 def test_read_reports_every_entity(knifetip: Command, folder: Path) -> None:
@@ -284,6 +321,7 @@ def test_the_report_contains_the_figures_of_the_verdict(knifetip: Command, folde
     assert [area["area"] for area in verdict["areas"]] == pytest.approx([0.1936] * 8, rel=0.01)
     assert verdict["unreached"] == pytest.approx(8 * 0.1936, rel=0.01)
     assert len(verdict["areas"][0]["outline"]) == 3
+    assert verdict["areas"][0].keys() == {"area", "x", "y", "outline"}
     assert "does not reach 1.55 mm² in 8 places" in err
     grooved = [edge for edge in verdict["edges"] if edge["width"] > 0.0]
     assert len(grooved) == 4

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import pickle
 from string import Formatter
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from knifetip.messages import Message, english, from_json, hint, render, with_text
+from knifetip.messages import Message, english, finite, from_json, hint, render, with_text
 from knifetip.messages.codes import CODES
 
 SAMPLES = {
@@ -63,6 +64,11 @@ def test_numbers_of_numpy_become_plain_and_those_that_json_cannot_contain_finite
     size = Message("question.unit-size", unit="mm", width=np.float64(2), height=np.inf)
     assert json.loads(json.dumps(size.as_json()))["arguments"]["height"] == 1e9
     assert json.dumps(Message("question.tool", edges=np.int64(1), type="", machine="").as_json())
+
+
+def test_finite_numbers_remain_and_others_become_a_billion() -> None:
+    numbers = [2.5, math.inf, -math.inf, math.nan, -math.nan]
+    assert [finite(number) for number in numbers] == [2.5, 1e9, -1e9, 1e9, 1e9]
 
 
 def test_text_that_utf8_cannot_encode_is_replaced() -> None:

@@ -1,13 +1,19 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from knifetip.messages import Message
-from knifetip.model.verdict import Finding, Verdict
-from knifetip.presentation.verdict import findings_json, verdict_summary
+from knifetip.model.verdict import Finding, Unreached, Verdict
+from knifetip.presentation.verdict import (
+    areas_json,
+    findings_json,
+    unpack_areas,
+    verdict_summary,
+)
 
 
 def refused() -> Verdict:
@@ -41,3 +47,24 @@ def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:
     (found,) = findings_json(refused(), ["A", "B"])
     assert (found["handle"], found["measure"]) == ("B", 1e9)
     assert (found["code"], found["arguments"]["text"]) == ("stored.text", "ab")
+
+
+def test_areas_have_centre_and_outline_and_are_sorted_by_size() -> None:
+    square = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])
+    half_disc = np.array([[10.0, 0.0], [14.0, 0.0]])
+    ends = np.concatenate(
+        [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in (square, half_disc)]
+    )
+    areas = Unreached(ends, np.array([0.0] * 5 + [1.0]), np.array([0, 4, 6]), np.array([4.0, 6.28]))
+    first, second = areas_json(areas)
+    assert (first["area"], first["x"], first["y"]) == (6.28, 12.0, 0.0)
+    assert first["outline"] == [[[10.0, 0.0], [14.0, 0.0], 0.0], [[14.0, 0.0], [10.0, 0.0], 1.0]]
+    assert (second["area"], second["x"], second["y"], len(second["outline"])) == (4.0, 1.0, 1.0, 4)
+    columns: dict[str, NDArray[Any]] = {
+        "area_ends": areas.ends,
+        "area_bulge": areas.bulge,
+        "area_first": areas.first,
+        "area_size": areas.area,
+    }
+    assert areas_json(unpack_areas(columns)) == [first, second]
+    assert areas_json(unpack_areas({})) == []

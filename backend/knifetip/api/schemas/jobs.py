@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
 from pydantic import BaseModel, Field, computed_field
 
@@ -208,12 +208,19 @@ class FindingOut(MessageOut):
     line: int = Field(description="Program line, counted from 1; -1 for none")
 
 
+#: X and Y in the drawing (mm).
+Point: TypeAlias = tuple[float, float]
+
+
 class UnreachedOut(BaseModel):
     """An area of the drawing that no cutter can reach."""
 
     area: float = Field(description="Size of the area (mm²)")
     x: float = Field(description="X of the centre in the drawing (mm)")
-    y: float
+    y: float = Field(description="Y of the centre in the drawing (mm)")
+    outline: list[tuple[Point, Point, float]] = Field(
+        description="Lines and arcs of the outline: start, end and bulge, tan(sweep / 4)"
+    )
 
 
 class VerdictOut(VerdictSummary):
