@@ -2448,12 +2448,12 @@ export interface components {
             };
             /**
              * Text
-             * @description What is reported, in English
+             * @description Text of the message in English
              */
             text: string;
             /**
              * Hint
-             * @description What the user can do, in English; empty if there is nothing to do
+             * @description Action for the user in English; empty if there is none
              */
             hint: string;
             /**
@@ -2508,8 +2508,26 @@ export interface components {
              * @description X of the centre in the drawing (mm)
              */
             x: number;
-            /** Y */
+            /**
+             * Y
+             * @description Y of the centre in the drawing (mm)
+             */
             y: number;
+            /**
+             * Outline
+             * @description Lines and arcs of the outline: start, end and bulge, tan(sweep / 4)
+             */
+            outline: [
+                [
+                    number,
+                    number
+                ],
+                [
+                    number,
+                    number
+                ],
+                number
+            ][];
         };
         /**
          * VerdictOut
