@@ -7,17 +7,15 @@ calls it.  A command that runs only compiled kernels needs neither.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import llvmlite.binding as llvm
-from numba.core.caching import CompileResultCacheImpl, FunctionCache
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompileResult
 from numba.core.runtime import rtsys
-
-#: Raised by pickle for an index with a named tuple that was renamed, moved or changed since.
-_RENAMED: Final = (AttributeError, ImportError, TypeError)
 
 
 class _LoadedLibrary(JITCodeLibrary):
@@ -97,10 +95,49 @@ class _StoredKernel(CompileResultCacheImpl):
         return result
 
 
+class _KernelFiles(IndexDataCacheFile):
+    """Index file of one kernel, and the files with machine code that the index names."""
+
+    def _load_index(self) -> dict[Any, str]:
+        """Return the names of the files with machine code, one per signature and processor.
+
+        Returns an empty dict if the index cannot be read; it is then overwritten when the kernel
+        has been compiled.  numba reads the signatures in the index before it compares the source
+        with the one that was compiled, so that it fails if the classes of the signatures have been
+        moved or deleted since.
+        """
+        try:
+            index: dict[Any, str] = super()._load_index()
+        except Exception:  # reading a pickle may raise any exception
+            return {}
+        return index
+
+    def _load_data(self, name: str) -> Any:
+        """Return the content of a file with machine code.
+
+        Raises
+        ------
+        FileNotFoundError
+            The file is missing or cannot be read; numba then compiles the kernel again.
+        """
+        try:
+            return super()._load_data(name)
+        except Exception as reason:
+            raise FileNotFoundError(name) from reason
+
+
 class KernelCache(FunctionCache):
     """The cache files of one kernel, beside its source."""
 
     _impl_class = _StoredKernel
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function)
+        self._cache_file = _KernelFiles(
+            cache_path=self._cache_path,
+            filename_base=self._impl.filename_base,
+            source_stamp=self._impl.locator.get_source_stamp(),
+        )
 
     def load_overload(self, sig: Any, target_context: Any) -> CompileResult | None:
         """Return the compiled kernel for a signature, or None if it is not in the cache.
@@ -109,11 +146,7 @@ class KernelCache(FunctionCache):
         refreshes the target itself.  Machine code needs the functions that allocate memory.
         """
         rtsys.initialize(target_context)
-        try:
-            loaded: CompileResult | None = self._load_overload(sig, target_context)
-        except _RENAMED:
-            self.flush()
-            return None
+        loaded: CompileResult | None = self._load_overload(sig, target_context)
         return loaded
 
     def is_stored(self, sig: Any, target_context: Any) -> bool:
@@ -122,8 +155,5 @@ class KernelCache(FunctionCache):
         The machine code is not loaded.
         """
         key = self._index_key(sig, target_context.codegen())
-        try:
-            data_name = self._cache_file._load_index().get(key)
-        except _RENAMED:
-            return False
+        data_name = self._cache_file._load_index().get(key)
         return data_name is not None and Path(self._cache_file._data_path(data_name)).is_file()

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numba
 import numpy as np
 import pytest
 from numba.core.caching import NullCache
@@ -243,3 +245,32 @@ def test_a_loaded_kernel_is_linked_into_one_that_is_compiled_later(tmp_path: Pat
     assert multiply("Pair") == "6 1"
     rewrite("Pair", "Duo")
     assert multiply("Duo") == "6 0"
+
+
+BROKEN_INDEXES = {
+    "truncated": b"\x80",
+    "not a pickle": b"no pickle",
+    "deleted class": pickle.dumps(numba.__version__) + b"cknifetip.kernels\nDeletedRecord\n.",
+}
+
+
+@pytest.mark.parametrize("index", BROKEN_INDEXES.values(), ids=BROKEN_INDEXES)
+def test_a_cache_index_that_cannot_be_loaded_is_overwritten(tmp_path: Path, index: bytes) -> None:
+    (tmp_path / "one.py").write_text(
+        "from knifetip.kernels import kernel\n"
+        "@kernel\ndef half(x: float) -> float:\n    return x / 2\n"
+    )
+    program = "import one; print(one.half.is_cached, one.half(3.0), one.half.is_cached)"
+
+    def output() -> str:
+        done = subprocess.run(
+            [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    assert output() == "False 1.5 True"
+    (file,) = (tmp_path / "__pycache__").glob("one.half*.nbi")
+    file.write_bytes(index)
+    assert output() == "False 1.5 True"
+    assert output() == "True 1.5 True"
