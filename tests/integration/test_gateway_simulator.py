@@ -19,9 +19,10 @@ from knifetip.errors import (
     ControllerSilent,
     ProgramError,
 )
-from knifetip.gateway import grbl, simulator
+from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState, State
-from knifetip.gateway.grbl import Grbl
+from knifetip.gateway.grbl import driver
+from knifetip.gateway.grbl.driver import Grbl
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import Progress, stream
 from knifetip.gateway.table import Faults, Table
@@ -85,7 +86,7 @@ async def joined(
     async with await simulator.serve(
         MACHINE, speed=speed, faults=faults, sample=sample, window=window
     ) as server:
-        controller = await grbl.dial(server.address, SAFE, silence=0.4, poll=0.02)
+        controller = await driver.dial(server.address, SAFE, silence=0.4, poll=0.02)
         try:
             yield server.table, controller
         finally:
@@ -231,9 +232,9 @@ async def test_after_an_alarm_only_the_operator_lets_it_go_on() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         server.table.receive(b"G0 X5000\n\x18")
         with pytest.raises(ControllerAlarm, match="locked"):
-            await grbl.dial(server.address, silence=0.4)
+            await driver.dial(server.address, silence=0.4)
         assert server.table.state == "Alarm"
-        controller = await grbl.dial(server.address, silence=0.4, unlock=True)
+        controller = await driver.dial(server.address, silence=0.4, unlock=True)
         assert (await finished(slots(1), controller))[-1].state is State.IDLE
         await controller.close()
 
@@ -335,7 +336,7 @@ async def test_an_empty_program_is_done_at_once() -> None:
 
 async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
-        first = await grbl.dial(server.address, silence=0.4)
+        first = await driver.dial(server.address, silence=0.4)
         second = await connect(server.address)
         assert b"another sender" in await second.read()
         assert await second.read() == b""
@@ -344,7 +345,7 @@ async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it() ->
         async with asyncio.timeout(5.0):
             while True:
                 try:
-                    third = await grbl.dial(server.address, silence=0.4)
+                    third = await driver.dial(server.address, silence=0.4)
                     break
                 except ControllerError:
                     await asyncio.sleep(0.01)
@@ -360,7 +361,7 @@ async def test_noise_from_the_network_does_not_stop_the_table() -> None:
         async with asyncio.timeout(5.0):
             while True:
                 try:
-                    controller = await grbl.dial(server.address, silence=0.4)
+                    controller = await driver.dial(server.address, silence=0.4)
                     break
                 except ControllerError:
                     await asyncio.sleep(0.01)

@@ -27,6 +27,7 @@ from knifetip.api.wake import wake_on_change
 from knifetip.errors import NoSuchJob
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
+from knifetip.model.stage import Stage
 
 router = APIRouter(tags=["events"])
 
@@ -35,6 +36,7 @@ _LOOK = 1.0  # seconds between two queries for changes made by other servers
 _REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
+_MOST_WAITING = 50  # newest jobs whose wait for kernels is reported
 _MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
 
@@ -90,7 +92,11 @@ class Stream:
         messages = self._messages(events)
         if events:
             self._last = events[-1].id
-        moving = self._service.store.jobs.search(_MOVING, limit=500)
+        search = self._service.store.jobs.search
+        waiting = search((State.RECEIVED.value,), limit=_MOST_WAITING)
+        # Other received jobs have no progress.
+        moving = [row for row in waiting if row.stage == Stage.PREPARE]
+        moving += search(_MOVING, limit=500)
         progress: dict[str, tuple[object, ...]] = {
             row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
             for row in moving

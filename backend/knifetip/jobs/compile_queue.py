@@ -19,11 +19,11 @@ from knifetip.jobs.tables import Job
 #: Compiles a job that ``CompileStore.begin`` returned.
 Compile: TypeAlias = Callable[[Job], None]
 
-#: Returns whether the kernels that a compile for a machine needs are compiled.
-IsReady: TypeAlias = Callable[[str], bool]
+#: Returns the fraction (0 … 1) of the kernels for a machine that are compiled; 1 if all are.
+FractionCompiled: TypeAlias = Callable[[str], float]
 
-_LOOK = 0.1  # seconds between two checks of the kernels that jobs wait for
-_PATIENCE = 2.0  # seconds before a job states that it waits: at a start nothing is known yet
+_READY_POLL = 0.1  # seconds between two checks of the kernels that jobs wait for
+_PATIENCE = 2.0  # seconds until a job reports that it waits: after a start nothing is known yet
 _PAUSE = 1.0  # seconds before the next attempt after the database could not be used
 
 _log = logging.getLogger("knifetip.jobs")
@@ -50,9 +50,9 @@ class TableQueue:
         Number of jobs that are compiled at the same time.
     poll
         Time between two queries for jobs that another process received (s).
-    is_ready
-        Returns whether the kernels that a compile for a machine needs are compiled.  The jobs of a
-        machine without its kernels stay ``received`` while jobs of other machines are compiled.
+    fraction_compiled
+        Returns the fraction (0 … 1) of the kernels for a machine that are compiled.  Below 1, the
+        jobs of the machine stay ``received`` while jobs of other machines are compiled.
     """
 
     def __init__(
@@ -61,13 +61,13 @@ class TableQueue:
         worker: str,
         at_once: int,
         poll: float,
-        is_ready: IsReady = lambda _machine: True,
+        fraction_compiled: FractionCompiled = lambda _machine: 1.0,
     ) -> None:
         self._store = store
         self._worker = worker
         self._at_once = at_once
         self._poll = poll
-        self._is_ready = is_ready
+        self._fraction_compiled = fraction_compiled
         #: when each machine was first found without its kernels (s, monotonic clock)
         self._unready: dict[str, float] = {}
         self._stopping = threading.Event()
@@ -98,17 +98,18 @@ class TableQueue:
                     if not self._stopping.is_set():
                         _log.exception("a compile failed")
                     self._stopping.wait(_PAUSE)
-                self._received.wait(_LOOK if self._unready else self._poll)
+                self._received.wait(_READY_POLL if self._unready else self._poll)
 
     def _next_job(self) -> Job | None:
         """Take the oldest job whose kernels are compiled; None if there is none."""
         machines = self._store.compiles.received_machines()
-        unready = [machine for machine in machines if not self._is_ready(machine)]
+        compiled = {machine: self._fraction_compiled(machine) for machine in machines}
+        unready = [machine for machine in machines if compiled[machine] < 1.0]
         now = time.monotonic()
         self._unready = {machine: self._unready.get(machine, now) for machine in unready}
         for machine, since in self._unready.items():
             if now - since >= _PATIENCE:
-                self._store.compiles.note_waiting(machine)
+                self._store.compiles.report_waiting(machine, compiled[machine])
         return self._store.compiles.begin(self._worker, without=unready) if machines else None
 
     def stop(self) -> None:
@@ -126,7 +127,7 @@ def queue_of(
     poll: float = 1.0,
     *,
     compiles: bool,
-    is_ready: IsReady = lambda _machine: True,
+    fraction_compiled: FractionCompiled = lambda _machine: 1.0,
 ) -> CompileQueue | None:
     """Return the compile queue for a store, None if this process takes no part in compiling.
 
@@ -140,12 +141,12 @@ def queue_of(
         Time between two queries of a ``TableQueue`` for jobs of other processes (s).
     compiles
         False in a process that receives jobs and does not compile them.
-    is_ready
-        Returns whether the kernels that a compile for a machine needs are compiled.
+    fraction_compiled
+        Returns the fraction (0 … 1) of the kernels for a machine that are compiled.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.
         from knifetip.jobs.durable_queue import DurableQueue
 
         return DurableQueue(store, worker, at_once if compiles else 0)
-    return TableQueue(store, worker, at_once, poll, is_ready) if compiles else None
+    return TableQueue(store, worker, at_once, poll, fraction_compiled) if compiles else None

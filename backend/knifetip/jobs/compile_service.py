@@ -79,17 +79,20 @@ class CompileService:
             self.at_once,
             poll,
             compiles=self.compiles,
-            is_ready=self.is_ready,
+            fraction_compiled=self.fraction_compiled,
         )
         if self._queue is not None:
             self._queue.start(self.compile)
 
-    def is_ready(self, machine: str) -> bool:
-        """Return whether the kernels that a compile for a machine needs are compiled."""
+    def fraction_compiled(self, machine: str) -> float:
+        """Return the fraction (0 … 1) of the kernels for a machine that are compiled.
+
+        Returns 1 only if a compile for the machine can begin.
+        """
         try:
-            return self.warm_up.is_ready(*_kernels_for(machine))
+            return self.warm_up.fraction_compiled(*_kernels_for(machine))
         except LibraryError:
-            return True  # the compile refuses the job
+            return 1.0  # the compile refuses the job
 
     def _start_thread(self, target: Callable[[], None], name: str) -> None:
         thread = threading.Thread(target=target, name=name, daemon=True)

@@ -40,22 +40,32 @@ class CompileStore:
         with self._db.reading() as session:
             return list(session.scalars(query))
 
-    def note_waiting(self, machine: str) -> None:
+    def report_waiting(self, machine: str, progress: float) -> None:
         """Store in each received job of a machine that the job waits for kernels to be compiled.
 
-        Jobs that have a message already are not changed.
+        The first report of a job also writes an event.
+
+        Parameters
+        ----------
+        progress
+            Fraction (0 … 1) of the kernels for the machine that are compiled.
         """
         message = Message("job.awaits-kernels", machine=machine)
-        waiting = sa.select(Job.id).where(
-            Job.state == State.RECEIVED, Job.machine == machine, Job.message.is_(None)
-        )
+        waiting = sa.and_(Job.state == State.RECEIVED, Job.machine == machine)
+        outdated = sa.or_(Job.stage != Stage.PREPARE, Job.progress != progress)
         with self._db.reading() as session:
-            if session.scalar(waiting.limit(1)) is None:
+            if session.scalar(sa.select(Job.id).where(waiting, outdated).limit(1)) is None:
                 return
         with self._db.writing() as session:
-            for id in session.scalars(waiting.with_for_update()).all():
+            unreported = sa.select(Job.id).where(waiting, Job.message.is_(None))
+            for id in session.scalars(unreported.with_for_update()).all():
                 session.execute(sa.update(Job).where(Job.id == id).values(message=message))
                 self._transitions.note(session, "job", id, State.RECEIVED, _WORKER, message)
+            session.execute(
+                sa.update(Job)
+                .where(waiting, outdated)
+                .values(stage=Stage.PREPARE.value, progress=progress)
+            )
 
     def begin(
         self,

@@ -69,6 +69,7 @@ class WarmUp:
         # A server that was never started is not waited for.
         self._running = False
         self._closed = False
+        self._failed = False
         self._parts: list[Part] | None = None  # None until it is known what is missing
         self._waiting: deque[Part] = deque()
         self._shares: dict[str, float] = {}  # of the kernels of each module that are compiled
@@ -96,8 +97,11 @@ class WarmUp:
         self._running = True
         threading.Thread(target=self.run, args=(pool,), name="warm-up", daemon=True).start()
 
-    def run(self, pool: ProcessPool) -> None:
-        """Compile missing kernels on the calling thread; ``pool`` as for ``start``."""
+    def run(self, pool: ProcessPool) -> bool:
+        """Compile missing kernels on the calling thread; ``pool`` as for ``start``.
+
+        Returns whether no kernel failed to compile.
+        """
         self._running = True
         try:
             with contextlib.suppress(TaskCancelled):
@@ -110,12 +114,14 @@ class WarmUp:
                     self._compile()
         except (KnifetipError, TaskFailed):
             # Each kernel is then compiled where it is first called.
+            self._failed = True
             _log.exception("the warm-up failed")
         finally:
             with self._changed:
                 self._running = False
                 self._changed.notify_all()
             self._on_progress(self.progress)
+        return not self._failed
 
     def _compile(self) -> None:
         compilers = ProcessPool(_AT_ONCE)
@@ -149,6 +155,7 @@ class WarmUp:
             except TaskCancelled:
                 return
             except (KnifetipError, TaskFailed):
+                self._failed = True
                 _log.exception("the kernels of %s were not compiled", module)
             self._set_share(module, 1.0)
 
@@ -189,10 +196,17 @@ class WarmUp:
             if not watch(Stage.PREPARE, progress.compiled / max(progress.total, 1)):
                 raise TaskCancelled
 
-    def is_ready(self, *groups: str) -> bool:
-        """Return whether the kernels of these groups are compiled, or are not waited for."""
+    def fraction_compiled(self, *groups: str) -> float:
+        """Return the fraction (0 … 1) of the missing kernels of some groups that are compiled.
+
+        Returns 1 only if no caller has to wait for these groups: all their kernels are compiled, or
+        no warm-up is running.
+        """
         with self._changed:
-            return self._is_ready(groups)
+            if self._is_ready(groups):
+                return 1.0
+            progress = self._progress(groups)
+        return min(progress.compiled / max(progress.total, 1), 0.999)
 
     def _is_ready(self, groups: tuple[str, ...]) -> bool:
         if not self._running or self._closed:
@@ -224,11 +238,10 @@ def main() -> None:
             print(f"Compiled {progress.compiled} of {progress.total} kernels.", flush=True)
 
     pool = ProcessPool(1)
-    warm_up = WarmUp(niceness=0, on_progress=show)
-    warm_up.run(pool)
+    succeeded = WarmUp(niceness=0, on_progress=show).run(pool)
     pool.close()
-    if warm_up.progress.compiled < warm_up.progress.total:
-        sys.exit("Some kernels were not compiled. The messages above name them.")
+    if not succeeded:
+        sys.exit("Some kernels were not compiled. See the errors above.")
 
 
 if __name__ == "__main__":

@@ -9,5 +9,5 @@ LANGUAGE = Language(
     emitter="knifetip.post.rs274.grblhal:emit",
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.timing:no_halts",
-    driver="knifetip.gateway.grbl:dial",
+    driver="knifetip.gateway.grbl.driver:dial",
 )

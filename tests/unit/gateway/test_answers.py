@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.gateway import answers
 from knifetip.gateway.controller import State
+from knifetip.gateway.grbl import answers
 
 
 def report_of(line: str) -> answers.Report:

@@ -15,9 +15,10 @@ import httpx
 import pytest
 
 from knifetip.errors import ControllerError
-from knifetip.gateway import grbl, simulator
+from knifetip.gateway import simulator
 from knifetip.gateway.claim import work
 from knifetip.gateway.controller import Controller, SafeState, State, Status
+from knifetip.gateway.grbl import driver
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
@@ -125,7 +126,7 @@ async def gateway(office: Office, server: simulator.Server, **options: Any) -> N
         async with asyncio.timeout(20.0):
             connect = options.pop(
                 "connect",
-                lambda safe, stop_motion: grbl.dial(
+                lambda safe, stop_motion: driver.dial(
                     server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
                 ),
             )
@@ -329,7 +330,7 @@ async def test_a_table_that_is_switched_off_takes_no_job() -> None:
             calls.append(len(office.claims))
             if len(calls) < 3:
                 raise ControllerError("controller.unreachable", address="wire", reason="off")
-            return await grbl.dial(server.address, safe, silence=0.5, poll=0.02)
+            return await driver.dial(server.address, safe, silence=0.5, poll=0.02)
 
         await gateway(office, server, connect=connect)
     assert calls == [0, 0, 0]
@@ -436,7 +437,7 @@ async def test_a_table_that_is_jogged_gives_a_waiting_job_back(
     async with table() as server:
 
         async def connect(safe: SafeState, stop_motion: bool) -> Controller:
-            controller = await grbl.dial(
+            controller = await driver.dial(
                 server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
             )
             true_status = controller.status

@@ -19,7 +19,7 @@ from knifetip.errors import (
     ProgramError,
 )
 from knifetip.gateway.controller import SafeState, State
-from knifetip.gateway.grbl import Grbl
+from knifetip.gateway.grbl.driver import Grbl
 
 BANNER = "Grbl 1.1h ['$' for help]"
 

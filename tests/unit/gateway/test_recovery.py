@@ -6,7 +6,7 @@ import pytest
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerSilent
 from knifetip.gateway.controller import SafeState, State, Status
-from knifetip.gateway.recovery import make_safe
+from knifetip.gateway.grbl.recovery import make_safe
 from knifetip.library import load
 
 SAFE = SafeState((0, 1), 20.0)

@@ -22,7 +22,7 @@ from knifetip.errors import (
     KnifetipError,
 )
 from knifetip.gateway.controller import SafeState
-from knifetip.gateway.grbl import Grbl
+from knifetip.gateway.grbl.driver import Grbl
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import Progress, stream
 from knifetip.gateway.table import BANNER, Table

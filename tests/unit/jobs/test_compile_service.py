@@ -83,8 +83,8 @@ class UnreadyWarmUp(WarmUp):
         super().__init__()
         self.compiled = set(compiled)
 
-    def is_ready(self, *groups: str) -> bool:
-        return self.compiled.issuperset(groups)
+    def fraction_compiled(self, *groups: str) -> float:
+        return len(self.compiled.intersection(groups)) / len(groups)
 
 
 def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
@@ -101,10 +101,12 @@ def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
         waiting = store.jobs.get(routed.id)
         assert (waiting.state, waiting.attempt) == ("received", 1)
         assert waiting.message == Message("job.awaits-kernels", machine="router-table")
+        assert (waiting.stage, waiting.progress) == (Stage.PREPARE, 2.0 / 3.0)
         whys = [event.message for event in store.events.of_job(routed.id)]
         assert whys.count(waiting.message) == 1
         warm_up.compiled.add("offsets")
         ended(store, routed.id, "refused")
+        assert store.jobs.get(routed.id).message != waiting.message
     finally:
         service.stop()
 

@@ -128,6 +128,7 @@ def test_who_waits_gets_the_share_of_the_groups_and_may_give_up(pool: FakePool) 
         return False
 
     until(lambda: warm.progress.compiled == 2)
+    assert warm.fraction_compiled("drawings") == 2 / 6
     with pytest.raises(TaskCancelled):
         warm.wait("drawings", watch=watch)
     assert seen == [(Stage.PREPARE, 2 / 6)]
@@ -137,16 +138,20 @@ def test_who_waits_gets_the_share_of_the_groups_and_may_give_up(pool: FakePool) 
 def test_a_warm_up_that_was_never_started_delays_nothing() -> None:
     warm = WarmUp()
     warm.wait("drawings", "jobs", "offsets")
+    assert warm.fraction_compiled("drawings") == 1.0
     assert warm.progress == WarmUpProgress(True, 0, 0)
 
 
-def test_a_module_that_does_not_compile_does_not_stop_the_others(pool: FakePool) -> None:
-    pool.fails.add("scan")
+@pytest.mark.parametrize("fails", [{"scan"}, set()])
+def test_a_module_that_does_not_compile_does_not_stop_the_others(
+    pool: FakePool, fails: set[str]
+) -> None:
+    pool.fails.update(fails)
     pool.allowed.release(4)
     warm = WarmUp()
-    started(warm, pool)
+    assert warm.run(pool) is not bool(fails)  # type: ignore[arg-type]
     warm.wait("drawings", "jobs", "offsets")
-    until(lambda: warm.progress.finished)
+    assert warm.progress.finished
     assert pool.started == ["scan", "faces", "plan", "trim"]
 
 

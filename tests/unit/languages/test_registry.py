@@ -141,7 +141,7 @@ def test_reading_a_record_does_not_import_its_components() -> None:
 
 
 def test_no_other_package_names_a_language() -> None:
-    own = {"languages", "rs274", "hpgl", "grbl.py", "linuxcnc.py"}
+    own = {"languages", "rs274", "hpgl", "grbl", "linuxcnc.py"}
     package = ROOM.parent
     for file in package.rglob("*.py"):
         if own & set(file.relative_to(package).parts):
@@ -149,4 +149,4 @@ def test_no_other_package_names_a_language() -> None:
         text = file.read_text("utf-8")
         for name in registry.language_names():
             assert f'"{name}"' not in text, f"{file} names {name}"
-        assert "grbl.dial" not in text, f"{file} names the driver of grblHAL"
+        assert "grbl.driver" not in text, f"{file} names the driver of grblHAL"

@@ -155,7 +155,8 @@ class JobOut(BaseModel):
         description="Action that the operator requested and that the machine has not executed yet",
     )
     stage: Stage | Literal[""] = Field(
-        description="Stage of the compile; empty while the job is not being compiled"
+        description="Stage of the compile; `prepare` while the server compiles functions that the "
+        "job needs; empty while the job is not being compiled"
     )
     progress: float = Field(
         description="Completed fraction of the compile or of the execution, 0 … 1"

@@ -86,6 +86,10 @@ ALARMS = {
 }
 
 
+#: Code of the alarm for a program line whose target is beyond the travel of an axis.
+SOFT_LIMIT = 2
+
+
 def error_meaning(code: int) -> Message:
     """Return the meaning of ``error:code`` as a message."""
     return ERRORS.get(code, Message("grbl.unknown-error"))

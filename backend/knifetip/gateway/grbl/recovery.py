@@ -12,8 +12,8 @@ from contextlib import suppress
 from typing import Protocol
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerSilent
-from knifetip.gateway import answers
 from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.gateway.grbl import answers
 from knifetip.messages import Message
 
 #: Speed of the lift (mm/min).

@@ -1,0 +1,455 @@
+"""connection: exchanges lines and realtime commands with a controller that uses grbl's protocol.
+
+Program lines, commands of the driver and realtime commands (single bytes that the controller
+executes at once) are sent over a ``Transport``.  The controller answers with ``ok``, ``error``,
+``ALARM``, status reports and its welcome banner.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from collections.abc import Awaitable, Callable
+
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+    ControllerReset,
+    ControllerSilent,
+)
+from knifetip.gateway.controller import Observer, State, Status
+from knifetip.gateway.grbl import answers
+from knifetip.gateway.grbl.receive_buffer import PendingLine, ReceiveBuffer
+from knifetip.gateway.grbl.watchdog import Watchdog
+from knifetip.gateway.motion import Pose
+from knifetip.gateway.transport import Transport
+
+#: Most bytes without a line end that are kept; more of them are noise.
+_LONGEST_ANSWER = 8192
+#: Most lines between two answers that are kept.
+_MOST_LINES = 1000
+#: Consecutive status reports that must contradict the byte count before it counts as wrong.
+_CONTRADICTIONS = 2
+
+_BANNER = re.compile(r"grbl", re.IGNORECASE)
+
+
+class GrblConnection:
+    """Connection to one controller; lasts over reconnects.
+
+    Each failure is recorded as the fault of the connection.  The first fault is raised by every
+    later call, until ``reach`` or the driver clears it.
+
+    Parameters
+    ----------
+    transport
+        Open transport.
+    reconnect
+        Opens a new transport after the connection was lost; None if there is no other transport.
+    silence, poll
+        Time limits of the ``Watchdog`` (s).
+    """
+
+    def __init__(
+        self,
+        transport: Transport,
+        reconnect: Callable[[], Awaitable[Transport]] | None,
+        silence: float,
+        poll: float,
+    ) -> None:
+        self.name = f"grbl at {transport.address}"
+        self.silence = silence
+        self.buffer = ReceiveBuffer()
+        self.fault: ControllerError | None = None
+        self.observer: Observer | None = None
+        self.status: Status | None = None  #: last status report
+        self.acknowledged = 0  #: program lines answered outside check mode
+        self.sent = 0  #: program lines sent outside check mode
+        self.last_alarm = 0  #: code of the present alarm, 0 if none was received
+        self.rotary = 3  #: index of the axis that rotates the tool, in status reports
+        self.checking = False  #: the controller is in check mode
+        self.refusals: list[ControllerRejected] = []  #: of program lines, in check mode
+        self.recovering = False  #: the machine is being brought into its safe state
+        self._transport = transport
+        self._reconnect = reconnect
+        self._watchdog = Watchdog(self, silence, poll)
+        self._tasks: list[asyncio.Task[None]] = []
+        self._connected = True
+        self._closed = False
+        self._sending = asyncio.Lock()
+        self._changed = asyncio.Event()  # something was received, or a fault was recorded
+        self._reports = 0  # number of status reports received
+        self._offset: Pose | None = None  # work offset of the last report that contained one
+        self._info: list[str] = []  # lines received since the last command, except answers
+        self._banners = 0  # number of banners received
+        self._banner_due = False
+
+    # -- opening and closing ----------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Start to read answers and to request reports, if not started; clear the fault."""
+        if not self._tasks:
+            self._start_tasks()
+        self.fault = None
+        self._watchdog.restart()
+
+    async def reach(self) -> None:
+        """Clear the fault; reconnect if the connection is lost.
+
+        Raises
+        ------
+        ControllerError
+            The connection was closed, or a new transport cannot be opened.
+        """
+        if self._closed:
+            raise ControllerError("controller.closed", name=self.name)
+        if not self._connected:
+            if self._reconnect is None:
+                raise ControllerError("controller.lost-in-buffer", name=self.name)
+            await self._disconnect()
+            self._transport = await self._reconnect()
+            self.status = None
+            self.last_alarm = 0
+            self._start_tasks()
+        self._discard_lines()
+        self.checking = False
+        self.fault = None
+        self._watchdog.restart()
+
+    async def close(self) -> None:
+        """Close the transport; the controller still executes the lines in its buffer."""
+        self._closed = True
+        await self._disconnect()
+        self.fail(ControllerError("controller.closed", name=self.name))
+
+    def _start_tasks(self) -> None:
+        self._connected = True
+        self._tasks = [
+            asyncio.create_task(self._read_answers(), name="grbl answers"),
+            asyncio.create_task(self._watchdog.run(), name="grbl watchdog"),
+        ]
+
+    async def _disconnect(self) -> None:
+        """Stop the tasks of the transport and close it."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._tasks = []
+        await self._transport.close()
+
+    # -- sending ----------------------------------------------------------------------------------
+
+    async def send_line(self, line: PendingLine) -> None:
+        """Send a line as soon as the receive buffer has room for it.
+
+        Raises
+        ------
+        ControllerError
+            Any failure so far.
+        """
+        async with self._sending:
+            await self.wait_until(lambda: self.buffer.has_room_for(line))
+            if self.buffer.first is None:
+                self._watchdog.expect_answer()
+            self.buffer.add(line)
+            if line.number and not self.checking:
+                self.sent += 1
+        await self._transport.write(line.text + b"\n")
+
+    async def drain(self) -> None:
+        """Wait until every line has been answered."""
+        await self.wait_until(lambda: self.buffer.first is None)
+
+    async def command(self, text: bytes) -> list[str]:
+        """Send a command of the driver; return the lines received before its ``ok``.
+
+        Raises
+        ------
+        ControllerRejected
+            The controller refuses the command.
+        ControllerError
+            Any failure so far, or no answer.
+        """
+        await self.drain()
+        self._info.clear()
+        answer: asyncio.Future[tuple[int, list[str]]]
+        answer = asyncio.get_running_loop().create_future()
+        await self.send_line(PendingLine(text, answer=answer))
+        try:
+            async with asyncio.timeout(self.silence):
+                code, info = await answer
+        except TimeoutError:
+            raise self.fail(self.silent()) from None
+        if code:
+            raise ControllerRejected(
+                "controller.rejected-command",
+                name=self.name,
+                command=text.decode(),
+                error=answers.error_meaning(code),
+                code=code,
+            )
+        return info
+
+    async def realtime(self, byte: bytes) -> None:
+        """Send a realtime command."""
+        self.raise_fault()
+        await self._transport.write(byte)
+
+    async def reset(self) -> None:
+        """Reset the controller by software; return when its welcome banner has arrived."""
+        self._discard_lines()
+        await self.await_banner(
+            lambda: self._transport.write(b"\x18"), "controller.reset-not-confirmed"
+        )
+        self._watchdog.restart()
+
+    async def await_banner(self, cause: Callable[[], Awaitable[object]], code: str) -> None:
+        """Do what resets the controller, and return when its welcome banner has arrived.
+
+        Parameters
+        ----------
+        cause
+            Sends what resets the controller.
+        code
+            Code of the error if no banner arrives.
+        """
+        banners, self._banner_due = self._banners, True
+        await cause()
+        await self.wait_until(lambda: self._banners > banners, code)
+
+    # -- status reports ---------------------------------------------------------------------------
+
+    async def request_report(self) -> None:
+        """Send a status request (``?``); return before its report arrives."""
+        await self._transport.write(b"?")
+
+    async def report(self, patience: float | None = None) -> Status:
+        """Request a status report and return it; silence is not recorded as the fault.
+
+        Parameters
+        ----------
+        patience
+            Seconds after which the controller counts as silent; None for the limit of silence.
+
+        Raises
+        ------
+        ControllerSilent
+            There is no report.
+        ControllerError
+            Any failure so far.
+        """
+        self.raise_fault()
+        seen = self._reports
+        await self.request_report()
+        try:
+            async with asyncio.timeout(self.silence if patience is None else patience):
+                await self._wait_for_change(lambda: self._reports > seen)
+        except TimeoutError:
+            raise self.silent() from None
+        self.raise_fault()
+        assert self.status is not None
+        return self.status
+
+    # -- faults and waiting -----------------------------------------------------------------------
+
+    def fail(self, error: ControllerError) -> ControllerError:
+        """Record an error as the fault if there is none, wake all waiting tasks, return the fault.
+
+        The returned fault is an earlier error if there is one.
+        """
+        if self.fault is None:
+            self.fault = error
+        self.buffer.fail(self.fault)
+        self._changed.set()
+        return self.fault
+
+    def raise_fault(self) -> None:
+        """Raise the fault if there is one."""
+        if self.fault is not None:
+            raise self.fault
+
+    def silent(self) -> ControllerSilent:
+        """Return the error for a controller that does not answer."""
+        return ControllerSilent(
+            "controller.silent", name=self.name, seconds=self.silence, due=self.buffer.due()
+        )
+
+    def surplus_answer(self) -> ControllerError:
+        """Return the error for an answer that belongs to no line."""
+        return ControllerError("controller.unexpected-answer", name=self.name)
+
+    async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
+        """Wait until ``condition()`` is true.
+
+        Parameters
+        ----------
+        code
+            Code of the error after the limit of silence; if it is empty, only the watchdog limits
+            the time.
+        """
+        try:
+            async with asyncio.timeout(self.silence if code else None):
+                await self._wait_for_change(condition)
+        except TimeoutError:
+            raise self.fail(ControllerSilent(code, name=self.name, seconds=self.silence)) from None
+        self.raise_fault()
+
+    async def _wait_for_change(self, condition: Callable[[], bool]) -> None:
+        while not condition():
+            self.raise_fault()
+            self._changed.clear()
+            await self._changed.wait()
+
+    def _discard_lines(self) -> None:
+        """Discard all unanswered lines, as a reset of the controller does."""
+        self.buffer.fail(ControllerError("controller.was-reset", name=self.name))
+        self.buffer.clear()
+
+    # -- received lines ---------------------------------------------------------------------------
+
+    async def _read_answers(self) -> None:
+        """Handle each received line until the connection is lost."""
+        rest = b""
+        while chunk := await self._transport.read():
+            *lines, rest = (rest + chunk).split(b"\n")
+            for line in lines:
+                self._handle_line(line.strip().decode("ascii", "replace"))
+            if len(rest) > _LONGEST_ANSWER:
+                rest = b""
+        self._connected = False
+        self.fail(ControllerError("controller.lost", name=self.name, due=self.buffer.due()))
+
+    def _handle_line(self, line: str) -> None:
+        if line == "ok":
+            self._handle_answer(0)
+        elif line.startswith("error:"):
+            self._handle_answer(_code(line))
+        elif line.startswith("<"):
+            self._handle_report(line)
+        elif line.startswith("ALARM:"):
+            self._handle_alarm(_code(line))
+        elif _BANNER.match(line):
+            self._handle_banner()
+        elif line and len(self._info) < _MOST_LINES:
+            self._info.append(line)
+        self._changed.set()
+
+    def _handle_answer(self, code: int) -> None:
+        """Assign an answer to the first unanswered line; ``code`` is 0 for ``ok``."""
+        if self.buffer.first is None:
+            if not (self._banner_due or self.recovering):
+                self.fail(self.surplus_answer())
+            return  # the answer is from before the reset
+        line = self.buffer.remove_first()
+        self._watchdog.note_answer()
+        if line.answer is not None:
+            if not line.answer.done():
+                line.answer.set_result((code, list(self._info)))
+            return
+        if not self.checking:
+            self.acknowledged += 1
+            # The machine starts another move: request its position.
+            self._watchdog.request_soon()
+        if code:
+            refused = ControllerRejected(
+                "controller.rejected-in-check" if self.checking else "controller.rejected-line",
+                name=self.name,
+                line=line.number,
+                text=line.excerpt,
+                error=answers.error_meaning(code),
+                code=code,
+            )
+            if self.checking:
+                self.refusals.append(refused)
+            else:
+                self.fail(refused)
+
+    def _handle_report(self, line: str) -> None:
+        report = answers.report(line, self.rotary)
+        if report is None:
+            return
+        if report.offset is not None:
+            self._offset = report.offset
+        if report.state is not State.ALARM:
+            self.last_alarm = 0
+        self._watchdog.note_report()
+        self._reports += 1
+        self.status = self._status_of(report)
+        if self.fault is not None or self.recovering:
+            return
+        self._compare_buffer(report.room)
+        if self.observer is not None:
+            if (error := self.observer.observe(self.status)) is not None:
+                self.fail(error)
+            elif self.observer.doubtful:
+                self._watchdog.request_at_once()
+
+    def _status_of(self, report: answers.Report) -> Status:
+        """Return the status that a report describes.
+
+        Its position is that of the previous status if the report contains none.
+        """
+        position = report.work
+        if position is None and report.machine is not None:
+            offset = self._offset or (0.0, 0.0, 0.0, 0.0)
+            x, y, z, c = (m - o for m, o in zip(report.machine, offset, strict=True))
+            position = x, y, z, c
+        if position is None:
+            position = self.status.position if self.status else (0.0, 0.0, 0.0, 0.0)
+        return Status(
+            state=report.state,
+            position=position,
+            acknowledged=self.acknowledged,
+            still=report.still,
+            number=report.number,
+            free=report.free,
+            feed=report.feed,
+            sent=self.sent,
+            located=report.work is not None or self._offset is not None,
+        )
+
+    def _compare_buffer(self, free: int | None) -> None:
+        """Record a fault if the controller reports more bytes in its buffer than are unanswered.
+
+        Parameters
+        ----------
+        free
+            Free bytes of the buffer according to a status report; None if it contains no number.
+        """
+        if free is None or self._banner_due:
+            return
+        contradictions = self.buffer.count_contradictions(free)
+        if contradictions:
+            self._watchdog.request_at_once()
+        if contradictions >= _CONTRADICTIONS:
+            self.fail(self.surplus_answer())
+
+    def _handle_alarm(self, code: int) -> None:
+        self.last_alarm = code
+        if self.recovering and self.buffer.first is None:
+            return  # it was reset while it still moved
+        self.fail(
+            ControllerAlarm(
+                "controller.alarm",
+                name=self.name,
+                code=code,
+                alarm=answers.alarm_meaning(code),
+                due=self.buffer.due() if code == answers.SOFT_LIMIT else None,
+            )
+        )
+
+    def _handle_banner(self) -> None:
+        self._banners += 1
+        if self._banner_due:
+            self._banner_due = False
+            return
+        if self.status is None or (self.recovering and self.buffer.first is None):
+            return  # some controllers send a banner to each client; others were reset before
+        self.fail(ControllerReset("controller.reset", name=self.name, due=self.buffer.due()))
+
+
+def _code(line: str) -> int:
+    """Return the number in ``error:9`` or ``ALARM:2``; -1 if it is damaged."""
+    code = line.partition(":")[2].strip()
+    return int(code) if code.isdecimal() else -1

@@ -1,0 +1,354 @@
+"""driver: streams programs to controllers with the protocol of grbl 1.1, such as grblHAL.
+
+The controller parses the program in check mode before anything moves.  Every failure raises one of
+five errors and never waits without end: ``ControllerRejected``, ``ControllerAlarm``,
+``ControllerReset`` (an unexpected banner), ``ControllerSilent`` (no answer, or a lost ``ok``) and
+``ControllerError`` (a lost connection, or a surplus ``ok``).  After each of them ``Grbl.stop``
+brings the machine into its safe state (``recovery``).
+
+A doubled ``ok`` makes the count of free bytes in the receive buffer wrong.  It is detected by an
+answer without an unanswered line, by a report of more bytes in the buffer than are unanswered, or
+at the latest by ``Grbl.settle``.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from collections.abc import Awaitable, Callable, Iterable
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent, ProgramError
+from knifetip.gateway.controller import Observer, SafeState, State, Status
+from knifetip.gateway.grbl import answers, recovery
+from knifetip.gateway.grbl.connection import GrblConnection
+from knifetip.gateway.grbl.receive_buffer import PendingLine
+from knifetip.gateway.interpreter import switches
+from knifetip.gateway.transport import Transport, connect
+
+#: Time between two status requests while the machine comes to rest (s).
+_REST_INTERVAL = 0.01
+#: Longest time to wait for the first status report (s).
+_FIRST_REPORT = 2.0
+
+_REALTIME = re.compile(rb"[^\x20-\x7e\t\r]|[?!~]")
+_OPTIONS = re.compile(r"\[OPT:[^,\]]*,(\d+),(\d+)")
+_AXES = re.compile(r"\[AXS:\d+:([A-Z]+)")
+
+
+class Grbl:
+    """A controller connected through a transport (see ``Controller``).
+
+    Parameters
+    ----------
+    transport
+        Open transport.
+    safe
+        Safe state for ``open`` and ``stop``; with None they only hold and reset the machine.
+    reconnect
+        Opens a new transport after the connection was lost; None to give up.
+    silence
+        Seconds after which the controller counts as silent if no status report arrives, or if a
+        line has no answer although the machine is idle.
+    poll
+        Longest time between two status requests while the machine moves (s); an idle machine is
+        requested once in a fifth of ``silence``.
+    """
+
+    def __init__(
+        self,
+        transport: Transport,
+        *,
+        safe: SafeState | None = None,
+        reconnect: Callable[[], Awaitable[Transport]] | None = None,
+        silence: float = 5.0,
+        poll: float = 0.1,
+    ) -> None:
+        self._connection = GrblConnection(transport, reconnect, silence, poll)
+        self._safe = safe
+        self._silence = silence
+        self.capacity: int | None = None
+
+    @property
+    def name(self) -> str:
+        """Address of the controller, for messages."""
+        return self._connection.name
+
+    @property
+    def fault(self) -> ControllerError | None:
+        """The failure that every call raises, or None."""
+        return self._connection.fault
+
+    @property
+    def acknowledged(self) -> int:
+        """Number of program lines answered since the controller was opened."""
+        return self._connection.acknowledged
+
+    @property
+    def sent(self) -> int:
+        """Number of program lines sent since the controller was opened."""
+        return self._connection.sent
+
+    @property
+    def last_alarm(self) -> int:
+        """Code of the present alarm, 0 if none was received."""
+        return self._connection.last_alarm
+
+    @property
+    def observer(self) -> Observer | None:
+        """Object that compares each status report with the program, or None."""
+        return self._connection.observer
+
+    @observer.setter
+    def observer(self, observer: Observer | None) -> None:
+        self._connection.observer = observer
+
+    # -- opening and closing ----------------------------------------------------------------------
+
+    async def open(self, *, unlock: bool = False, stop_motion: bool = False) -> None:
+        """Take control of the controller: at rest, unlocked, buffers empty, machine in safe state.
+
+        The controller is reset, which is harmless at rest; then Z is raised and all outputs are
+        switched off, because a reset does not change them.  A locked machine is not moved.
+
+        Parameters
+        ----------
+        unlock
+            Clear an alarm without homing (``$X``): the operator has confirmed the position.
+        stop_motion
+            Stop a machine that moves or is held, because it executes a program of this gateway.
+            Otherwise such a machine is left as it is.
+
+        Raises
+        ------
+        ControllerError
+            The controller is busy, in alarm, does not answer, or refuses to switch an output off.
+        """
+        connection = self._connection
+        connection.start()
+        try:
+            status = await connection.report(min(self._silence, _FIRST_REPORT))
+        except ControllerSilent:
+            # After a critical alarm grbl answers nothing until it is reset.
+            status = None
+        if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
+            if not (stop_motion and status.state in (State.RUN, State.HOLD)):
+                raise ControllerError("controller.busy", name=self.name, state=status.state.value)
+            await self.stop()
+        else:
+            await connection.reset()
+        status = await self.status()
+        if status.state is State.ALARM and unlock:
+            await connection.command(b"$X")
+            status = await self.status()
+        if status.state is State.ALARM:
+            raise connection.fail(ControllerAlarm("controller.locked-by-alarm", name=self.name))
+        await self._read_options()
+        if self._safe is not None and self._safe.beam:
+            await self._require_laser_mode()
+        await recovery.secure(connection, self._safe, self._silence)
+
+    async def _read_options(self) -> None:
+        """Request the sizes of the buffers and the axes of the controller (``$I``)."""
+        for line in await self._connection.command(b"$I"):
+            if options := _OPTIONS.match(line):
+                self.capacity = int(options[1])
+                self._connection.buffer.set_size(int(options[2]))
+            elif axes := _AXES.match(line):
+                self._connection.rotary = answers.rotary_axis(axes[1])
+
+    async def _require_laser_mode(self) -> None:
+        """Raise ``ControllerError`` if the controller does not switch a beam off at a hold.
+
+        Only in laser mode does grbl switch the spindle output off for every rapid move and at every
+        hold, whether the gateway or the button of the controller caused it.
+        """
+        if "$32=1" not in await self._connection.command(b"$$"):
+            raise self._connection.fail(
+                ControllerError("controller.not-in-laser-mode", name=self.name)
+            )
+
+    async def close(self) -> None:
+        """Close the connection; the controller still executes the lines in its buffer."""
+        await self._connection.close()
+
+    # -- programs ---------------------------------------------------------------------------------
+
+    async def check(self, lines: Iterable[bytes]) -> None:
+        """Let the controller parse a program without motion (``$C``).
+
+        Lines that switch outputs are omitted, because check mode may execute them.
+
+        Raises
+        ------
+        ControllerRejected
+            The controller refuses a line; nothing has moved.
+        ControllerAlarm
+            A move exceeds the travel; nothing has moved, but the controller is locked.
+        """
+        connection = self._connection
+        await connection.command(b"$C")
+        connection.checking = True
+        connection.refusals.clear()
+        try:
+            for number, line in enumerate(lines, 1):
+                if connection.refusals:
+                    break
+                if not switches(line):
+                    await self.send(line, number)
+            await self.drain()
+            # The controller resets itself when it leaves check mode.
+            await connection.await_banner(
+                lambda: connection.command(b"$C"), "controller.check-end-not-confirmed"
+            )
+        finally:
+            connection.checking = False
+        if connection.refusals:
+            raise connection.refusals[0]
+
+    async def send(self, line: bytes, number: int) -> None:
+        """Send a program line as soon as the receive buffer has room for it.
+
+        Raises
+        ------
+        ProgramError
+            The line contains realtime commands, or is longer than the buffer.
+        ControllerError
+            Any failure so far.
+        """
+        if found := _REALTIME.search(line):
+            raise ProgramError("program.control-byte", line=number, byte=found[0].hex())
+        connection, pending = self._connection, PendingLine(line, number)
+        if pending.size > connection.buffer.capacity:
+            raise ProgramError(
+                "program.line-too-long-to-send",
+                line=number,
+                length=len(line),
+                name=self.name,
+                limit=connection.buffer.capacity - 1,
+            )
+        if not connection.checking:
+            connection.buffer.reserve(pending)
+        await connection.send_line(pending)
+
+    async def drain(self) -> None:
+        """Wait until every line has been answered."""
+        await self._connection.drain()
+
+    async def settle(self) -> Status:
+        """Wait until the machine is at rest and each received answer is assigned to a line.
+
+        Returns
+        -------
+        Status
+            Last status report.
+
+        Raises
+        ------
+        ControllerError
+            Any failure so far, or an answer that belongs to no line.
+        """
+        await self.drain()
+        idle = 0
+        # Two reports: the planner may have accepted a move without having started it.
+        while idle < 2:
+            status = await self.status()
+            idle = idle + 1 if status.state is State.IDLE else 0
+            if not idle:
+                await asyncio.sleep(_REST_INTERVAL)
+        # $G sends a line before its ok.  After a doubled ok the last line has been answered too
+        # early, so that the ok of that line arrives here, without the line of $G.
+        if not any(line.startswith("[GC:") for line in await self._connection.command(b"$G")):
+            raise self._connection.fail(self._connection.surplus_answer())
+        self._connection.buffer.release_reserve()
+        return status
+
+    async def status(self) -> Status:
+        """Request a status report (``?``) and return it.
+
+        Raises
+        ------
+        ControllerError
+            Any failure so far; silence of the controller becomes the fault.
+        """
+        try:
+            return await self._connection.report()
+        except ControllerSilent as silent:
+            raise self._connection.fail(silent) from None
+
+    async def hold(self) -> None:
+        """Decelerate to a stop from which ``resume`` can continue (feed hold, ``!``)."""
+        await self._connection.realtime(b"!")
+
+    async def resume(self) -> None:
+        """Continue after a hold (cycle start, ``~``)."""
+        await self._connection.realtime(b"~")
+
+    async def stop(self) -> Status:
+        """Discard the rest of the program and bring the machine into its safe state.
+
+        Clears earlier failures; reconnects if the connection is lost.
+
+        Returns
+        -------
+        Status
+            After the machine came to rest, or was lifted.
+
+        Raises
+        ------
+        ControllerError
+            See ``recovery.make_safe``.
+        """
+        connection = self._connection
+        connection.recovering = True
+        done = False
+        try:
+            status = await recovery.make_safe(connection, self._safe, self._silence)
+            done = True
+        except ControllerError as unsafe:
+            connection.fault = None  # the present fault matters more than the first one
+            raise connection.fail(unsafe) from None
+        finally:
+            connection.recovering = False
+            if not done:
+                connection.fail(ControllerError("controller.not-recovered", name=self.name))
+        return status
+
+
+async def dial(
+    address: str,
+    safe: SafeState | None = None,
+    *,
+    stop_motion: bool = False,
+    silence: float = 5.0,
+    poll: float = 0.1,
+    unlock: bool = False,
+) -> Grbl:
+    """Connect to a grbl controller and take control of it.
+
+    Parameters
+    ----------
+    address
+        HOST:PORT.
+    safe, silence, poll
+        See ``Grbl``.
+    unlock, stop_motion
+        See ``Grbl.open``.
+
+    Raises
+    ------
+    ControllerError
+        The controller does not answer, is busy or is in alarm.
+    """
+    controller = Grbl(
+        await connect(address),
+        safe=safe,
+        reconnect=lambda: connect(address),
+        silence=silence,
+        poll=poll,
+    )
+    try:
+        await controller.open(unlock=unlock, stop_motion=stop_motion)
+    except BaseException:
+        await controller.close()
+        raise
+    return controller

@@ -1,0 +1,126 @@
+"""receive_buffer: counts the bytes of unanswered lines in the receive buffer of a controller.
+
+A controller stores received bytes in a buffer and answers each line after it has taken the line out
+of the buffer.  The sender adds up the bytes of unanswered lines, so that the buffer never overflows
+and the planner of the controller never runs empty.
+
+A doubled ``ok`` makes this count too small.  Until the error is detected, the buffer does not
+overflow, because room for the longest line is always kept free.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from dataclasses import dataclass
+
+from knifetip.errors import ControllerError
+from knifetip.messages import Message
+
+#: Size of the receive buffer (bytes) if ``$I`` does not report it.
+DEFAULT_SIZE = 128
+#: Most characters of a line that a message contains.
+_SHOWN = 60
+
+
+@dataclass(slots=True)
+class PendingLine:
+    """A line without an answer; its bytes may be in the receive buffer of the controller."""
+
+    text: bytes
+    number: int = 0  #: number of the program line, from 1; 0 for a command of the driver
+    #: For a command: its error code, and the lines received before its answer.
+    answer: asyncio.Future[tuple[int, list[str]]] | None = None
+
+    @property
+    def size(self) -> int:
+        """Number of bytes sent, with the line end."""
+        return len(self.text) + 1
+
+    @property
+    def excerpt(self) -> str:
+        """The beginning of the line, for messages."""
+        return self.text.decode("ascii", "replace").strip()[:_SHOWN]
+
+    def fail(self, error: ControllerError) -> None:
+        """Raise an error in the task that waits for the answer, if there is one."""
+        if self.answer is not None and not self.answer.done():
+            self.answer.set_exception(error)
+            self.answer.exception()  # asyncio logs the error if the waiting task was cancelled
+
+
+class ReceiveBuffer:
+    """The unanswered lines of a controller, and the number of bytes that they occupy."""
+
+    def __init__(self) -> None:
+        self.capacity = DEFAULT_SIZE - 1  #: bytes that unanswered lines may occupy
+        self._lines: deque[PendingLine] = deque()
+        self._used = 0
+        self._longest = 0  # program line since all answers were assigned to lines
+        self._most_free = 0  # most bytes that the controller ever reported as free
+        self._contradictions = 0
+
+    def set_size(self, size: int) -> None:
+        """Set the size of the buffer (bytes), as the controller reports it."""
+        self.capacity = max(size, 2) - 1
+
+    @property
+    def first(self) -> PendingLine | None:
+        """The line that is answered next, None if every line has been answered."""
+        return self._lines[0] if self._lines else None
+
+    def due(self) -> Message | None:
+        """Return a message that names the first unanswered program line, None if there is none."""
+        line = next((line for line in self._lines if line.number), None)
+        if line is None:
+            return None
+        return Message("controller.due", line=line.number, text=line.excerpt)
+
+    def reserve(self, line: PendingLine) -> None:
+        """Keep enough bytes free from now on for a line of this length to be answered twice."""
+        self._longest = max(self._longest, line.size)
+
+    def release_reserve(self) -> None:
+        """Keep no bytes free: each received answer has been assigned to a line."""
+        self._longest = 0
+
+    def has_room_for(self, line: PendingLine) -> bool:
+        """Return whether a line fits into the buffer, even if one answer was doubled."""
+        return not self._lines or self._used + line.size + self._longest <= self.capacity
+
+    def add(self, line: PendingLine) -> None:
+        """Add a line that is being sent."""
+        self._lines.append(line)
+        self._used += line.size
+
+    def remove_first(self) -> PendingLine:
+        """Remove the line that has been answered, and return it."""
+        line = self._lines.popleft()
+        self._used -= line.size
+        return line
+
+    def fail(self, error: ControllerError) -> None:
+        """Raise an error in all tasks that wait for an answer."""
+        for line in self._lines:
+            line.fail(error)
+
+    def clear(self) -> None:
+        """Remove all lines, as a reset of the controller does."""
+        self._lines.clear()
+        self._used = self._longest = self._contradictions = 0
+
+    def count_contradictions(self, free: int) -> int:
+        """Return how many consecutive status reports, up to this one, contradict the byte count.
+
+        A line leaves the buffer before it is answered, so the buffer may contain fewer bytes than
+        the unanswered lines have, but never more.
+
+        Parameters
+        ----------
+        free
+            Free bytes of the buffer according to the status report.
+        """
+        self._most_free = max(self._most_free, min(free, self.capacity + 1))
+        occupied = self._most_free - free
+        self._contradictions = self._contradictions + 1 if occupied > self._used else 0
+        return self._contradictions

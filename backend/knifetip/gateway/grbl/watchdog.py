@@ -1,0 +1,169 @@
+"""watchdog: requests status reports regularly, and detects silence and lost answers."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from contextlib import suppress
+from typing import Protocol
+
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent
+from knifetip.gateway.controller import State, Status
+from knifetip.gateway.grbl.receive_buffer import ReceiveBuffer
+
+#: Shortest time between two status requests that are sent after answers (s).
+_SOON = 0.02
+
+_DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
+
+
+class Watched(Protocol):
+    """The part of a connection to a controller that a watchdog uses."""
+
+    buffer: ReceiveBuffer
+    fault: ControllerError | None
+    status: Status | None  #: last status report, None before the first one
+    recovering: bool  #: the machine is being brought into its safe state
+
+    @property
+    def name(self) -> str:
+        """Address of the controller, for messages."""
+        ...
+
+    async def request_report(self) -> None:
+        """Send a status request; return before its report arrives."""
+        ...
+
+    def fail(self, error: ControllerError) -> ControllerError:
+        """Record an error as the fault if there is none, and return the fault."""
+        ...
+
+    def silent(self) -> ControllerSilent:
+        """Return the error for a controller that does not answer."""
+        ...
+
+
+class Watchdog:
+    """Timer of status requests for one connection.
+
+    Parameters
+    ----------
+    silence
+        Seconds after which the controller counts as silent if no status report arrives, or if a
+        line has no answer although the machine is idle.
+    poll
+        Longest time between two status requests while the machine moves (s).  An idle machine
+        without unanswered lines is requested once in a fifth of ``silence``.
+    """
+
+    def __init__(self, connection: Watched, silence: float, poll: float) -> None:
+        self._connection = connection
+        self._silence = silence
+        self._poll = poll
+        self._wake = asyncio.Event()
+        self._soon = False  # a line was answered: request a report soon
+        self._at_once = False  # a report was doubtful: request another one at once
+        self._last_report = 0.0  # (s, clock of the event loop)
+        self._last_progress = 0.0  # last event that explains a missing answer (s, same clock)
+
+    def restart(self) -> None:
+        """Restart the time limits for a report and for an answer."""
+        self._last_report = self._last_progress = _now()
+
+    def expect_answer(self) -> None:
+        """Restart the time limit for an answer: a line was sent when no answer was due."""
+        self._last_progress = _now()
+        self._wake.set()
+
+    def note_answer(self) -> None:
+        """Restart the time limit for an answer: a line was answered."""
+        self._last_progress = _now()
+
+    def note_report(self) -> None:
+        """Restart the time limit for a report: a report was received."""
+        self._last_report = _now()
+
+    def request_soon(self) -> None:
+        """Request a status report soon."""
+        self._soon = True
+        self._wake.set()
+
+    def request_at_once(self) -> None:
+        """Request a status report at once."""
+        self._at_once = True
+        self._wake.set()
+
+    async def run(self) -> None:
+        """Request status reports and check the time limits until the connection is lost."""
+        with suppress(ControllerError):
+            while True:
+                before, interval = _now(), self._interval()
+                await self._pause()
+                await self._connection.request_report()
+                self._check_limits(before + interval)
+
+    def _check_limits(self, expected: float) -> None:
+        """Record a fault if a time limit is exceeded.
+
+        Parameters
+        ----------
+        expected
+            Latest time at which this check should have been made (s, clock of the event loop).
+        """
+        connection, now = self._connection, _now()
+        status = connection.status
+        if connection.fault is not None or status is None or connection.recovering:
+            return
+        if now > expected + self._silence / 2.0:
+            # This process was busy and did not read the connection: it cannot detect silence.
+            self._last_report = self._last_progress = now
+        first = connection.buffer.first
+        if now - self._last_report > self._silence:
+            connection.fail(connection.silent())
+        elif status.state is State.ALARM and (due := connection.buffer.due()):
+            connection.fail(
+                ControllerAlarm("controller.alarm-state", name=connection.name, due=due)
+            )
+        elif first is None or status.state not in (State.IDLE, State.CHECK):
+            self._last_progress = now
+        elif now - self._last_progress > self._silence + _dwell_seconds(first.text):
+            connection.fail(
+                ControllerSilent(
+                    "controller.answer-lost",
+                    name=connection.name,
+                    state=status.state.value,
+                    seconds=self._silence,
+                    due=connection.buffer.due(),
+                )
+            )
+
+    def _interval(self) -> float:
+        """Return the longest time between two status requests in the present state (s)."""
+        connection = self._connection
+        idle = connection.status is not None and connection.status.state is State.IDLE
+        if idle and connection.buffer.first is None and not connection.recovering:
+            return max(self._poll, self._silence / 5.0)
+        return self._poll
+
+    async def _pause(self) -> None:
+        """Wait until the next status request is due."""
+        start = _now()
+        while not self._at_once:
+            due = start + (min(_SOON, self._poll) if self._soon else self._interval())
+            if (left := due - _now()) <= 0.0:
+                break
+            self._wake.clear()
+            with suppress(TimeoutError):
+                async with asyncio.timeout(left):
+                    await self._wake.wait()
+        self._soon = self._at_once = False
+
+
+def _now() -> float:
+    return asyncio.get_running_loop().time()
+
+
+def _dwell_seconds(line: bytes) -> float:
+    """Return the seconds that a program line lets the machine dwell."""
+    match = _DWELL.search(line)
+    return float(match[1]) if match else 0.0
