@@ -24,7 +24,7 @@ def one(data: bytes) -> None:
         known(error)
         return
     if reading.summary["unit"]:
-        tasks.cleaned(lambda _stage, _share: None, reading.edges)
+        tasks.cleaning_report(lambda _stage, _share: None, reading.edges)
 
 
 if __name__ == "__main__":

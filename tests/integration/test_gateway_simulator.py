@@ -173,11 +173,11 @@ async def test_seconds_left_fall_and_are_near_the_truth() -> None:
 async def test_pistons_move_only_while_the_table_stands() -> None:
     async with joined() as (table, controller):
         await finished(slots(2), controller)
-        switched = [(event.output, event.on) for event in table.switched]
+        switched = [(event.output, event.on) for event in table.switch_events]
         assert switched[: len(RELEASED)] == RELEASED
         assert switched[len(RELEASED) :] == [(0, True), (0, False)]
-        assert not any(event.moving for event in table.switched)
-        assert table.switched[-1].position[2] == 20.0
+        assert not any(event.moving for event in table.switch_events)
+        assert table.switch_events[-1].position[2] == 20.0
 
 
 async def test_a_greater_buffer_is_used_when_the_controller_reports_one() -> None:

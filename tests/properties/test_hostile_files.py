@@ -110,7 +110,7 @@ def check_import(data: bytes, unit: str) -> bool:
         assert (np.abs(columns["ends"]) <= 1.001 * REACH).all()
         assert (np.abs(columns["bulge"]) <= 1.0).all()
         if reading.summary["unit"]:
-            tasks.cleaned(lambda _stage, _share: None, reading.edges)
+            tasks.cleaning_report(lambda _stage, _share: None, reading.edges)
         return True
     assert refused.hint
     assert refused.message.code != "reading.unexpected", refused.__cause__

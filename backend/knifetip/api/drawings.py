@@ -176,7 +176,7 @@ def get_import_report(
 def get_cleaning(service: ServiceDep, id: str) -> CleaningOut:
     """Get the cleaning report: edges merged, shortened, joined or dropped before planning."""
     edges = service.store.drawings.column(id, "edges")
-    return CleaningOut.model_validate(service.run(tasks.cleaned, edges))
+    return CleaningOut.model_validate(service.run(tasks.cleaning_report, edges))
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})

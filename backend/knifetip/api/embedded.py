@@ -204,7 +204,7 @@ class _SimulatedMachine(threading.Thread):
             await simulator.serve(machine, speed=self._speed) as table,
         ):
             address = table.address
-            await claim.work(
+            await claim.run_gateway(
                 GatewaySettings(self._api, machine, "embedded", journal=self._journal),
                 lambda safe, stop_motion: dial(address, safe, stop_motion=stop_motion),
                 client=client,

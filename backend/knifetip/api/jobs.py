@@ -75,7 +75,7 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
     check_revision(order.revision, drawing)
     interpretation = _interpretation(service, order, drawing)
     questions = service.run(
-        tasks.ask,
+        tasks.open_questions,
         StoredDrawing(
             drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
         ),

@@ -19,7 +19,7 @@ router = APIRouter(prefix="/machines", tags=["machines"])
 @router.get("")
 def list_machines(service: ServiceDep) -> list[MachineOut]:
     """List the machines of the library with their current jobs."""
-    connected = service.store.gateways.connected(ABSENT)
+    connected = service.store.gateways.connected_machines(ABSENT)
     on_table = service.store.gateways.jobs_on_tables()
     return [
         _machine_out(load.machine(name), name in connected, on_table.get(name))
@@ -33,7 +33,7 @@ def get_machine(service: ServiceDep, name: str) -> MachineOut:
     machine = load.machine(check_library_name("machines", name))
     return _machine_out(
         machine,
-        name in service.store.gateways.connected(ABSENT),
+        name in service.store.gateways.connected_machines(ABSENT),
         service.store.gateways.jobs_on_tables().get(name),
     )
 

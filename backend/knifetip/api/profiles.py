@@ -245,7 +245,7 @@ def _out(name: str, text: str, *, shipped: bool = False, **more: Any) -> Profile
             "extends": fields.get("extends"),
             "overrules": fields.get("overrules", False),
             "rules": [
-                {**profiling.plain(rule), "inherited": theirs}
+                {**profiling.rule_json(rule), "inherited": theirs}
                 for rule, theirs in zip(rules.rules, inherited, strict=True)
             ],
             **more,

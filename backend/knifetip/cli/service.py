@@ -146,7 +146,7 @@ def gateway(
     print_stderr(f"{table.title}: controller {controller}, server {server}")
     headers = {"Authorization": f"Bearer {key}"} if key else {}
     asyncio.run(
-        claim.work(
+        claim.run_gateway(
             GatewaySettings(server, table, name, headers=headers, journal=journal),
             lambda safe, stop_motion: dial(controller, safe, stop_motion=stop_motion),
         )

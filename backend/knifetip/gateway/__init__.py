@@ -1,1 +1,1 @@
-"""Gateways: computers beside a machine, which stream its programs to its controller."""
+"""Gateway: the program on a computer beside a machine that streams jobs to its controller."""

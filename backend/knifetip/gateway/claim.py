@@ -77,7 +77,7 @@ class _GatewayLoop:
     # -- the loop ------------------------------------------------------------------------------
 
     async def run(self, jobs: int | None) -> None:
-        """Run jobs one after another, without end or ``jobs`` of them."""
+        """Claim and run jobs one after another; return after ``jobs`` jobs, never if None."""
         try:
             await asyncio.gather(self._report_unfinished(), self._recover())
             while jobs is None or jobs > 0:
@@ -187,8 +187,8 @@ class _GatewayLoop:
     async def _wait_for_confirmation(self, run: JobRun) -> None:
         """Wait until the operator has confirmed the job; the controller must stay idle."""
         while run.waiting:
-            run.heard.clear()
-            await run.heard.wait()
+            run.answered.clear()
+            await run.answered.wait()
             run.raise_if_withdrawn()
             try:
                 controller = await self._connected_controller()
@@ -206,11 +206,11 @@ class _GatewayLoop:
         for copy in range(claim.copies):
             if copy:
                 await self._wait_for_sheet(run)
-            run.line, run.begun = 0, True
+            run.line, run.copy_running = 0, True
             await self._run_copy(run, text, copy)
             self._journal.copy(claim.job, copy + 1)
             run.copies_done, run.line, run.seconds_left = copy + 1, lines, 0.0
-            run.begun = False
+            run.copy_running = False
 
     async def _run_copy(self, run: JobRun, text: bytes, copy: int) -> None:
         controller = await self._connected_controller()
@@ -243,7 +243,7 @@ class _GatewayLoop:
         self, run: JobRun, progress: Progress, controller: Controller
     ) -> None:
         """Hold or resume as requested; a request is cleared when the machine has carried it out."""
-        if self._now() > run.until and progress.state is State.RUN:
+        if self._now() > run.lease_end and progress.state is State.RUN:
             await controller.hold()
         elif run.requested == "hold":
             if progress.state is State.RUN:
@@ -260,8 +260,8 @@ class _GatewayLoop:
         """Wait in the held state until the operator has loaded a new sheet."""
         run.held, run.requested = True, ""
         while run.requested != "resume":
-            run.heard.clear()
-            await run.heard.wait()
+            run.answered.clear()
+            await run.answered.wait()
             run.raise_if_withdrawn()
         run.held, run.requested = False, ""
 
@@ -277,7 +277,7 @@ class _GatewayLoop:
         return asyncio.get_running_loop().time()
 
 
-async def work(
+async def run_gateway(
     settings: GatewaySettings,
     connect: Connect,
     *,
@@ -293,9 +293,9 @@ async def work(
     connect
         Returns an open controller in its safe state, for example ``lambda safe, stop_motion:
         dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of the machine's
-        language; called again after every failure.
+        language.  It is called again after every failure.
     client
-        HTTP client to use; it is not closed.
+        HTTP client to use, which is not closed; None to create one.
     jobs
         Number of jobs after which to return; None for no limit.
     """

@@ -1,5 +1,4 @@
-"""controller: the interface of a controller, to which program lines are sent and which reports
-status.
+"""controller: interface of a controller that receives program lines and sends status reports.
 
 A controller language whose programs can be streamed has a ``Driver``.
 """
@@ -133,7 +132,7 @@ class Controller(Protocol):
         ...
 
     async def send(self, line: bytes, number: int) -> None:
-        """Send a line (numbers start at 1); return when the receive buffer had room for it."""
+        """Send a program line (numbers start at 1) when the receive buffer has room for it."""
         ...
 
     async def drain(self) -> None:

@@ -17,9 +17,9 @@ from collections import deque
 
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import State, Status
-from knifetip.gateway.executed import lines_of
-from knifetip.gateway.interpreter import Interpreter, Refused, bare
+from knifetip.gateway.interpreter import Interpreter, LineRefused, strip_comments
 from knifetip.gateway.motion import Move, Pose
+from knifetip.gateway.program_follower import lines_of
 
 #: Largest distance of a position from the path (mm).  Reports are rounded to 0.001 mm, and grbl's
 #: chords of an arc deviate by at most 0.01 mm.
@@ -66,8 +66,9 @@ class Corridor:
         return self._off > 0
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Compare a report with the path; return an error if ``REPORTS`` reports in a row are off
-        it.
+        """Compare a report with the path.
+
+        Returns an error if the last ``REPORTS`` reports were off the path, else None.
         """
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
@@ -102,24 +103,23 @@ class Corridor:
             self._read += 1
             try:
                 move = self._interpreter.read(line).move
-            except Refused:
+            except LineRefused:
                 self._blind = True
                 continue
             if move is not None:
-                self._blind = self._blind or bool(_MACHINE_COORDINATES.search(bare(line)))
+                self._blind = self._blind or bool(_MACHINE_COORDINATES.search(strip_comments(line)))
                 self._moves.append((self._read, move))
 
     def _forget(self, answered: int) -> None:
-        """Remove the answered moves that the planner cannot hold any more, because they are
-        executed.
-        """
+        """Remove the answered moves that must have left the planner, and so are executed."""
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return distance (mm) and line of a move within ``OFF`` of the position, or of the nearest
-        move.
+        """Return the distance of a position from a move (mm), and the program line of that move.
+
+        The move is the first one within ``OFF`` of the position, else the nearest one.
         """
         least, line = math.inf, 0
         count = len(self._moves)

@@ -1,7 +1,7 @@
 """interpreter: the effect of one line of G-code, in the dialect that grblHAL understands.
 
 For example ``b"G2 X10 Y0 I5 J0 C-90 F1200"`` becomes a ``Block`` with a ``Move``.  A line that the
-controller refuses raises ``Refused`` with grbl's error number.
+controller refuses raises ``LineRefused`` with grbl's error number.
 
 The simulated table executes the blocks, and the gateway follows the machine along them.
 """
@@ -45,7 +45,7 @@ _GROUP: dict[tuple[str, float], str] = {
 }
 
 
-class Refused(Exception):
+class LineRefused(Exception):
     """A line that the controller answers with ``error:code``."""
 
     def __init__(self, code: int) -> None:
@@ -75,17 +75,17 @@ class Block:
         return self.dwell is not None or self.oscillation is not None or self.pause or self.end
 
 
-NOTHING = Block()
+EMPTY_BLOCK = Block()
 
 
-def bare(line: bytes) -> bytes:
+def strip_comments(line: bytes) -> bytes:
     """Return a line without comments and blanks, in capitals."""
     return b"".join(_COMMENT.sub(b"", line).split()).upper()
 
 
-def switches(line: bytes) -> bool:
+def switches_output(line: bytes) -> bool:
     """Return whether a line switches a digital output, as soon as grblHAL reads the line."""
-    return bool(_OUTPUT.search(bare(line)))
+    return bool(_OUTPUT.search(strip_comments(line)))
 
 
 class Interpreter:
@@ -108,20 +108,20 @@ class Interpreter:
 
         Raises
         ------
-        Refused
+        LineRefused
             With the number of grbl's error; the modal state is not changed.
         """
-        text = bare(line)
+        text = strip_comments(line)
         if not text or text == b"%":
-            return NOTHING
+            return EMPTY_BLOCK
         words, commands = _split(text)
         groups = {}
         for command in commands:
             group = _GROUP.get(command)
             if group is None:
-                raise Refused(20)
+                raise LineRefused(20)
             if group in groups:
-                raise Refused(21)
+                raise LineRefused(21)
             groups[group] = command[1]
         inches = groups["unit"] == 20.0 if "unit" in groups else self._inches
         relative = groups["distance"] == 91.0 if "distance" in groups else self._relative
@@ -132,31 +132,31 @@ class Interpreter:
         words.pop("S", None)
         feed = words.pop("F", None)
         if feed is not None and feed < 0.0:
-            raise Refused(4)
+            raise LineRefused(4)
         if feed is not None and not inverse:
             feed *= scale
         output, on = _output(groups, words)
         dwell = _dwell(groups, words)
         if inverse != self._inverse and feed is None:
-            kept = 0.0  # G93 and G94 give a feed different meanings, so it is discarded
+            modal_feed = 0.0  # G93 and G94 give a feed different meanings, so it is discarded
         else:
-            kept = self.feed if feed is None else feed
+            modal_feed = self.feed if feed is None else feed
         move = None
         target = self._target(words, scale, relative)
         if target is not None:
             if dwell is not None:
-                raise Refused(24)
+                raise LineRefused(24)
             if motion == 80.0:
-                raise Refused(31)
+                raise LineRefused(31)
             # G93 requires an F word on every line with a feed move.
-            rate = (feed or 0.0) if inverse else kept
+            rate = (feed or 0.0) if inverse else modal_feed
             move = self._move(motion, target, words, scale, rate, inverse)
         elif groups.get("motion") in (2.0, 3.0):
-            raise Refused(26)
+            raise LineRefused(26)
         if words:
-            raise Refused(36)
+            raise LineRefused(36)
         self._inches, self._relative, self._inverse = inches, relative, inverse
-        self._motion, self.feed = motion, kept
+        self._motion, self.feed = motion, modal_feed
         if move is not None:
             self.position = move.end
         program = groups.get("program")
@@ -174,9 +174,7 @@ class Interpreter:
         )
 
     def _target(self, words: dict[str, float], scale: float, relative: bool) -> Pose | None:
-        """Remove the axis words from ``words`` and return the pose that they name, None if there
-        are none.
-        """
+        """Remove the axis words from ``words``; return the target pose, None without axis words."""
         named = [letter for letter in _AXES if letter in words]
         if not named:
             return None
@@ -200,12 +198,12 @@ class Interpreter:
         if motion == 0.0:
             return Move(start, target)
         if rate <= 0.0:
-            raise Refused(22)
+            raise LineRefused(22)
         minutes = 1.0 / rate if inverse else 0.0
         if motion == 1.0:
             return Move(start, target, rate=rate, minutes=minutes)
         if "I" not in words and "J" not in words:
-            raise Refused(35)
+            raise LineRefused(35)
         centre = (
             start[0] + words.pop("I", 0.0) * scale,
             start[1] + words.pop("J", 0.0) * scale,
@@ -213,7 +211,7 @@ class Interpreter:
         first = math.hypot(start[0] - centre[0], start[1] - centre[1])
         last = math.hypot(target[0] - centre[0], target[1] - centre[1])
         if first == 0.0 or abs(first - last) > max(ROUND, 0.001 * first):
-            raise Refused(33)
+            raise LineRefused(33)
         turn = math.atan2(target[1] - centre[1], target[0] - centre[0]) - math.atan2(
             start[1] - centre[1], start[0] - centre[0]
         )
@@ -226,26 +224,26 @@ class Interpreter:
 
 
 def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Return the value words and the commands of a bare line."""
+    """Return the words with a value and the G and M commands of a line without comments."""
     if len(text) > LINE:
-        raise Refused(11)
+        raise LineRefused(11)
     words: dict[str, float] = {}
     commands: list[tuple[str, float]] = []
     at = 0
     while at < len(text):
         match = _WORD.match(text, at)
         if match is None:
-            raise Refused(2 if text[at : at + 1].isalpha() else 1)
+            raise LineRefused(2 if text[at : at + 1].isalpha() else 1)
         letter, value = match[1].decode(), float(match[2])
         at = match.end()
         if letter in "GM":
             commands.append((letter, value))
         elif letter in "XYZACFIJKNPST":
             if letter in words or (letter in "AC" and ("A" in words or "C" in words)):
-                raise Refused(25)
+                raise LineRefused(25)
             words[letter] = value
         else:
-            raise Refused(20)
+            raise LineRefused(20)
     return words, commands
 
 
@@ -253,7 +251,7 @@ def _output(groups: dict[str, float], words: dict[str, float]) -> tuple[int, boo
     if "output" not in groups:
         return -1, False
     if "P" not in words:
-        raise Refused(28)
+        raise LineRefused(28)
     return int(words.pop("P")), groups["output"] in (62.0, 64.0)
 
 
@@ -261,5 +259,5 @@ def _dwell(groups: dict[str, float], words: dict[str, float]) -> float | None:
     if "dwell" not in groups:
         return None
     if "P" not in words:
-        raise Refused(28)
+        raise LineRefused(28)
     return max(words.pop("P"), 0.0)

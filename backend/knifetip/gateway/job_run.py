@@ -45,9 +45,7 @@ class JobCancelled(Exception):
 
 
 class JobReturned(Exception):
-    """Raised when the job is returned to the queue: the machine cannot start, and nothing was sent
-    to it.
-    """
+    """Raised when a job is returned to the queue, because the machine cannot start it."""
 
     def __init__(self, cause: Message) -> None:
         super().__init__(cause)
@@ -55,13 +53,13 @@ class JobReturned(Exception):
 
 
 class JobRun:
-    """Progress of a claimed job for heartbeats, and the commands that the server answers."""
+    """Progress of a claimed job, for heartbeats, and the commands with which the server answers."""
 
     def __init__(self, claim: Lease, now: float) -> None:
         self.claim = claim
         self.line = 0
         self.copies_done = 0
-        self.begun = False  #: a copy is running, of which ``line`` lines are executed
+        self.copy_running = False  #: a copy is running, of which ``line`` lines are executed
         self.waiting = (
             claim.confirm
         )  #: for the operator's confirmation; nothing is sent to the machine yet
@@ -71,8 +69,8 @@ class JobRun:
         self.requested = ""  #: hold, resume or ""
         self.cancelled = False
         self.stale = False
-        self.until = now + claim.lease  #: end of the lease on the local clock
-        self.heard = asyncio.Event()
+        self.lease_end = now + claim.lease  #: end of the lease on the local clock
+        self.answered = asyncio.Event()
 
     def heartbeat(self) -> dict[str, object]:
         return {
@@ -94,12 +92,10 @@ class JobRun:
             self.waiting = False
         elif command == "hold" or (command == "resume" and held):
             self.requested = command
-        self.heard.set()
+        self.answered.set()
 
     def raise_if_withdrawn(self) -> None:
-        """Raise ``JobWithdrawn`` or ``JobCancelled`` if the server has taken the job back or
-        cancelled it.
-        """
+        """Raise ``JobWithdrawn`` if the server withdrew the job, ``JobCancelled`` if cancelled."""
         if self.stale:
             raise JobWithdrawn
         if self.cancelled:
@@ -119,7 +115,7 @@ class JobEnd:
 
     @classmethod
     def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
-        line = run.line if run.begun or outcome == "done" else 0
+        line = run.line if run.copy_running or outcome == "done" else 0
         return cls(run.claim.job, run.claim.epoch, outcome, cause, line, run.copies_done)
 
     def report(self) -> dict[str, object]:

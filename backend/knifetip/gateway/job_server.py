@@ -113,7 +113,7 @@ class JobServer:
         raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
     async def send_heartbeats(self, run: JobRun) -> None:
-        """Report the position of the machine and apply the answers until cancelled or withdrawn."""
+        """Report the progress of a job and apply the answers, until the job is withdrawn."""
         patience = max(min(run.claim.lease / 3.0, 2.0), self._settings.beat)
         while not run.stale:
             body, asked = run.heartbeat(), asyncio.get_running_loop().time()
@@ -123,19 +123,19 @@ class JobServer:
                 )
                 if answer.status_code == 409:
                     run.stale = True
-                    run.heard.set()
+                    run.answered.set()
                     return
                 answer.raise_for_status()
                 response = answer.json()
-                run.until = asked + float(response["lease"])
+                run.lease_end = asked + float(response["lease"])
                 run.apply_answer(str(response["command"]), bool(body["held"]))
             await asyncio.sleep(self._settings.beat)
 
-    async def finish(self, ended: JobEnd, tries: int | None = None) -> None:
+    async def finish(self, end: JobEnd, tries: int | None = None) -> None:
         """Report the end of a job until the server answers, at most ``tries`` times if given."""
-        job, epoch, outcome, cause = ended.job, ended.epoch, ended.outcome, ended.cause
+        job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
         self._journal.outcome(job, outcome, cause)
-        body = ended.report()
+        body = end.report()
         pause = FIRST_PAUSE
         while True:
             try:

@@ -1,7 +1,8 @@
-"""motion: moves of four axes, and a planner that travels along them in time.
+"""motion: moves of four axes, and a planner that computes the motion along them over time.
 
-A pose is x, y, z in mm and c in degrees.  The simulated table travels with the planner; the gateway
-computes from the same moves the nearest point to a reported position, and nominal durations.
+A pose is x, y, z in mm and c in degrees.  The simulated table moves as the planner computes.  The
+gateway computes from the same moves the nearest point to a reported position, and nominal
+durations.
 
 Length, and so the G94 feed, is measured over all four axes, mm and degrees alike, as in grblHAL.
 """
@@ -107,8 +108,9 @@ class Move:
         return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
 
     def nearest(self, pose: Pose) -> tuple[float, float]:
-        """Return the distance of a pose from the move (mm, degrees), and the fraction of the
-        nearest point.
+        """Return the distance of a pose from the move, and the fraction of the nearest point.
+
+        The distance is measured over all four axes (mm and degrees).
         """
         start, end = self.start, self.end
         if self.centre is None:
@@ -168,7 +170,10 @@ class Move:
         return velocity, acceleration
 
     def seconds(self, limits: Limits) -> float:
-        """Return the duration of the move: a rapid from rest to rest, a feed without stops."""
+        """Return the duration of the move (s).
+
+        A rapid begins and ends at rest; a feed move has its programmed velocity throughout.
+        """
         if self.length <= NOTHING:
             return 0.0
         velocity, acceleration = self.pace(limits)

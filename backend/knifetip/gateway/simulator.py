@@ -20,7 +20,7 @@ class Server:
         self._server: asyncio.Server | None = None
         self._running: asyncio.Task[None] | None = None
         self._writer: asyncio.StreamWriter | None = None
-        self._calls: set[asyncio.Task[None]] = set()
+        self._clients: set[asyncio.Task[None]] = set()
 
     @property
     def address(self) -> str:
@@ -29,13 +29,13 @@ class Server:
 
     async def start(self, host: str, port: int) -> None:
         """Accept connections and start the simulation clock."""
-        self._server = await asyncio.start_server(self._called, host, port)
+        self._server = await asyncio.start_server(self._serve_client, host, port)
         self.host, self.port = self._server.sockets[0].getsockname()[:2]
         self._running = asyncio.create_task(self.table.run(), name="simulated table")
 
     async def close(self) -> None:
         """Close the connection and stop the table at its position."""
-        tasks = [*self._calls]
+        tasks = [*self._clients]
         if self._running is not None:
             tasks.append(self._running)
         for task in tasks:
@@ -51,10 +51,12 @@ class Server:
     async def __aexit__(self, *_: object) -> None:
         await self.close()
 
-    async def _called(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    async def _serve_client(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
         task = asyncio.current_task()
         assert task is not None
-        self._calls.add(task)
+        self._clients.add(task)
         try:
             if self._writer is not None:
                 writer.write(b"[MSG:another sender is connected]\r\n")
@@ -73,7 +75,7 @@ class Server:
             if self._writer is writer:
                 self._writer = None
                 self.table.answer = discard_answer
-            self._calls.discard(task)
+            self._clients.discard(task)
             writer.close()
             with suppress(OSError, asyncio.CancelledError):
                 await writer.wait_closed()
@@ -93,12 +95,18 @@ async def serve(
     window: int = 128,
     sample: float = 0.0,
 ) -> Server:
-    """Start a simulated table on a TCP port; 0 takes a free one.
+    """Start a simulated table on a TCP port, and return its server.
 
     Parameters
     ----------
+    port
+        TCP port; 0 for any free port.
     speed
         Simulated seconds per second of the clock.
+    faults
+        Faults to inject; None for none.
+    window
+        Size of the receive buffer (bytes).
     sample
         Simulated seconds between two samples of the trace; 0 for no trace.
     """

@@ -21,9 +21,9 @@ from dataclasses import dataclass
 from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import Controller, State, Status
 from knifetip.gateway.corridor import Corridor
-from knifetip.gateway.executed import Executed, blocks_of, lines_of, seconds_of
-from knifetip.gateway.interpreter import switches
+from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.motion import Limits, Pose
+from knifetip.gateway.program_follower import ProgramFollower, blocks_of, lines_of, seconds_of
 from knifetip.messages import Message
 from knifetip.model.program import Program
 
@@ -68,27 +68,27 @@ async def stream(
     Parameters
     ----------
     program
-        Sent unaltered.
+        Program, sent unaltered.
     controller
-        Open and idle.
+        Open and idle controller.
     limits
-        Of the axes, to estimate the remaining time.
+        Limits of the axes, to estimate the remaining time.
     check
         Let the controller parse the whole program first, without motion.
 
     Yields
     ------
     Progress
-        In the last one every line is executed.
+        The last one has every line executed.
 
     Raises
     ------
     ControllerError
-        The controller is not idle, refused a line, alarmed, was reset, fell silent, is gone, or
-        left the program's path.  The machine has been brought into its safe state, or the
-        message contains why not, and how many lines may have been carried out.
+        The controller is not idle, refused a line, is in alarm, was reset, does not answer, lost
+        the connection, or left the path of the program.  The machine has been brought into its
+        safe state, or the message contains why not, and how many lines may have been executed.
     ProgramError
-        The program holds bytes that would act on the controller.
+        The program contains bytes that the controller would execute as realtime commands.
     """
     text = program.text if isinstance(program, Program) else program
     status = await controller.status()
@@ -97,7 +97,7 @@ async def stream(
             "controller.not-ready", name=controller.name, state=status.state.value
         )
     lines, total = await _measure(text, limits, status.position)
-    following = Executed(text, limits, status.position)
+    follower = ProgramFollower(text, limits, status.position)
     corridor = Corridor(text, status, controller.capacity)
     clock = _Clock(total)
     base = status
@@ -112,20 +112,20 @@ async def stream(
             _check_alarm(controller, status)
             answered = status.acknowledged - base.acknowledged
             if status.state is not State.CHECK:
-                following.update(status, answered, controller.capacity)
+                follower.update(status, answered, controller.capacity)
             yield _progress(
-                following, status, answered, lines, clock.left(following.seconds_done, status)
+                follower, status, answered, lines, clock.left(follower.seconds_done, status)
             )
             await asyncio.sleep(interval)
     except ControllerError as error:
         await _give_up(feeding)
         if controller.fault is None and controller.sent == base.sent:
             raise  # refused in check mode: nothing has moved
-        raise await _stop(controller, error, following, base, lines) from error
+        raise await _stop(controller, error, follower, base, lines) from error
     except BaseException as ended:
         await _give_up(feeding)
         try:
-            await _safe(controller)
+            await _make_safe(controller)
         except ControllerError as unsafe:
             if isinstance(ended, asyncio.CancelledError):
                 _log.error("%s", unsafe)
@@ -133,8 +133,8 @@ async def stream(
                 raise
         raise
     controller.observer = None
-    following.finish(lines)
-    yield _progress(following, status, lines, lines, 0.0)
+    follower.finish(lines)
+    yield _progress(follower, status, lines, lines, 0.0)
 
 
 def _check_alarm(controller: Controller, status: Status) -> None:
@@ -142,19 +142,23 @@ def _check_alarm(controller: Controller, status: Status) -> None:
         raise controller.fault or ControllerAlarm("controller.reports-alarm", name=controller.name)
 
 
-async def _safe(controller: Controller) -> Status:
+async def _make_safe(controller: Controller) -> Status:
     """Bring the machine into its safe state and return its status."""
     controller.observer = None
     return await controller.stop()
 
 
 async def _stop(
-    controller: Controller, error: ControllerError, following: Executed, base: Status, lines: int
+    controller: Controller,
+    error: ControllerError,
+    follower: ProgramFollower,
+    base: Status,
+    lines: int,
 ) -> ControllerError:
     """Bring the machine into its safe state; return the error with the number of executed lines."""
-    progress = _executed(following.lines, controller.sent - base.sent, lines)
+    progress = _progress_message(follower.lines, controller.sent - base.sent, lines)
     try:
-        status = await _safe(controller)
+        status = await _make_safe(controller)
     except ControllerError as unsafe:
         return type(error)(
             "controller.not-stopped",
@@ -167,7 +171,7 @@ async def _stop(
     )
 
 
-def _executed(executed: int, sent: int, lines: int) -> Message:
+def _progress_message(executed: int, sent: int, lines: int) -> Message:
     """Return the message with the numbers of executed and of possibly executed lines."""
     rest = sent - executed
     if sent == 0:
@@ -192,7 +196,7 @@ async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: 
     if check:
         await controller.check(lines_of(text))
     for number, line in enumerate(lines_of(text), 1):
-        if switches(line):
+        if switches_output(line):
             # grblHAL switches an output when it reads M64 or M65, even while axes move.
             corridor.check_rest(await controller.settle())
         await controller.send(line, number)
@@ -206,21 +210,21 @@ async def _give_up(task: asyncio.Task[None]) -> None:
 
 
 def _progress(
-    following: Executed, status: Status, answered: int, lines: int, left: float | None
+    follower: ProgramFollower, status: Status, answered: int, lines: int, left: float | None
 ) -> Progress:
     return Progress(
-        following.lines,
+        follower.lines,
         answered,
         lines,
         status.position,
         status.state,
-        following.output,
+        follower.output,
         left,
     )
 
 
 class _Clock:
-    """Converts nominal seconds into seconds of this machine."""
+    """Estimates the remaining time of a program from its nominal duration and the measured pace."""
 
     def __init__(self, total: float) -> None:
         self._total = total
@@ -228,7 +232,15 @@ class _Clock:
         self._last: float | None = None
 
     def left(self, done: float, status: Status) -> float:
-        """Return the remaining seconds after ``done`` nominal ones."""
+        """Return the remaining seconds of the program.
+
+        Parameters
+        ----------
+        done
+            Nominal duration of the executed part of the program (s).
+        status
+            Status at present; the clock only runs in the state ``run``.
+        """
         now = asyncio.get_running_loop().time()
         if self._last is not None and status.state is State.RUN:
             self._running += now - self._last

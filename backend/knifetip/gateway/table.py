@@ -17,7 +17,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from knifetip.gateway.interpreter import NOTHING, Block, Interpreter, Refused, bare
+from knifetip.gateway.interpreter import (
+    EMPTY_BLOCK,
+    Block,
+    Interpreter,
+    LineRefused,
+    strip_comments,
+)
 from knifetip.gateway.motion import Limits, Move, Planner, Pose
 from knifetip.model.machine import Machine
 
@@ -55,8 +61,8 @@ class Faults:
 
 
 @dataclass(frozen=True, slots=True)
-class Switched:
-    """One switching of a digital output."""
+class SwitchEvent:
+    """One change of a digital output."""
 
     time: float
     output: int
@@ -106,7 +112,7 @@ class Table:
         self.time = 0.0  #: simulated seconds of motion and dwell
         self.trace = Trace(sample) if sample > 0.0 else None
         self.outputs: dict[int, bool] = {}
-        self.switched: deque[Switched] = deque(maxlen=10_000)
+        self.switch_events: deque[SwitchEvent] = deque(maxlen=10_000)
         self.oscillating = False
         self.lost = 0  #: bytes that overflowed the buffer
         self.answer: Callable[[str], None] = discard_answer
@@ -124,7 +130,7 @@ class Table:
         self._dwell = 0.0
         self._count = 0
         self._reports = 0
-        self._owed = 0.0
+        self._pending_time = 0.0
 
     # -- what it is -----------------------------------------------------------------------------
 
@@ -164,7 +170,7 @@ class Table:
                 self._planner.holding = False
             elif byte >= 0x80:
                 if byte == 0x85 and self._state == "Jog":
-                    self._stand()
+                    self._discard_motion()
             elif len(self._buffer) < self.window:
                 self._buffer.append(byte)
                 if byte == 0x0A:
@@ -177,7 +183,7 @@ class Table:
         if self._state == "Idle" and not self._check and (self.busy or len(self._planner)):
             self._planner.holding = True
 
-    def _stand(self) -> None:
+    def _discard_motion(self) -> None:
         """Discard all motion and stop at the present position."""
         self._planner.clear()
         self._interpreter.reset(self._planner.position)
@@ -186,16 +192,16 @@ class Table:
         if self._state == "Jog":
             self._state = "Idle"
 
-    def _reset(self, *, asked: bool = True) -> None:
+    def _reset(self, *, requested: bool = True) -> None:
         moving = self._planner.moving
         locked = self._critical or self._state == "Alarm"
         self._critical = self._check = False
-        self._stand()
+        self._discard_motion()
         self._buffer.clear()
         self.oscillating = False
         if moving:
             self._state = "Alarm"
-            if asked:
+            if requested:
                 self.answer("ALARM:3")
         self.answer("")
         self.answer(BANNER)
@@ -226,19 +232,19 @@ class Table:
     def _read(self) -> None:
         """Execute and answer lines from the buffer until one must wait."""
         while True:
-            if self._waiting is not None and not self._settled(*self._waiting):
+            if self._waiting is not None and not self._execute_block(*self._waiting):
                 return
             end = self._buffer.find(b"\n")
             if end < 0 or self._critical:
                 return
             line = bytes(self._buffer[:end])
             del self._buffer[: end + 1]
-            self._line(line.rstrip(b"\r"))
+            self._execute_line(line.rstrip(b"\r"))
 
-    def _line(self, line: bytes) -> None:
-        text = bare(line)
+    def _execute_line(self, line: bytes) -> None:
+        text = strip_comments(line)
         if text.startswith(b"$"):
-            self._system(text)
+            self._execute_command(text)
             return
         if self._state in ("Alarm", "Jog"):
             self.answer("error:9")
@@ -255,17 +261,17 @@ class Table:
                 return
         try:
             block = self._interpreter.read(line)
-        except Refused as refused:
+        except LineRefused as refused:
             self.answer(f"error:{refused.code}")
             return
-        if block.move and not self._within(block.move):
+        if block.move and not self._is_within_travel(block.move):
             self._alarm(2)
             return
         if self._check:
-            block = NOTHING
+            block = EMPTY_BLOCK
         self._waiting = (block, order)
 
-    def _settled(self, block: Block, order: int) -> bool:
+    def _execute_block(self, block: Block, order: int) -> bool:
         """Execute a block as far as possible and answer it when done; return whether it is done."""
         if block.waits:
             if len(self._planner) or self._dwell > 0.0:
@@ -281,8 +287,8 @@ class Table:
             return False
         if block.output >= 0:
             self.outputs[block.output] = block.on
-            self.switched.append(
-                Switched(
+            self.switch_events.append(
+                SwitchEvent(
                     self.time, block.output, block.on, self.position, self._planner.speed > 0.0
                 )
             )
@@ -297,7 +303,7 @@ class Table:
             self.answer("ok")
         return True
 
-    def _within(self, move: Move) -> bool:
+    def _is_within_travel(self, move: Move) -> bool:
         low, high = move.bounds()
         return all(
             least >= bottom - PAST and most <= top + PAST
@@ -308,7 +314,7 @@ class Table:
 
     def _alarm(self, code: int) -> None:
         """Raise a critical alarm: everything is ignored until a reset."""
-        self._stand()
+        self._discard_motion()
         self._buffer.clear()
         self._state = "Alarm"
         self._critical = True
@@ -316,7 +322,7 @@ class Table:
         self.answer(f"ALARM:{code}")
         self.answer("[MSG:Reset to continue]")
 
-    def _system(self, text: bytes) -> None:
+    def _execute_command(self, text: bytes) -> None:
         idle = self.state == "Idle" and self._waiting is None
         if text == b"$X":
             if self._state == "Alarm":
@@ -336,7 +342,7 @@ class Table:
             self._check = True
             self.answer("[MSG:Enabled]")
         elif text == b"$H" and (idle or self._state == "Alarm"):
-            self._stand()
+            self._discard_motion()
             self._planner.position = (0.0, 0.0, self.machine.travel_z, 0.0)
             self._interpreter.reset(self._planner.position)
             self._state = "Idle"
@@ -369,11 +375,11 @@ class Table:
         jog = Interpreter(self._interpreter.position)
         try:
             move = jog.read(b"G1" + text.replace(b"G53", b"")).move
-        except Refused as refused:
+        except LineRefused as refused:
             return 16 if refused.code == 22 else refused.code
         if move is None:
             return 16
-        if not self._within(move):
+        if not self._is_within_travel(move):
             return 15
         self._interpreter.position = move.end
         self._planner.append(move)
@@ -413,7 +419,7 @@ class Table:
         used = self._planner.advance(min(seconds, 1e-3) if doomed else seconds)
         if doomed and (self._planner.fraction >= 0.5 or self._planner.current is not move):
             self.faults = replace(self.faults, reset_in_arc=0)
-            self._reset(asked=False)
+            self._reset(requested=False)
         if self._state == "Jog" and not len(self._planner):
             self._state = "Idle"
         return used
@@ -424,25 +430,27 @@ class Table:
         last = loop.time()
         while True:
             if not self.busy:
-                self._owed = 0.0
+                self._pending_time = 0.0
                 self.awake.clear()
                 await self.awake.wait()
                 # Time in which nothing could move is skipped.
                 last = loop.time() - TICK
                 continue
             now = loop.time()
-            self._owed = min(self._owed + (now - last) * self.speed, LAG * self.speed)
+            self._pending_time = min(
+                self._pending_time + (now - last) * self.speed, LAG * self.speed
+            )
             last = now
-            self._spend(now + STINT, loop)
+            self._advance_pending(now + STINT, loop)
             await asyncio.sleep(TICK if self.busy else 0.0)
 
-    def _spend(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
+    def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
         """Advance by the pending simulated time, within the real time of one step."""
-        part = max(self._owed / 16.0, 1e-4)  # checks the clock from time to time
-        while self._owed > 0.0 and self.busy and loop.time() < deadline:
-            step = min(part, self._owed)
+        part = max(self._pending_time / 16.0, 1e-4)  # checks the clock from time to time
+        while self._pending_time > 0.0 and self.busy and loop.time() < deadline:
+            step = min(part, self._pending_time)
             before = self.time
             self.elapse(step)
-            self._owed -= step
+            self._pending_time -= step
             if self.time == before:
                 return

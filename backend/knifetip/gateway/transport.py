@@ -27,9 +27,7 @@ class Transport(Protocol):
         ...
 
     async def read(self) -> bytes:
-        """Wait for bytes and return them; return empty bytes if the controller has closed the
-        connection.
-        """
+        """Wait for bytes and return them; return ``b""`` if the connection is closed."""
         ...
 
     async def write(self, data: bytes) -> None:
@@ -71,9 +69,7 @@ class Tcp:
         return cls(address, reader, writer)
 
     async def read(self) -> bytes:
-        """Wait for bytes and return them; return empty bytes if the controller has closed the
-        connection.
-        """
+        """Wait for bytes and return them; return ``b""`` if the connection is closed."""
         try:
             return await self._reader.read(CHUNK)
         except OSError:

@@ -112,7 +112,7 @@ class CompileService:
     def _sweep(self) -> None:
         grace = Grace()
         while not self._stopping.is_set():
-            listened = grace.over(self.store.database.clock())
+            listened = grace.is_over(self.store.database.clock())
             leased = True
             try:
                 leased = self.store.leases.run(gateways=self.gateways and listened)

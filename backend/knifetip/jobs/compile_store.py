@@ -1,4 +1,7 @@
-"""Operations of compile workers on the store; each checks the epoch of the job."""
+"""Repository operations for compile workers: take a job, report progress, store the result.
+
+Each operation on a job that is being compiled checks the epoch of the job.
+"""
 
 from __future__ import annotations
 
@@ -22,14 +25,14 @@ _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial
 
 
 class CompileStore:
-    """Operations of compile workers: take a job, report progress, store the result."""
+    """Repository operations for compile workers on jobs that are received or being compiled."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
         self._transitions = transitions
 
-    def received(self) -> list[tuple[str, int]]:
-        """Return the id and attempt of each job that waits for a compile."""
+    def received_jobs(self) -> list[tuple[str, int]]:
+        """Return the id and the attempt of each job that waits for a compile."""
         query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
         with self._db.reading() as session:
             return [(id, attempt) for id, attempt in session.execute(query)]
@@ -60,7 +63,7 @@ class CompileStore:
             unreported = sa.select(Job.id).where(waiting, Job.message.is_(None))
             for id in session.scalars(unreported.with_for_update()).all():
                 session.execute(sa.update(Job).where(Job.id == id).values(message=message))
-                self._transitions.note(session, "job", id, State.RECEIVED, _WORKER, message)
+                self._transitions.write_event(session, "job", id, State.RECEIVED, _WORKER, message)
             session.execute(
                 sa.update(Job)
                 .where(waiting, outdated)
@@ -73,8 +76,7 @@ class CompileStore:
         only: tuple[str, int] | None = None,
         without: Collection[str] = (),
     ) -> Job | None:
-        """Move the oldest received job to ``compiling`` and return it; return None if there is
-        none.
+        """Move the oldest received job to ``compiling`` and return it, None if there is none.
 
         Parameters
         ----------
@@ -95,7 +97,7 @@ class CompileStore:
             id = session.scalar(query.with_for_update(skip_locked=True))
             if id is None:
                 return None
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             self._transitions.move(
                 session,
                 id,
@@ -110,11 +112,12 @@ class CompileStore:
                 stage=Stage.READ.value,
                 progress=0.0,
             )
-            return self._transitions.locked(session, id)
+            return self._transitions.lock(session, id)
 
     def recover(self, worker: str) -> None:
-        """Return the jobs to the queue that an earlier process with this worker name did not
-        finish.
+        """Return the unfinished jobs of an earlier process with this worker name to the queue.
+
+        A job that has had ``ATTEMPTS`` attempts is refused instead.
         """
         with self._db.writing() as session:
             dead = sa.select(Job).where(Job.state == State.COMPILING, Job.owner == worker)
@@ -122,9 +125,7 @@ class CompileStore:
                 self.take_back(session, row)
 
     def take_back(self, session: Session, row: Job) -> None:
-        """Return a job whose worker is silent to the queue, or refuse it after ``ATTEMPTS``
-        attempts.
-        """
+        """Return a job of a silent worker to the queue; refuse it after ``ATTEMPTS`` attempts."""
         if row.attempt < ATTEMPTS:
             self._transitions.move(
                 session,
@@ -153,8 +154,10 @@ class CompileStore:
     def report_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
         """Store the progress of a compile (0 … 1) and renew the lease of its job.
 
-        Returns False if the job is not compiled under this epoch any more, so that the compile must
-        end.
+        Returns
+        -------
+        bool
+            False if the compile must end, because its job has another state or epoch.
         """
         with self._db.writing() as session:
             return bool(
@@ -167,8 +170,8 @@ class CompileStore:
             )
 
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
-        """Store the result of a compile and move its job to ready, queued or refused."""
-        kept: dict[str, Any] = {
+        """Store the result of a compile; move its job to ``ready``, ``queued`` or ``refused``."""
+        columns: dict[str, Any] = {
             "program": result.program,
             "program_sha256": result.sha256,
             "lines": result.lines,
@@ -193,11 +196,11 @@ class CompileStore:
                     epoch=epoch,
                     message=result.message,
                     source=result.source,
-                    **kept,
+                    **columns,
                 )
                 return
             self._transitions.move(
-                session, id, Action.ACCEPT, _WORKER, Message("job.verified"), epoch=epoch, **kept
+                session, id, Action.ACCEPT, _WORKER, Message("job.verified"), epoch=epoch, **columns
             )
             if session.scalar(sa.select(Job.release).where(Job.id == id)):
                 self._transitions.move(
@@ -247,7 +250,7 @@ class CompileStore:
     def give_back(self, id: str, epoch: int) -> None:
         """Return a job whose compile was cancelled to the queue."""
         with self._db.writing() as session:
-            attempt = self._transitions.locked(session, id).attempt
+            attempt = self._transitions.lock(session, id).attempt
             self._transitions.move(
                 session,
                 id,

@@ -78,7 +78,7 @@ class DrawingStore:
         try:
             with self._db.writing() as session:
                 session.add(row)
-                self._transitions.note(
+                self._transitions.write_event(
                     session,
                     "drawing",
                     row.id,
@@ -113,7 +113,7 @@ class DrawingStore:
         with self._db.reading() as session:
             row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
         if row is None:
-            raise _no_drawing(id)
+            raise _unknown_drawing_error(id)
         return row
 
     def column(self, id: str, column: str) -> bytes:
@@ -155,9 +155,9 @@ class DrawingStore:
             if not changed:
                 now = session.scalar(sa.select(Drawing.version).where(Drawing.id == id))
                 if now is None:
-                    raise _no_drawing(id)
+                    raise _unknown_drawing_error(id)
                 raise StaleRevision(id, now, str(version))
-            self._transitions.note(session, "drawing", id, "changed", OPERATOR, event)
+            self._transitions.write_event(session, "drawing", id, "changed", OPERATOR, event)
             # Read in this transaction, because another request may change the drawing after it.
             return session.scalars(
                 sa.select(Drawing).where(Drawing.id == id).options(undefer(Drawing.import_report))
@@ -176,10 +176,10 @@ class DrawingStore:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
-            self._transitions.note(
+            self._transitions.write_event(
                 session, "drawing", id, "deleted", OPERATOR, Message("drawing.deleted")
             )
 
 
-def _no_drawing(id: str) -> NoSuchJob:
+def _unknown_drawing_error(id: str) -> NoSuchJob:
     return NoSuchJob("drawing.unknown", drawing=short(id))

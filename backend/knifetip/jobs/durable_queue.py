@@ -72,13 +72,16 @@ class DurableQueue:
         self._submitting.start()
 
     def _submit(self) -> None:
-        """Submit received jobs to the queue of DBOS until stopped; jobs of this process at once."""
+        """Submit received jobs to the queue of DBOS until stopped.
+
+        Jobs of this process are submitted at once, jobs of other processes after ``_POLL``.
+        """
         submitted: set[tuple[str, int]] = set()
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
                 self._received.clear()
                 try:
-                    received = set(self._store.compiles.received())
+                    received = set(self._store.compiles.received_jobs())
                     for job, attempt in sorted(received - submitted):
                         # DBOS ignores a second workflow of the same name.
                         with SetWorkflowID(f"{QUEUE}-{job}-{attempt}"):
@@ -91,7 +94,7 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job if it is still received under this attempt."""
+        """Compile a job if it is still ``received`` and has the same attempt."""
         job = self._store.compiles.begin(self._worker, (id, attempt))
         if job is not None:
             self._compile(job)
@@ -115,7 +118,7 @@ _running: DurableQueue | None = None
 
 @DBOS.workflow(name="compile")
 def compile_job(job: str, attempt: int) -> None:
-    """Compile a job: the workflow that DBOS repeats if its process has died."""
+    """Compile a job.  DBOS repeats this workflow if the process that executed it has died."""
     _compile(job, attempt)
 
 

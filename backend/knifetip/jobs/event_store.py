@@ -6,7 +6,7 @@ import sqlalchemy as sa
 
 from knifetip.jobs.database import Database
 from knifetip.jobs.tables import Event, Job
-from knifetip.jobs.transitions import no_job
+from knifetip.jobs.transitions import unknown_job_error
 
 
 class EventStore:
@@ -19,7 +19,7 @@ class EventStore:
         """Return the events of a job, oldest first."""
         with self._db.reading() as session:
             if session.scalar(sa.select(Job.id).where(Job.id == id)) is None:
-                raise no_job(id)
+                raise unknown_job_error(id)
             return list(
                 session.scalars(sa.select(Event).where(Event.subject == id).order_by(Event.id))
             )

@@ -1,4 +1,4 @@
-"""Operations of gateways on the store: claim a job, report its progress, report its end."""
+"""Repository operations for gateways: claim a job, report its progress, report its end."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from knifetip.jobs.job import (
     action_between,
 )
 from knifetip.jobs.tables import Gateway, Job
-from knifetip.jobs.transitions import LEASE, Transitions, stale
+from knifetip.jobs.transitions import LEASE, Transitions, stale_epoch_error
 from knifetip.messages import Message
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
@@ -48,7 +48,7 @@ class GatewayReport:
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """The first job of a machine's queue, and what keeps it from starting."""
+    """The first job in the queue of a machine, and the job that the machine has before it."""
 
     first: str  #: next job to be claimed; empty if none
     ahead: str  #: job on the table, or claimed and not confirmed; empty if none
@@ -57,7 +57,7 @@ class Queue:
 
 
 class GatewayStore:
-    """Operations of gateways on jobs, and the list of known gateways."""
+    """Repository operations for gateways on jobs, and the list of known gateways."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -68,8 +68,12 @@ class GatewayStore:
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
-    def connected(self, within: float) -> set[str]:
-        """Return the machines whose gateway sent a request in the last ``within`` seconds."""
+    def connected_machines(self, within: float) -> set[str]:
+        """Return the machines whose gateway is connected.
+
+        A gateway is connected if it asked for a job in the last ``within`` seconds, or has a valid
+        lease of a job.
+        """
         now = self._db.clock()
         asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
         working = sa.select(Job.machine).where(
@@ -85,14 +89,14 @@ class GatewayStore:
             return {row.machine: row.id for row in session.execute(query)}
 
     def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
-        """Return the state of the queue of each machine, by machine.
+        """Return the state of the queue of each machine, by name of the machine.
 
         Parameters
         ----------
         within
             Seconds without a request after which a gateway counts as absent.
         """
-        connected = self.connected(within)
+        connected = self.connected_machines(within)
         ahead = sa.select(Job.machine, Job.id, Job.state).where(
             Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), CLAIMED)
         )
@@ -100,7 +104,7 @@ class GatewayStore:
         with self._db.reading() as session:
             taken = {row.machine: row for row in session.execute(ahead)}
             for machine in machines:
-                first = session.scalar(_following(machine).with_only_columns(Job.id)) or ""
+                first = session.scalar(_next_queued(machine).with_only_columns(Job.id)) or ""
                 other = taken.get(machine)
                 found[machine] = Queue(
                     first,
@@ -111,12 +115,13 @@ class GatewayStore:
         return found
 
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
-        """Assign the next queued job of a machine to a gateway; None if there is none.
+        """Assign the next queued job of a machine to a gateway; return None if there is none.
 
         With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until the
         answer to a heartbeat is ``start``.  A gateway that claims again while it waits gets
-        the same job under a new epoch, which must be confirmed again.  Otherwise ``running`` is
-        committed before this returns, so before any byte is sent to the controller.
+        the same job under a new epoch, and the operator must confirm again.  Without ``manual`` the
+        state ``running`` is committed before this method returns, so before any byte is sent to the
+        controller.
 
         Raises
         ------
@@ -125,28 +130,28 @@ class GatewayStore:
         """
         waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
         with self._db.reading() as session:
-            if not session.scalar(sa.select(waiting.exists() | _following(machine).exists())):
+            if not session.scalar(sa.select(waiting.exists() | _next_queued(machine).exists())):
                 return None
         try:
             with self._db.writing() as session:
                 row = session.scalar(waiting.with_for_update())
                 if row is not None and row.owner != gateway:
                     if row.lease >= self._db.clock():
-                        raise _busy(machine, row.id)
-                    self.give_back(session, row, CLOCK, silent(row.owner))
+                        raise _busy_error(machine, row.id)
+                    self.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
                     row = None
                 if row is None:
-                    following = _following(machine).execution_options(populate_existing=True)
-                    row = session.scalar(following.with_for_update(skip_locked=True))
+                    next_queued = _next_queued(machine).execution_options(populate_existing=True)
+                    row = session.scalar(next_queued.with_for_update(skip_locked=True))
                 if row is None:
                     return None
                 id = row.id
-                self._claimed(session, row, gateway, manual)
-                return self._transitions.locked(session, id)
+                self._assign(session, row, gateway, manual)
+                return self._transitions.lock(session, id)
         except IntegrityError as reason:
-            raise _busy(machine, self.jobs_on_tables().get(machine, "")) from reason
+            raise _busy_error(machine, self.jobs_on_tables().get(machine, "")) from reason
 
-    def _claimed(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
+    def _assign(self, session: Session, row: Job, gateway: str, manual: bool) -> None:
         changes: dict[str, Any] = {
             "epoch": row.epoch + 1,
             "owner": gateway,
@@ -161,7 +166,7 @@ class GatewayStore:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
             self._change(session, row, changes)
             event = Message("job.claimed-to-confirm")
-            self._transitions.note(
+            self._transitions.write_event(
                 session, "job", row.id, State.QUEUED, Actor(Who.GATEWAY, gateway), event
             )
             return
@@ -193,17 +198,20 @@ class GatewayStore:
             The gateway no longer owns the job and must stop the machine.
         """
         with self._db.writing(urgent=True) as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             if row.epoch != epoch or not (row.state in LEASED or is_claimed(row)):
-                raise stale(id, row.state, row.epoch, epoch)
+                raise stale_epoch_error(id, row.state, row.epoch, epoch)
             if report.waiting:
-                return self._awaits(session, row)
+                return self._answer_waiting(session, row)
             if row.state == State.QUEUED:
-                row = self._started(session, row)
-            return self._runs(session, row, report)
+                row = self._start(session, row)
+            return self._answer_running(session, row, report)
 
-    def _awaits(self, session: Session, row: Job) -> str:
-        """Return the command for a gateway that has not sent anything to the machine yet."""
+    def _answer_waiting(self, session: Session, row: Job) -> str:
+        """Return the command for a gateway that has not sent anything to the machine yet.
+
+        Starts the job, or holds it before its start, if the operator has confirmed it.
+        """
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
             self._change(session, row, renewed)
@@ -218,7 +226,7 @@ class GatewayStore:
         goal = State.RUNNING if starts else State.HELD
         renewed["requested_action"] = ""
         if row.state == State.QUEUED:
-            self._started(session, row, **renewed)
+            self._start(session, row, **renewed)
         elif row.state != goal:
             event = Message("job.started" if starts else "job.held-before-start")
             self._gateway_moves(session, row, goal, event, **renewed)
@@ -226,12 +234,15 @@ class GatewayStore:
             self._change(session, row, renewed)
         return "start" if starts else "wait"
 
-    def _started(self, session: Session, row: Job, **changes: Any) -> Job:
-        """Move a claimed job to ``running``: it is confirmed, or its gateway already runs it."""
+    def _start(self, session: Session, row: Job, **changes: Any) -> Job:
+        """Move a claimed job to ``running`` and return it.
+
+        The job is confirmed, or its gateway runs it already.
+        """
         confirmed = row.confirmation == Confirmation.GIVEN
         event = Message("job.started" if confirmed else "job.started-unconfirmed")
         self._gateway_moves(session, row, State.RUNNING, event, **changes)
-        return self._transitions.locked(session, row.id)
+        return self._transitions.lock(session, row.id)
 
     def _gateway_moves(
         self, session: Session, row: Job, goal: State, event: Message, **changes: Any
@@ -246,8 +257,8 @@ class GatewayStore:
             **changes,
         )
 
-    def _runs(self, session: Session, row: Job, report: GatewayReport) -> str:
-        """Store a report on a running job and return the operator's command."""
+    def _answer_running(self, session: Session, row: Job, report: GatewayReport) -> str:
+        """Store a report on a running job and return the command for its gateway."""
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
         confirmation, requested = row.confirmation, row.requested_action
@@ -261,7 +272,7 @@ class GatewayStore:
         elif copy_done and confirmation == Confirmation.NONE and report.held:
             # The machine feeds the next sheet itself, unless the operator has requested a hold.
             requested = "resume" if row.requested_action in ("", "resume") else requested
-        heard: dict[str, Any] = {
+        changes: dict[str, Any] = {
             "line": min(report.line, row.lines),
             "copies_done": copies_done,
             "position": None if report.position is None else list(report.position),
@@ -280,11 +291,11 @@ class GatewayStore:
                 copies=row.copies,
             )
         if goal != row.state:
-            self._gateway_moves(session, row, goal, event, **heard)
+            self._gateway_moves(session, row, goal, event, **changes)
         else:
-            self._change(session, row, heard)
+            self._change(session, row, changes)
             if copy_done:
-                self._transitions.note(
+                self._transitions.write_event(
                     session, "job", row.id, goal, Actor(Who.GATEWAY, row.owner), event
                 )
         unconfirmed = confirmation == Confirmation.AWAITED or (
@@ -304,10 +315,11 @@ class GatewayStore:
         line: int | None = None,
         copies_done: int | None = None,
     ) -> Job:
-        """Store a gateway's report that a job has ended; a repeated report has no effect.
+        """Store a gateway's report that a job has ended, and return the job.
 
-        The last owner may report late.  While the job is still ``interrupted``, ``done`` ends the
-        job, and any other outcome corrects its line and reason.
+        A repeated report has no effect.  The last owner may report late: while the job is still
+        ``interrupted``, the outcome ``done`` ends the job, and any other outcome corrects its line
+        and its message.
 
         Parameters
         ----------
@@ -317,8 +329,8 @@ class GatewayStore:
         cause
             Cause that the gateway states; None if it states none.
         line, copies_done
-            Last executed line, and copies completed under this claim; by default those of the last
-            heartbeat.
+            Last executed line, and copies completed under this claim; by default the values of the
+            last heartbeat.
 
         Raises
         ------
@@ -328,27 +340,27 @@ class GatewayStore:
         returned = outcome == "returned"
         goal = State.INTERRUPTED if returned else State(outcome)
         with self._db.writing(urgent=True) as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             repeated = row.state == goal and goal is not State.INTERRUPTED
             if repeated and epoch in (row.epoch, row.owner_epoch):
                 return row
             late = row.state == State.INTERRUPTED and epoch == row.owner_epoch
             owned = row.epoch == epoch and (row.state in LEASED or is_claimed(row))
             if not (late or owned):
-                raise stale(id, row.state, row.epoch, epoch)
+                raise stale_epoch_error(id, row.state, row.epoch, epoch)
             if returned and row.state == State.QUEUED:
                 owner = Actor(Who.GATEWAY, row.owner)
                 self.give_back(session, row, owner, cause or Message("job.nothing-sent"))
-                return self._transitions.locked(session, id)
+                return self._transitions.lock(session, id)
             if row.state == State.QUEUED:
-                row = self._started(session, row)
+                row = self._start(session, row)
             if goal is State.CANCELLED and late:
                 goal = State.INTERRUPTED
             done = None if copies_done is None else row.copies_before + copies_done
-            self._ended(session, row, goal, cause, line, done)
-            return self._transitions.locked(session, id)
+            self._end(session, row, goal, cause, line, done)
+            return self._transitions.lock(session, id)
 
-    def _ended(
+    def _end(
         self,
         session: Session,
         row: Job,
@@ -379,7 +391,7 @@ class GatewayStore:
                     self._change(session, row, ended)
                     owner = Actor(Who.GATEWAY, row.owner)
                     report = Message("job.late-report", report=event)
-                    self._transitions.note(session, "job", row.id, goal, owner, report)
+                    self._transitions.write_event(session, "job", row.id, goal, owner, report)
                 return
         elif line is not None:
             ended["line"] = min(line, row.lines)
@@ -400,22 +412,22 @@ class GatewayStore:
             },
         )
         event = Message("job.claim-returned", reason=cause)
-        self._transitions.note(session, "job", row.id, State.QUEUED, actor, event)
+        self._transitions.write_event(session, "job", row.id, State.QUEUED, actor, event)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
         """Change columns of a row that is locked by this transaction."""
         statement = sa.update(Job).where(Job.id == row.id, Job.epoch == row.epoch)
         statement = statement.execution_options(synchronize_session=False)
         if not rows(session, statement.values(**changes)):
-            raise stale(row.id, row.state, row.epoch + 1, row.epoch)
+            raise stale_epoch_error(row.id, row.state, row.epoch + 1, row.epoch)
 
 
-def silent(gateway: str) -> Message:
+def silent_gateway_message(gateway: str) -> Message:
     """Return the message about a gateway whose lease has expired."""
     return Message("job.gateway-fell-silent", gateway=gateway)
 
 
-def _following(machine: str) -> sa.Select[Job]:
+def _next_queued(machine: str) -> sa.Select[Job]:
     return (
         sa.select(Job)
         .where(
@@ -433,7 +445,7 @@ def is_claimed(row: Job) -> bool:
     return row.state == State.QUEUED and row.confirmation != Confirmation.NONE
 
 
-def _busy(machine: str, job: str) -> MachineBusy:
+def _busy_error(machine: str, job: str) -> MachineBusy:
     if job:
         return MachineBusy("machine.busy", job=job, machine=machine)
     return MachineBusy("machine.busy-with-another", machine=machine)

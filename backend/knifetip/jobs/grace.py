@@ -15,10 +15,15 @@ class Grace:
     def __init__(self) -> None:
         self._began = self._last = float("-inf")
 
-    def over(self, now: float) -> bool:
+    def is_over(self, now: float) -> bool:
         """Return whether this process has run without a pause for longer than a lease.
 
-        Must be called several times per lease; ``now`` is the wall-clock time (s).
+        Must be called several times in the duration of a lease.
+
+        Parameters
+        ----------
+        now
+            Wall-clock time (s).
         """
         if not 0.0 <= now - self._last < LEASE / 2.0:
             self._began = now

@@ -1,4 +1,4 @@
-"""Repository of jobs, with the actions of operators on them."""
+"""Repository of jobs: store and find jobs, and the actions of operators on them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from knifetip.jobs.operator_actions import (
     is_fully_executed,
 )
 from knifetip.jobs.tables import Drawing, Job
-from knifetip.jobs.transitions import Transitions, advice, no_job, same_request
+from knifetip.jobs.transitions import Transitions, advice, same_request, unknown_job_error
 from knifetip.messages import Message
 from knifetip.model.interpretation import Interpretation
 
@@ -48,7 +48,7 @@ class JobOrder:
 
 
 class JobStore:
-    """Repository of jobs, with the actions of operators."""
+    """Repository of jobs: store and find jobs, and the actions of operators on them."""
 
     def __init__(self, database: Database, transitions: Transitions) -> None:
         self._db = database
@@ -123,7 +123,7 @@ class JobStore:
         try:
             with self._db.writing() as session:
                 session.add(row)
-                self._transitions.note(
+                self._transitions.write_event(
                     session, "job", row.id, State.RECEIVED, OPERATOR, Message("job.ordered")
                 )
         except IntegrityError:
@@ -143,7 +143,7 @@ class JobStore:
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
-            raise no_job(id)
+            raise unknown_job_error(id)
         return row
 
     def column(self, id: str, column: str) -> bytes:
@@ -170,7 +170,7 @@ class JobStore:
         states
             States of the jobs; all states if empty.
         before
-            Serial number below which the jobs lie; None for no limit.
+            Return only jobs with a smaller serial number; None for all.
         limit
             Greatest number of jobs.
         ids
@@ -200,8 +200,9 @@ class JobStore:
         return self.get(id)
 
     def requeue(self, id: str) -> Job:
-        """Queue an interrupted job again at its former position in the queue; the table must be
-        clear.
+        """Queue an interrupted job again, at its former position in the queue.
+
+        The operator calls this after clearing the table.
 
         Raises
         ------
@@ -209,7 +210,7 @@ class JobStore:
             The job is not interrupted, or was executed to its last line.
         """
         with self._db.writing() as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             if is_fully_executed(row):
                 raise WrongState("job.fully-executed", job=id, lines=row.lines)
             self._transitions.move(
@@ -238,7 +239,7 @@ class JobStore:
     def declare_finished(self, id: str) -> Job:
         """Move an interrupted job to ``done``: an operator has found all its sheets complete."""
         with self._db.writing() as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             self._transitions.move(
                 session,
                 id,
@@ -273,7 +274,7 @@ class JobStore:
             The job does not wait for a confirmation, or needs another board.
         """
         with self._db.writing() as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
             confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
@@ -296,11 +297,13 @@ class JobStore:
             event = Message(
                 "job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board
             )
-            self._transitions.note(session, "job", id, row.state, Actor(Who.OPERATOR, by), event)
-            return self._transitions.locked(session, id)
+            self._transitions.write_event(
+                session, "job", id, row.state, Actor(Who.OPERATOR, by), event
+            )
+            return self._transitions.lock(session, id)
 
     def _check_waiting(self, row: Job) -> None:
-        """Raise WrongState unless the job waits for the operator's confirmation."""
+        """Raise ``WrongState`` unless the job waits for the operator's confirmation."""
         if awaits_confirmation(row, self._db.clock()):
             return
         if row.requested_action == OperatorAction.CANCEL:
@@ -345,15 +348,15 @@ class JobStore:
                     stage="",
                     confirmation=Confirmation.NONE.value,
                 )
-                return self._transitions.locked(session, id)
+                return self._transitions.lock(session, id)
         return self._request(id, OperatorAction.CANCEL)
 
     def _request(self, id: str, action: OperatorAction) -> Job:
         """Record a request for the gateway of a job on a table."""
         with self._db.writing() as session:
-            row = self._transitions.locked(session, id)
+            row = self._transitions.lock(session, id)
             if action not in allowed_actions(row, self._db.clock()):
-                raise _request_refused(row, action)
+                raise _refused_request_error(row, action)
             if row.requested_action == action:
                 return row
             changes = {"requested_action": action.value, "updated": self._db.clock()}
@@ -366,11 +369,11 @@ class JobStore:
                 .execution_options(synchronize_session=False)
             )
             event = Message("job.action-requested", action=action)
-            self._transitions.note(session, "job", id, row.state, OPERATOR, event)
-            return self._transitions.locked(session, id)
+            self._transitions.write_event(session, "job", id, row.state, OPERATOR, event)
+            return self._transitions.lock(session, id)
 
 
-def _request_refused(row: Job, action: OperatorAction) -> WrongState:
+def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
     """Return the error for a request that a job does not allow."""
     if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
         return WrongState("job.not-confirmed", job=row.id)

@@ -1,4 +1,4 @@
-"""Removal of jobs from workers and gateways whose lease has expired."""
+"""Ends the leases of workers and gateways that have sent no report in time."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import sqlalchemy as sa
 
 from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
-from knifetip.jobs.gateway_store import CLAIMED, GatewayStore, is_claimed, silent
+from knifetip.jobs.gateway_store import CLAIMED, GatewayStore, is_claimed, silent_gateway_message
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
 from knifetip.jobs.tables import Job
@@ -15,7 +15,7 @@ from knifetip.messages import Message
 
 
 class LeaseSweep:
-    """Ends the leases of workers and gateways that have sent no report in time."""
+    """Takes jobs back from workers and gateways whose lease has expired."""
 
     def __init__(
         self,
@@ -32,8 +32,8 @@ class LeaseSweep:
     def run(self, *, gateways: bool = True) -> bool:
         """Move all jobs whose lease has expired to the state in which they can continue.
 
-        A job on a table becomes ``interrupted``, never ``queued``.  A claimed job without a
-        confirmation returns to the queue.  A compile is repeated.
+        A job on a table becomes ``interrupted``, never ``queued``.  A claimed job that has not been
+        started returns to the queue.  A job that was being compiled is compiled again.
 
         Parameters
         ----------
@@ -43,7 +43,8 @@ class LeaseSweep:
         Returns
         -------
         bool
-            Whether any job had a lease, expired or not.
+            Whether any job had a lease, expired or not.  Leases of gateways count only if
+            ``gateways`` is True.
         """
         now = self._db.clock()
         leased = Job.state == State.COMPILING
@@ -79,6 +80,6 @@ class LeaseSweep:
                     confirmation=Confirmation.NONE.value,
                 )
             elif is_claimed(row):
-                self._gateways.give_back(session, row, CLOCK, silent(row.owner))
+                self._gateways.give_back(session, row, CLOCK, silent_gateway_message(row.owner))
             elif row.state == State.COMPILING:
                 self._compiles.take_back(session, row)

@@ -1,4 +1,4 @@
-"""Actions of operators, and which of them a job allows in its present state."""
+"""Defines the actions of operators, and finds those that a job allows in its present state."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from knifetip.jobs.tables import Job
 
 
 class OperatorAction(StrEnum):
-    """What an operator can do with a job, in the order in which it is offered."""
+    """Actions of an operator on a job, in the order in which the page offers them."""
 
     RELEASE = "release"
     CONFIRM = "confirm"  #: table, board and tools are ready
@@ -56,7 +56,10 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
 
 
 def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
-    """Change the allowed actions of a job on a table by what the operator has requested already."""
+    """Adapt the allowed actions to the action that the operator has requested already.
+
+    Writes into ``allowed``.
+    """
     if row.requested_action == OperatorAction.CANCEL:
         allowed -= {OperatorAction.HOLD, OperatorAction.RESUME}
         return
@@ -72,7 +75,11 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
 
 
 def awaits_confirmation(row: Job, now: float) -> bool:
-    """Return whether the job waits for the operator's confirmation and its gateway answers."""
+    """Return whether a job waits for the operator's confirmation.
+
+    Returns False if the job is being cancelled, and if the lease of the gateway that claimed the
+    job has expired.
+    """
     return (
         row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET)
         and row.requested_action != OperatorAction.CANCEL

@@ -147,7 +147,10 @@ class ProcessPool:
     def _receive(
         self, worker: _Worker, deadline: float, limit: float, watch: Watch
     ) -> tuple[str, Any]:
-        """Return the kind and value of a worker's answer; report its progress to ``watch``."""
+        """Return kind and value of a worker's answer; pass its progress reports to ``watch``.
+
+        The kind is ``result`` or ``error``.
+        """
         stage, fraction = Stage.READ, 0.0
         while True:
             left = deadline - time.monotonic()
@@ -162,18 +165,19 @@ class ProcessPool:
                 raise TaskCancelled
 
     def _start_worker(self) -> _Worker:
-        ours, theirs = self._spawn.Pipe()
+        parent_end, worker_end = self._spawn.Pipe()
         process = self._spawn.Process(
-            target=_serve_tasks, args=(theirs, self._memory), name="knifetip worker", daemon=True
+            target=_serve_tasks,
+            args=(worker_end, self._memory),
+            name="knifetip worker",
+            daemon=True,
         )
         process.start()
-        theirs.close()
-        return _Worker(process, ours)
+        worker_end.close()
+        return _Worker(process, parent_end)
 
     def trim(self, idle: float = IDLE) -> None:
-        """End workers that have been idle for ``idle`` seconds, except the worker that was used
-        last.
-        """
+        """End workers that were idle for ``idle`` seconds, except the worker used last."""
         with self._lock:
             # The worker that was used last is the first to be used again.
             before = time.monotonic() - idle

@@ -70,7 +70,7 @@ class ProfileStore:
                 ).one()
         if anyway:
             return self._add(name, title, text, now)
-        raise self._stale(name, version)
+        raise self._missing_or_stale_error(name, version)
 
     def _add(self, name: str, title: str, text: str, now: float) -> Profile:
         row = Profile(name=name, title=title, text=text, version=1, created=now, updated=now)
@@ -80,7 +80,7 @@ class ProfileStore:
                     raise WrongState("profile.too-many", limit=MOST)
                 session.add(row)
         except IntegrityError as reason:
-            raise self._stale(name, None) from reason
+            raise self._missing_or_stale_error(name, None) from reason
         return row
 
     def delete(self, name: str, version: int | None = None) -> None:
@@ -97,9 +97,11 @@ class ProfileStore:
                 statement = statement.where(Profile.version == version)
             if rows(session, statement):
                 return
-        raise self._stale(name, version)
+        raise self._missing_or_stale_error(name, version)
 
-    def _stale(self, name: str, version: int | None) -> NoSuchJob | StaleVersion | WrongState:
+    def _missing_or_stale_error(
+        self, name: str, version: int | None
+    ) -> NoSuchJob | StaleVersion | WrongState:
         found = self.get(name)
         if found is None:
             return NoSuchJob("profile.not-kept", name=short(name))

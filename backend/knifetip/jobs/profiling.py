@@ -1,8 +1,4 @@
-"""Preview a profile on a drawing, and propose rules from the user's corrections.
-
-preview   drawing, its profile, another -> edges that each rule matches, and line types that change
-learn     drawing, its profile, corrections -> rules that explain them, and their other effects
-"""
+"""Preview the effect of a profile on a drawing, and propose rules from the user's corrections."""
 
 from __future__ import annotations
 
@@ -32,30 +28,32 @@ def preview(
     Returns
     -------
     dict
-        ``rules``: each with its description, whether it is inherited, and the number of edges it
-        matches; ``open``: number of edges that no rule matches; ``changes``: edges that would get
-        another line type.
+        ``rules``: each rule as in ``rule_json``, whether it is inherited, and the number and total
+        length of the edges that it matches; ``open``: number of edges that no rule matches;
+        ``changes``: edges that would get another line type.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
 
     progress(Stage.READ, 0.0)
     drawing = read_drawing(content, interpretation.unit)
-    given = np.frombuffer(interpretation.overrides, np.uint8)
+    overrides = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
     other = custom_profiles.parse_text("preview", text)
     before = pipeline.interpret(drawing, interpretation)
-    after = pipeline.classify(drawing, other, given)
-    taken = matching_rules(drawing, other)
+    after = pipeline.classify(drawing, other, overrides)
+    rule_of_edge = matching_rules(drawing, other)
     lengths = drawing.lengths
-    decided = taken >= 0
-    edges = np.bincount(taken[decided], minlength=len(other.rules))
-    length = np.bincount(taken[decided], weights=lengths[decided], minlength=len(other.rules))
+    decided = rule_of_edge >= 0
+    edges = np.bincount(rule_of_edge[decided], minlength=len(other.rules))
+    length = np.bincount(
+        rule_of_edge[decided], weights=lengths[decided], minlength=len(other.rules)
+    )
     inherited = custom_profiles.inherited_rules(custom_profiles.parse_fields(text), other)
     return {
         "rules": [
             {
-                **plain(rule),
+                **rule_json(rule),
                 "inherited": inherited[number],
                 "edges": int(edges[number]),
                 "length": float(length[number]),
@@ -70,17 +68,19 @@ def preview(
 def learn(
     progress: Progress, content: bytes, interpretation: Interpretation
 ) -> list[dict[str, Any]]:
-    """Return proposed rules that explain the user's corrections, most certain first.
+    """Return proposed rules that explain the user's corrections.
 
-    Rules without contradiction come first.  Corrections that none of them explains get rules by
-    layer and colour, listed with the other edges they would change: if the user set ten red lines
-    of a layer to crease, an eleventh may have been overlooked.
+    Corrections that no rule explains without contradiction get rules by layer and colour.  Each
+    rule is listed with the other edges it would change: if the user set ten red lines of a layer to
+    crease, an eleventh may have been overlooked.
 
     Returns
     -------
     list of dict
-        ``rule``; ``explains``: corrected edges that it matches; ``sure``: whether it changes no
-        edge with a decided line type; ``changes``: other edges it would change, as in ``preview``.
+        ``rule``: as in ``rule_json``; ``explains``: corrected edges to which the rule gives the
+        line type that the user has set; ``sure``: whether the rule changes only edges that have no
+        line type yet; ``changes``: other edges it would change, as in ``preview``.  Sure rules
+        come first.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -88,30 +88,32 @@ def learn(
 
     progress(Stage.READ, 0.0)
     drawing = read_drawing(content, interpretation.unit)
-    mine = pipeline.rules_of(interpretation)
-    given = np.frombuffer(interpretation.overrides, np.uint8)
+    profile = pipeline.rules_of(interpretation)
+    overrides = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
     before = pipeline.interpret(drawing, interpretation)
-    alone = pipeline.classify(drawing, mine)
+    without_overrides = pipeline.classify(drawing, profile)
     # A rule by linetype alone is too general: it would match half of any other drawing.
-    sure = [
+    proposals = [
         one
-        for one in propose_rules(drawing, alone, given, mine)
+        for one in propose_rules(drawing, without_overrides, overrides, profile)
         if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
     ]
-    explained = {row for one in sure for row in one.explains}
-    left = np.flatnonzero((given != NO_OVERRIDE) & (alone.line_type != given))
-    rest = _by_attributes(drawing, given, [row for row in left.tolist() if row not in explained])
+    explained = {row for one in proposals for row in one.explains}
+    left = np.flatnonzero((overrides != NO_OVERRIDE) & (without_overrides.line_type != overrides))
+    rest = _by_attributes(
+        drawing, overrides, [row for row in left.tolist() if row not in explained]
+    )
     proposed = []
-    for rule in [*(one.rule for one in sure), *rest][:_MOST]:
-        longer = LineRules(mine.name, mine.title, (rule, *mine.rules))
-        after = pipeline.classify(drawing, longer, given)
-        met = matching_rules(drawing, LineRules("", "", (rule,))) == 0
+    for rule in [*(one.rule for one in proposals), *rest][:_MOST]:
+        longer = LineRules(profile.name, profile.title, (rule, *profile.rules))
+        after = pipeline.classify(drawing, longer, overrides)
+        matched = matching_rules(drawing, LineRules("", "", (rule,))) == 0
         changes = _changes(before.line_type, after.line_type)
         proposed.append(
             {
-                "rule": plain(rule),
-                "explains": np.flatnonzero(met & (given == rule.line_type)).tolist(),
+                "rule": rule_json(rule),
+                "explains": np.flatnonzero(matched & (overrides == rule.line_type)).tolist(),
                 "sure": all(one["before"] == "unclassified" for one in changes),
                 "changes": changes,
             }
@@ -119,7 +121,7 @@ def learn(
     return sorted(proposed, key=lambda one: not one["sure"])
 
 
-def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRule]:
+def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[LineRule]:
     """Return a rule for each pair of layer and colour whose corrections all agree."""
     wanted: dict[tuple[str, int, int], set[int]] = {}
     for row in rows:
@@ -128,7 +130,7 @@ def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRul
             int(drawing.colour[row]),
             int(drawing.true_colour[row]),
         )
-        wanted.setdefault(key, set()).add(int(given[row]))
+        wanted.setdefault(key, set()).add(int(overrides[row]))
     return [
         LineRule(
             LineType(kinds.pop()),
@@ -141,8 +143,8 @@ def _by_attributes(drawing: Drawing, given: U8, rows: list[int]) -> list[LineRul
     ]
 
 
-def plain(rule: LineRule) -> dict[str, Any]:
-    """Return a rule as JSON data with the fields of a profile file, and its description."""
+def rule_json(rule: LineRule) -> dict[str, Any]:
+    """Return a rule as JSON data with the fields of a profile file."""
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {
         "type": rule.line_type.word,

@@ -30,8 +30,8 @@ class StoredDrawing:
 def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
     """Return drawing and dieline for an interpretation, from the reading or from the file.
 
-    The reading is used if unit and profile are the same and no override was removed: the reading
-    does not contain the line type under an override.
+    The reading is used if it has the same profile and a known and equal unit, and if no override
+    was removed: the reading does not contain the line type under an override.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
         else:
             # The question about the unit needs evidence from the whole file.
             if drawing.unit:
-                return drawing, _overridden(dieline, changed)
+                return drawing, _apply_new_overrides(dieline, changed)
     from knifetip import pipeline
 
     drawing = read_drawing(stored.content, wanted.unit)
@@ -57,7 +57,13 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
 # Changes of overrides or profile need the same drawing again: cache the last few.
 @lru_cache(maxsize=4)
 def read_drawing(content: bytes, unit: str) -> Drawing:
-    """Read the drawing in a file; ``unit`` is the user's, "" for that of the file."""
+    """Return the drawing in a file.
+
+    Parameters
+    ----------
+    unit
+        Unit that the user has set, "" for the unit of the file.
+    """
     from knifetip import pipeline
 
     return pipeline.read(content, unit or None)
@@ -74,7 +80,7 @@ def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
     return np.where(changed, after, NO_OVERRIDE).astype(np.uint8)
 
 
-def _overridden(dieline: Dieline, overrides: U8) -> Dieline:
+def _apply_new_overrides(dieline: Dieline, overrides: U8) -> Dieline:
     if (overrides == NO_OVERRIDE).all():
         return dieline
     from knifetip.classification.classify import apply_overrides

@@ -1,9 +1,7 @@
-"""Tasks of the worker processes; arguments and results are bytes and JSON data.
+"""Tasks of the worker processes; their arguments and results are bytes and JSON data.
 
-read      bytes, Interpretation -> Reading                     data for the page
-ask       StoredDrawing, Interpretation, machine -> questions  open questions before a compile
-compile   … and a board -> CompileResult                       program, head path and verdict
-cleaned   edges of a Reading -> JSON data                      cleaning report
+The tasks read a drawing, find the open questions before a compile, compile a job, report the
+cleaning of a drawing, and compile kernels.
 """
 
 from __future__ import annotations
@@ -46,7 +44,7 @@ _SHOWN: Final = 3
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A drawing as it is stored."""
+    """Result of reading and classifying a drawing, as it is stored."""
 
     summary: dict[str, Any]
     edges: bytes  #: see ``columns``
@@ -77,7 +75,7 @@ def read(
     overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
     if handles is not None:
         before = np.frombuffer(interpretation.overrides, np.uint8)
-        overrides = _carried(before, handles, [printable(handle) for handle in drawing.handles])
+        overrides = _carry_over(before, handles, [printable(handle) for handle in drawing.handles])
     progress(Stage.CLASSIFY, 0.6)
     dieline = pipeline.interpret(drawing, replace(interpretation, overrides=overrides.tobytes()))
     # The limits of cleaning are lengths in mm.
@@ -93,8 +91,18 @@ def read(
     )
 
 
-def _carried(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
-    """Return the overrides of an earlier reading for the edges of the present one."""
+def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
+    """Return the overrides for the edges of a new reading, given those of an earlier reading.
+
+    Parameters
+    ----------
+    before : (n,)
+        Overrides of the earlier reading.
+    handles : (n,)
+        Handles of the edges of the earlier reading.
+    now : (m,)
+        Handles of the edges of the new reading.
+    """
     if list(handles) == list(now):
         return before
     given: dict[str, set[int]] = {}
@@ -104,8 +112,13 @@ def _carried(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
     return np.array([agreed.get(handle, NO_OVERRIDE) for handle in now], np.uint8)
 
 
-def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
-    """Return the cleaning report for the edges of a Reading.
+def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
+    """Return the report on the cleaning of a drawing.
+
+    Parameters
+    ----------
+    edges
+        Field ``edges`` of the ``Reading`` of the drawing.
 
     Raises
     ------
@@ -121,10 +134,10 @@ def cleaned(progress: Progress, edges: bytes) -> dict[str, Any]:
     return pipeline.clean(dieline).as_json(drawing.handles)
 
 
-def ask(
+def open_questions(
     progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
-    """Return the open questions about a drawing for a machine.
+    """Return the questions that the user must answer before a compile for a machine.
 
     Raises
     ------
@@ -215,12 +228,18 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
 
 
 def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
-    """Return the kernels of some groups that must be compiled, module by module."""
+    """Return the modules of some groups that contain kernels to be compiled."""
     return missing_parts(*groups)
 
 
 def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
-    """Compile the kernels of a module, in a process that yields the processor to others."""
+    """Compile the kernels of a module in a process with low priority.
+
+    Parameters
+    ----------
+    niceness
+        Least niceness of the process (see ``nice``).
+    """
     os.setpriority(os.PRIO_PROCESS, 0, max(niceness, os.getpriority(os.PRIO_PROCESS, 0)))
-    for share in compile_module(module):
-        progress(Stage.PREPARE, share)
+    for fraction in compile_module(module):
+        progress(Stage.PREPARE, fraction)

@@ -61,14 +61,14 @@ class Transitions:
         statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, actor.kind)))
         if epoch is not None:
             statement = statement.where(Job.epoch == epoch)
-        # Rows that this session has loaded keep their values; ``locked`` reloads them.
+        # Rows that this session has loaded keep their values; ``lock`` reloads them.
         statement = statement.execution_options(synchronize_session=False)
         values = {"state": goal.value, "updated": self._db.clock(), **changes}
         if new_epoch is not None:
             values["epoch"] = new_epoch
         if not rows(session, statement.values(**values)):
             raise self._refusal(session, id, goal, epoch)
-        self.note(session, "job", id, goal, actor, event)
+        self.write_event(session, "job", id, goal, actor, event)
 
     def _refusal(
         self, session: Session, id: str, goal: str, epoch: int | None
@@ -76,15 +76,15 @@ class Transitions:
         columns = sa.select(Job.state, Job.epoch, Job.message).where(Job.id == id)
         found = session.execute(columns).first()
         if found is None:
-            return no_job(id)
+            return unknown_job_error(id)
         state, current, message = found
         if epoch is not None and epoch != current:
-            return stale(id, state, current, epoch)
+            return stale_epoch_error(id, state, current, epoch)
         return WrongState(
             "job.wrong-state", job=id, state=state, goal=goal, advice=advice(state, message)
         )
 
-    def note(
+    def write_event(
         self,
         session: Session,
         kind: str,
@@ -106,7 +106,7 @@ class Transitions:
             )
         )
 
-    def locked(self, session: Session, id: str) -> Job:
+    def lock(self, session: Session, id: str) -> Job:
         """Return a job, locked until the transaction ends.
 
         Raises
@@ -121,7 +121,7 @@ class Transitions:
             .execution_options(populate_existing=True)
         )
         if row is None:
-            raise no_job(id)
+            raise unknown_job_error(id)
         return row
 
 
@@ -132,12 +132,12 @@ def advice(state: str, message: Message | None) -> Message:
     return ADVICE[State(state)]
 
 
-def no_job(id: str) -> NoSuchJob:
+def unknown_job_error(id: str) -> NoSuchJob:
     """Return the error for an unknown job."""
     return NoSuchJob("job.unknown", job=short(id))
 
 
-def stale(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
+def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
     """Return the error for a worker or gateway that no longer owns a job."""
     return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
 

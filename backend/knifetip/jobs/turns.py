@@ -1,7 +1,7 @@
-"""Order of the threads that write to SQLite.
+"""Lock for the threads that write to SQLite, in order of their urgency.
 
 SQLite permits one writer at a time and has no queue: a waiting thread retries at intervals, and
-with many writers it may wait for seconds.  Within a process, writers therefore wait here.
+with many writers it may wait for seconds.  The threads of a process therefore wait for this lock.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
 """warm_up: compiles the kernels that have no machine code yet, in processes beside the server.
 
-    installation -> drawings can be read -> jobs compiled -> contours offset
+    python -m knifetip.jobs.warm_up        compiles all kernels and prints the progress
 
-    python -m knifetip.jobs.warm_up        all kernels, with progress on the terminal
-
-Two processes take module after module in the order of ``warming.GROUPS``.  Requests and compiles
-that need a group wait for it here; everything else is served meanwhile.  The processes end with the
-last module, since compiling leaves hundreds of megabytes in them.
+Two processes compile module after module in the order of ``warming.GROUPS``: first the kernels that
+read drawings, then those that compile jobs, then those that offset contours.  Requests and compiles
+wait for the groups that they need; everything else is served meanwhile.  The processes end after
+the last module, because compiling leaves hundreds of megabytes in them.
 """
 
 from __future__ import annotations
@@ -29,14 +28,14 @@ from knifetip.warming import GROUPS, Part
 NICENESS = 10  #: of compiling processes beside a server
 _AT_ONCE = min(2, os.cpu_count() or 1)  # processes; each compiles again what both need
 _LIMIT = 900.0  # seconds that the kernels of one module may take
-_LOOK = 0.5  # seconds between two reports to who waits
+_LOOK = 0.5  # seconds between two progress reports to a waiting caller
 
 _log = logging.getLogger("knifetip.jobs")
 
 
 @dataclass(frozen=True, slots=True)
 class WarmUpProgress:
-    """How far a warm-up is."""
+    """Progress of a warm-up."""
 
     finished: bool
     compiled: int = 0  #: kernels
@@ -44,16 +43,16 @@ class WarmUpProgress:
 
 
 class WarmUp:
-    """Compiles missing kernels once, and lets others wait for them.
+    """Compiles missing kernels once; callers can wait for groups of kernels.
 
     Parameters
     ----------
     groups
         Names of ``warming.GROUPS`` to compile, in order.
     niceness
-        Of the compiling processes, as of ``nice``.
+        Niceness of the compiling processes (see ``nice``).
     on_progress
-        Called after each change with the progress, on some thread.
+        Called after each change with the progress, on a thread of the warm-up.
     """
 
     def __init__(
@@ -72,18 +71,18 @@ class WarmUp:
         self._failed = False
         self._parts: list[Part] | None = None  # None until it is known what is missing
         self._waiting: deque[Part] = deque()
-        self._shares: dict[str, float] = {}  # of the kernels of each module that are compiled
+        self._fractions: dict[str, float] = {}  # of the kernels of each module that are compiled
         self._compilers: ProcessPool | None = None
 
     @property
     def progress(self) -> WarmUpProgress:
-        """The number of kernels that are compiled, and of all kernels that had to be compiled."""
+        """Number of kernels compiled so far, and number of kernels that had to be compiled."""
         with self._changed:
             return self._progress()
 
     def _progress(self, groups: tuple[str, ...] = ()) -> WarmUpProgress:
         parts = [one for one in self._parts or () if not groups or one.group in groups]
-        compiled = sum(int(one.kernels * self._shares.get(one.module, 0.0)) for one in parts)
+        compiled = sum(int(one.kernels * self._fractions.get(one.module, 0.0)) for one in parts)
         return WarmUpProgress(not self._running, compiled, sum(one.kernels for one in parts))
 
     def start(self, pool: ProcessPool) -> None:
@@ -100,7 +99,10 @@ class WarmUp:
     def run(self, pool: ProcessPool) -> bool:
         """Compile missing kernels on the calling thread; ``pool`` as for ``start``.
 
-        Returns whether no kernel failed to compile.
+        Returns
+        -------
+        bool
+            False if a module could not be compiled.
         """
         self._running = True
         try:
@@ -143,9 +145,9 @@ class WarmUp:
         while (part := self._next_part()) is not None:
             module = part.module
 
-            def watch(_stage: Stage, share: float, module: str = module) -> bool:
+            def watch(_stage: Stage, fraction: float, module: str = module) -> bool:
                 # Only the end of its task makes a module ready.
-                self._set_share(module, min(share, 0.999))
+                self._set_fraction(module, min(fraction, 0.999))
                 return not self._closed
 
             try:
@@ -157,17 +159,17 @@ class WarmUp:
             except (KnifetipError, TaskFailed):
                 self._failed = True
                 _log.exception("the kernels of %s were not compiled", module)
-            self._set_share(module, 1.0)
+            self._set_fraction(module, 1.0)
 
     def _next_part(self) -> Part | None:
         with self._changed:
             return self._waiting.popleft() if self._waiting and not self._closed else None
 
-    def _set_share(self, module: str, share: float) -> None:
+    def _set_fraction(self, module: str, fraction: float) -> None:
         with self._changed:
-            if self._shares.get(module) == share:
+            if self._fractions.get(module) == fraction:
                 return
-            self._shares[module] = share
+            self._fractions[module] = fraction
             self._changed.notify_all()
         self._on_progress(self.progress)
 
@@ -212,7 +214,7 @@ class WarmUp:
         if not self._running or self._closed:
             return True
         return self._parts is not None and all(
-            self._shares.get(part.module) == 1.0 for part in self._parts if part.group in groups
+            self._fractions.get(part.module) == 1.0 for part in self._parts if part.group in groups
         )
 
     def close(self) -> None:

@@ -129,7 +129,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     between: list[int] = []
 
     def changed_meanwhile(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        if task is tasks.ask:
+        if task is tasks.open_questions:
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
             flipped = bytes([LineType.of("crease")]) + row.overrides[1:]

@@ -16,7 +16,7 @@ import pytest
 
 from knifetip.errors import ControllerError
 from knifetip.gateway import simulator
-from knifetip.gateway.claim import work
+from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.job_server import GatewaySettings
@@ -133,7 +133,7 @@ async def gateway(office: Office, server: simulator.Server, **options: Any) -> N
             settings = GatewaySettings(
                 "http://office", MACHINE, "table-7", wait=0.1, beat=0.01, **options
             )
-            await work(settings, connect, client=client, jobs=1)
+            await run_gateway(settings, connect, client=client, jobs=1)
 
 
 async def test_a_job_is_claimed_run_and_finished() -> None:
@@ -193,7 +193,7 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
     office.command = command
     async with table() as server:
         await gateway(office, server)
-        assert [event.output for event in server.table.switched if event.on] == [1, 1]
+        assert [event.output for event in server.table.switch_events if event.on] == [1, 1]
     assert len(waits) >= 5
     assert all(beat["line"] == 11 for beat in waits)
     assert office.finished[0]["outcome"] == "done"
@@ -201,7 +201,7 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
 
 def released(table: Table) -> bool:
     """Whether station 2 was lowered and raised again."""
-    return [event.on for event in table.switched if event.output == 1][-2:] == [True, False]
+    return [event.on for event in table.switch_events if event.output == 1][-2:] == [True, False]
 
 
 async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
@@ -225,7 +225,7 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
 
         office.delayed = delayed
         await gateway(office, server)
-        assert [event.output for event in server.table.switched if event.on] == [1]
+        assert [event.output for event in server.table.switch_events if event.on] == [1]
     assert office.finished[0]["outcome"] == "cancelled"
 
 

@@ -198,7 +198,7 @@ async def test_characters_in_flight_never_exceed_the_buffer() -> None:
 
 async def test_a_line_that_would_never_fit_is_refused_before_it_is_sent() -> None:
     async with opened(Wire()) as controller:
-        with pytest.raises(ProgramError, match="Line 3 has 127 bytes"):
+        with pytest.raises(ProgramError, match="Line 3 of the program has 127 bytes"):
             await controller.send(b"(" + b"x" * 126, 3)
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.gateway.interpreter import Block, Interpreter, Refused, switches
+from knifetip.gateway.interpreter import Block, Interpreter, LineRefused, switches_output
 from knifetip.gateway.motion import Move
 
 
@@ -27,7 +27,7 @@ def moved(block: Block) -> Move:
 
 
 def code(*lines: bytes) -> int:
-    with pytest.raises(Refused) as refused:
+    with pytest.raises(LineRefused) as refused:
         read(*lines)
     return refused.value.code
 
@@ -111,7 +111,7 @@ def test_outputs_are_read_with_their_number() -> None:
     [(b"M64 P1", True), (b"m65p0", True), (b"G0 X1 (M64 P1)", False), (b"G4 P0.64", False)],
 )
 def test_lines_that_switch_outputs_are_told_apart(line: bytes, answer: bool) -> None:
-    assert switches(line) is answer
+    assert switches_output(line) is answer
 
 
 @pytest.mark.parametrize(
@@ -146,12 +146,12 @@ def test_wrong_lines_get_grbls_number(lines: tuple[bytes, ...], expected: int) -
 def test_a_refused_line_leaves_the_state_as_it_was() -> None:
     interpreter = Interpreter()
     interpreter.read(b"G1 X10 F600")
-    with pytest.raises(Refused):
+    with pytest.raises(LineRefused):
         interpreter.read(b"G91 G1 X5 Q7")
     assert moved(interpreter.read(b"X20")).end[0] == 20.0
 
 
 @given(st.binary(max_size=120))
 def test_no_line_at_all_breaks_the_interpreter(line: bytes) -> None:
-    with suppress(Refused):
+    with suppress(LineRefused):
         assert Interpreter().read(line).dwell in (None, 0.0) or b"4" in line

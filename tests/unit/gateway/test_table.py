@@ -94,7 +94,7 @@ async def test_outputs_act_when_they_are_read_and_oscillation_waits() -> None:
     said = bench.tell(b"G1 X100 F6000\nM64 P1\nM3 S1\n", elapse=0.5)
     assert said == ["ok", "ok"]
     assert bench.table.outputs == {1: True}
-    assert bench.table.switched[0].position[0] == 0.0
+    assert bench.table.switch_events[0].position[0] == 0.0
     assert not bench.table.oscillating
     assert bench.tell(b"", elapse=1.0) == ["ok"]
     assert bench.table.oscillating

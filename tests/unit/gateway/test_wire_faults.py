@@ -163,7 +163,11 @@ async def bench() -> AsyncIterator[Bench]:
 async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench: Bench) -> None:
     progress = await bench.run()
     assert progress.executed == progress.lines == LINES
-    assert [event.on for event in bench.table.switched if event.output == 1] == [False, True, False]
+    assert [event.on for event in bench.table.switch_events if event.output == 1] == [
+        False,
+        True,
+        False,
+    ]
     bench.assert_safe()
 
 

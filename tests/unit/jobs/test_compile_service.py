@@ -237,7 +237,7 @@ def test_only_a_process_that_gateways_reach_takes_jobs_from_them(
 ) -> None:
     asked: list[bool] = []
     monkeypatch.setattr(
-        "knifetip.jobs.compile_service.Grace.over", lambda _grace, _now: len(asked) >= 1
+        "knifetip.jobs.compile_service.Grace.is_over", lambda _grace, _now: len(asked) >= 1
     )
 
     def sweep(*, gateways: bool) -> bool:

@@ -7,23 +7,23 @@ from knifetip.jobs.transitions import LEASE
 def seconds(grace: Grace, start: float, count: float) -> bool:
     """Let a process listen for so many seconds, one by one."""
     now = start
-    over = grace.over(now)
+    over = grace.is_over(now)
     while now < start + count:
         now += 1.0
-        over = grace.over(now)
+        over = grace.is_over(now)
     return over
 
 
 def test_a_process_that_has_just_started_waits_one_lease() -> None:
     grace = Grace()
     assert not seconds(grace, 1000.0, LEASE)
-    assert grace.over(1000.0 + LEASE + 1.0)
+    assert grace.is_over(1000.0 + LEASE + 1.0)
 
 
 def test_a_process_that_was_suspended_waits_anew() -> None:
     grace = Grace()
     assert seconds(grace, 1000.0, LEASE + 5.0)
-    assert not grace.over(5000.0)
+    assert not grace.is_over(5000.0)
     assert not seconds(grace, 5001.0, LEASE - 2.0)
     assert seconds(grace, 5001.0 + LEASE - 1.0, 3.0)
 
@@ -31,4 +31,4 @@ def test_a_process_that_was_suspended_waits_anew() -> None:
 def test_a_clock_that_was_set_back_interrupts_nothing() -> None:
     grace = Grace()
     assert seconds(grace, 1000.0, LEASE + 5.0)
-    assert not grace.over(500.0)
+    assert not grace.is_over(500.0)

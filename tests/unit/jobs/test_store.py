@@ -561,7 +561,7 @@ def test_a_heartbeat_keeps_a_waiting_claim_alive_and_its_machine_connected(
         clock.now += LEASE / 2
         assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
         store.leases.run()
-        assert store.gateways.connected(1.0) == {"table"}
+        assert store.gateways.connected_machines(1.0) == {"table"}
     assert store.jobs.get(job.id).owner == "gateway"
 
 
@@ -981,16 +981,16 @@ def test_events_are_numbered_upwards_and_never_twice(store: Store) -> None:
 def test_a_gateway_is_connected_while_it_asks_and_while_it_works(
     store: Store, clock: Clock
 ) -> None:
-    assert store.gateways.connected(6.0) == set()
+    assert store.gateways.connected_machines(6.0) == set()
     store.gateways.record_contact("table", "gateway")
     store.gateways.record_contact("table", "gateway")
-    assert store.gateways.connected(6.0) == {"table"}
+    assert store.gateways.connected_machines(6.0) == {"table"}
     clock.now += 7.0
-    assert store.gateways.connected(6.0) == set()
+    assert store.gateways.connected_machines(6.0) == set()
     job = running(store)
-    assert store.gateways.connected(6.0) == {"table"}
+    assert store.gateways.connected_machines(6.0) == {"table"}
     clock.now += LEASE + 1.0
-    assert store.gateways.connected(6.0) == set()
+    assert store.gateways.connected_machines(6.0) == set()
     assert store.jobs.get(job.id).state == "running"
 
 

@@ -22,7 +22,7 @@ from knifetip.gateway.controller import Observer, SafeState, State, Status
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.grbl.receive_buffer import PendingLine
-from knifetip.gateway.interpreter import switches
+from knifetip.gateway.interpreter import switches_output
 from knifetip.gateway.transport import Transport, connect
 
 #: Time between two status requests while the machine comes to rest (s).
@@ -193,7 +193,7 @@ class Grbl:
             for number, line in enumerate(lines, 1):
                 if connection.refusals:
                     break
-                if not switches(line):
+                if not switches_output(line):
                     await self.send(line, number)
             await self.drain()
             # The controller resets itself when it leaves check mode.

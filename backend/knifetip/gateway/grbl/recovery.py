@@ -1,8 +1,7 @@
 """recovery: bring a machine into its safe state after a fault, after a cancel, or at takeover.
 
-hold -> wait for rest -> reset -> unlock (where allowed) -> lift Z -> spindle off -> outputs off
-
-The reasons for this order, and for clearing alarms, are in docs/decisions/0019.
+The steps are: hold, wait for rest, reset, unlock if the alarm permits it, lift Z, switch the
+spindle off, switch the outputs off.  The reasons for this order are in docs/decisions/0019.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ class Recoverable(Protocol):
 
     @property
     def last_alarm(self) -> int:
-        """Code of the last ``ALARM`` heard on this connection, 0 for none."""
+        """Code of the present alarm, 0 if none was received."""
         ...
 
     async def reach(self) -> None:
@@ -69,16 +68,16 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
     """Stop and discard the running program, and bring the machine into its safe state.
 
     Retries for ``6 * silence`` seconds if the controller does not answer or the connection is
-    lost.
+    lost.  Returns the last status.
 
     Raises
     ------
     ControllerAlarm
         An alarm locks the machine; a person must clear it.
     ControllerRejected
-        It refuses to release an output; all other steps were done.
+        The controller refuses the lift or an output; all other steps were done.
     ControllerError
-        It could not be reached.
+        The controller could not be reached.
     """
     clock = asyncio.get_running_loop()
     deadline = clock.time() + 6.0 * silence
@@ -102,16 +101,17 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
 
 
 async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Lift Z, stop the spindle and switch off every output of a machine at rest.
+    """Lift Z, stop the spindle and switch off every output of a machine at rest; return the status.
 
-    Z is first, so that a tool in the board leaves it along its axis.
+    Z is first, so that a tool in the board leaves it along its axis.  With ``safe`` None nothing
+    is done.
 
     Raises
     ------
     ControllerRejected
-        The controller refuses the lift or an output; all others were switched off.
+        The controller refuses the lift or an output; all other outputs were switched off.
     ControllerError
-        The machine is not idle, or did not answer.
+        The machine is not idle, or the controller did not answer.
     """
     status = await machine.report()
     if safe is None:
@@ -124,7 +124,7 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
             await machine.command(b"$J=G90 G21 Z%.4f F%.0f" % (safe.lift, LIFT_FEED))
         except ControllerRejected as refused:
             refusals.append(refused)
-        status = await _idle(machine, silence + LIFT_SECONDS)
+        status = await _wait_until_idle(machine, silence + LIFT_SECONDS)
     for line in (b"M5", *(b"M65 P%d" % output for output in safe.outputs)):
         try:
             await machine.command(line)
@@ -150,8 +150,14 @@ async def _hold(machine: Recoverable, silence: float) -> None:
 
 
 async def _unlock(machine: Recoverable) -> None:
-    """Clear the alarm if it is one of ``UNLOCKABLE``."""
-    locked = _locked(machine)
+    """Clear the alarm if it is one of ``UNLOCKABLE``.
+
+    Raises
+    ------
+    ControllerAlarm
+        It is another alarm, or the controller refuses to clear it.
+    """
+    locked = _locked_error(machine)
     if machine.last_alarm not in UNLOCKABLE:
         raise locked
     try:
@@ -160,7 +166,7 @@ async def _unlock(machine: Recoverable) -> None:
         raise locked from None
 
 
-def _locked(machine: Recoverable) -> ControllerAlarm:
+def _locked_error(machine: Recoverable) -> ControllerAlarm:
     code = machine.last_alarm
     cause = Message("controller.alarm-unknown")
     if code > 0:
@@ -168,15 +174,21 @@ def _locked(machine: Recoverable) -> ControllerAlarm:
     return ControllerAlarm("controller.locked", name=machine.name, cause=cause)
 
 
-async def _idle(machine: Recoverable, seconds: float) -> Status:
-    """Wait until the lift has ended."""
+async def _wait_until_idle(machine: Recoverable, seconds: float) -> Status:
+    """Wait until the lift has ended, and return the status.
+
+    Raises
+    ------
+    ControllerError
+        The controller is in alarm, or is not idle after ``seconds``.
+    """
     idle = 0
     try:
         async with asyncio.timeout(seconds):
             while True:
                 status = await machine.report()
                 if status.state is State.ALARM:
-                    raise _locked(machine)
+                    raise _locked_error(machine)
                 idle = idle + 1 if status.state is State.IDLE else 0
                 if idle >= 2:
                     return status

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from knifetip.gateway.controller import State, Status
-from knifetip.gateway.executed import Executed, lines_of
 from knifetip.gateway.motion import Limits
+from knifetip.gateway.program_follower import ProgramFollower, lines_of
 
 LIMITS = Limits((1000.0,) * 4, (1000.0,) * 4, (-math.inf,) * 4, (math.inf,) * 4)
 
@@ -37,8 +37,8 @@ def at(
     return Status(State.RUN, (x, y, z, c), 0, False, number, free)
 
 
-def followed(text: bytes = GROOVE) -> Executed:
-    return Executed(text, LIMITS)
+def followed(text: bytes = GROOVE) -> ProgramFollower:
+    return ProgramFollower(text, LIMITS)
 
 
 def test_lines_come_one_by_one_with_or_without_a_last_newline() -> None:

@@ -1,10 +1,10 @@
-"""executed: find the program line that the machine is executing, from its status reports.
+"""program_follower: find the program line that the machine is executing, from its status reports.
 
 N words are not added, because the program must run exactly as it was verified.  Three facts are
 combined, each of which is reliable by itself:
 
 - a line that waits for all motion (G4, M3, M5, M30) was answered: all lines before it are done;
-- the field ``Bf`` of a report: at most the planner blocks in use are answered and not executed;
+- the field ``Bf`` of a report: answered moves beyond the planner blocks in use are executed;
 - the position: the first pending move that passes through it is being executed.
 
 If a program has N words and the controller reports ``Ln``, ``Ln`` is the line.  The search only
@@ -19,8 +19,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from knifetip.gateway.controller import Status
-from knifetip.gateway.interpreter import NOTHING as NO_BLOCK
-from knifetip.gateway.interpreter import Block, Interpreter, Refused
+from knifetip.gateway.interpreter import EMPTY_BLOCK, Block, Interpreter, LineRefused
 from knifetip.gateway.motion import NOTHING, Limits, Pose
 
 #: Largest distance of a reported position from its move (mm and degrees): steps, chords, rounding.
@@ -54,8 +53,8 @@ def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block
     for line in lines_of(text):
         try:
             yield interpreter.read(line)
-        except Refused:
-            yield NO_BLOCK
+        except LineRefused:
+            yield EMPTY_BLOCK
 
 
 def seconds_of(block: Block, limits: Limits) -> float:
@@ -63,8 +62,18 @@ def seconds_of(block: Block, limits: Limits) -> float:
     return (block.dwell or 0.0) + (block.move.seconds(limits) if block.move else 0.0)
 
 
-class Executed:
-    """The executed lines of a running program, followed from status reports."""
+class ProgramFollower:
+    """Follows a running program by status reports and counts its executed lines.
+
+    Parameters
+    ----------
+    text
+        The program.
+    limits
+        Limits of the axes, for nominal durations.
+    start
+        Pose at the start of the program.
+    """
 
     def __init__(self, text: bytes, limits: Limits, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
         self._blocks = blocks_of(text, start)
@@ -127,8 +136,9 @@ class Executed:
         return found
 
     def _take(self, acknowledged: int) -> None:
-        """Interpret lines up to the last answered line; a line that waits for motion completes all
-        before it.
+        """Interpret lines up to the last answered line.
+
+        All lines before an answered line that waits for motion are executed.
         """
         while self._read < acknowledged and (block := next(self._blocks, None)) is not None:
             self._window.append(_Line(block, seconds_of(block, self._limits)))
