@@ -92,14 +92,21 @@ class _GatewayLoop:
 
     async def _report_unfinished(self) -> None:
         """Report a job during which the gateway was switched off, until the server answers."""
-        if (left := self._journal.unfinished()) is None:
+        if (unfinished := self._journal.unfinished()) is None:
             return
-        outcome, cause = left.outcome, left.cause
-        if not outcome and left.copies_done >= left.copies:
+        outcome, cause = unfinished.outcome, unfinished.cause
+        if not outcome and unfinished.copies_done >= unfinished.copies:
             outcome, cause = "done", Message("gateway.switched-off-before-report")
         elif not outcome:
             outcome, cause = "interrupted", Message("gateway.switched-off")
-        ended = JobEnd(left.job, left.epoch, outcome, cause, left.line, left.copies_done)
+        ended = JobEnd(
+            unfinished.job,
+            unfinished.epoch,
+            outcome,
+            cause,
+            unfinished.line,
+            unfinished.copies_done,
+        )
         await self._server.finish(ended)
 
     async def _recover(self) -> None:
@@ -299,12 +306,12 @@ async def run_gateway(
     jobs
         Number of jobs after which to return; None for no limit.
     """
-    own = httpx.AsyncClient() if client is None else client
-    own.headers.update({"X-Knifetip": "gateway", **settings.headers})
+    http = httpx.AsyncClient() if client is None else client
+    http.headers.update({"X-Knifetip": "gateway", **settings.headers})
     journal = Journal(settings.journal)
     try:
-        server = JobServer(own, settings, journal)
+        server = JobServer(http, settings, journal)
         await _GatewayLoop(settings, connect, server, journal).run(jobs)
     finally:
         if client is None:
-            await own.aclose()
+            await http.aclose()

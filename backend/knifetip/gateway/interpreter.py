@@ -58,7 +58,7 @@ class Block:
     """The effect of one program line; the fields are in the order of execution."""
 
     number: int = 0  #: value of the N word
-    output: int = -1  #: digital output that it switches
+    output: int = -1  #: digital output that it switches, -1 for none
     on: bool = False  #: whether the output is switched on
     oscillation: bool | None = None  #: M3 and M5
     dwell: float | None = None  #: G4 (s)

@@ -62,7 +62,7 @@ class JobRun:
         self.copy_running = False  #: a copy is running, of which ``line`` lines are executed
         self.waiting = (
             claim.confirm
-        )  #: for the operator's confirmation; nothing is sent to the machine yet
+        )  #: the operator has not confirmed yet; nothing is sent to the machine
         self.held = False
         self.position: Pose | None = None
         self.seconds_left: float | None = None

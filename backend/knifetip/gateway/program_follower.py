@@ -84,8 +84,8 @@ class ProgramFollower:
         self._moves = 0  # moves in the window
         self._read = 0  # lines that have entered the window
         self._fraction = 0.0  # of the line being executed
-        self.lines = 0  #: executed
-        self.seconds = 0.0  #: nominal, of what has been executed
+        self.lines = 0  #: number of executed lines
+        self.seconds = 0.0  #: nominal duration of the executed lines
         self.output = -1  #: digital output last switched on by an executed line
 
     def update(self, status: Status, acknowledged: int, capacity: int | None) -> int:

@@ -48,7 +48,7 @@ class Progress:
 
     executed: int  #: executed lines; the machine is at the next one
     acknowledged: int  #: lines answered by the controller
-    lines: int  #: of the program
+    lines: int  #: number of lines of the program
     position: Pose  #: X, Y, Z, C in work coordinates
     state: State
     output: int  #: digital output last switched on (the station in use), -1 for none

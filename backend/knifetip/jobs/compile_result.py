@@ -17,8 +17,8 @@ class CompileResult:
     program: bytes
     sha256: str
     lines: int
-    toolpath: bytes  #: see ``columns``
-    verdict: bytes  #: see ``columns``
+    toolpath: bytes  #: see ``presentation.toolpath``
+    verdict: bytes  #: see ``presentation.verdict``
     verdict_summary: dict[
         str, Any
     ]  #: greatest deviations and durations, see ``presentation.verdict``

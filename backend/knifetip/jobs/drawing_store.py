@@ -28,7 +28,7 @@ class NewDrawing:
     sha256: str  #: of the file
     interpretation: Interpretation
     summary: dict[str, Any]  #: see ``tables.Drawing``
-    edges: bytes  #: see ``columns``
+    edges: bytes  #: packed ``EdgeTable``
     import_report: bytes  #: JSON, deflated
 
 

@@ -53,7 +53,7 @@ class Queue:
     first: str  #: next job to be claimed; empty if none
     ahead: str  #: job on the table, or claimed and not confirmed; empty if none
     ahead_state: str
-    connected: bool  #: whether a gateway made a request recently
+    connected: bool  #: whether a gateway is connected, see ``connected_machines``
 
 
 class GatewayStore:
@@ -75,12 +75,12 @@ class GatewayStore:
         lease of a job.
         """
         now = self._db.clock()
-        asking = sa.select(Gateway.machine).where(Gateway.seen > now - within)
-        working = sa.select(Job.machine).where(
+        recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - within)
+        leased_jobs = sa.select(Job.machine).where(
             sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
         )
         with self._db.reading() as session:
-            return {*session.scalars(asking), *session.scalars(working)}
+            return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
 
     def jobs_on_tables(self) -> dict[str, str]:
         """Return the id of the job on the table of each machine, by machine."""
@@ -102,10 +102,10 @@ class GatewayStore:
         )
         found: dict[str, Queue] = {}
         with self._db.reading() as session:
-            taken = {row.machine: row for row in session.execute(ahead)}
+            jobs_ahead = {row.machine: row for row in session.execute(ahead)}
             for machine in machines:
                 first = session.scalar(_next_queued(machine).with_only_columns(Job.id)) or ""
-                other = taken.get(machine)
+                other = jobs_ahead.get(machine)
                 found[machine] = Queue(
                     first,
                     "" if other is None else other.id,
@@ -383,9 +383,9 @@ class GatewayStore:
             if late:
                 event = Message("job.late-report", report=event)
         elif goal is State.INTERRUPTED:
-            left = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
-            event = left.message
-            ended |= {"message": event, "line": left.line, "copies_done": left.copies_done}
+            stop = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
+            event = stop.message
+            ended |= {"message": event, "line": stop.line, "copies_done": stop.copies_done}
             if late:
                 if event != row.message:
                     self._change(session, row, ended)

@@ -37,12 +37,12 @@ def interruption(
     """
     at = row.line if line is None else min(line, row.lines)
     done = row.copies_done if copies_done is None else min(copies_done, row.copies)
-    whole = 0 < row.lines == at
-    if whole and row.state in (State.HELD, State.INTERRUPTED) and 0 < done < row.copies:
+    fully_executed = 0 < row.lines == at
+    if fully_executed and row.state in (State.HELD, State.INTERRUPTED) and 0 < done < row.copies:
         # Between two copies ``line`` is the last line of the completed copy.
-        at, whole = 0, False
-    elif whole and done + 1 < row.copies:
-        at, done, whole = 0, done + 1, False
+        at, fully_executed = 0, False
+    elif fully_executed and done + 1 < row.copies:
+        at, done, fully_executed = 0, done + 1, False
     if at == 0 and 0 < done < row.copies:
         message = Message(
             "job.interrupted-between-copies", copy=done, copies=row.copies, cause=cause
@@ -52,7 +52,7 @@ def interruption(
     if row.copies > 1:
         copy = Message("job.of-copy", copy=min(done + 1, row.copies), copies=row.copies)
     message = Message(
-        "job.interrupted-at-end" if whole else "job.interrupted",
+        "job.interrupted-at-end" if fully_executed else "job.interrupted",
         line=at,
         lines=row.lines,
         copy=copy,

@@ -278,8 +278,8 @@ class JobStore:
             if board and board != row.board:
                 raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
             confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
-            going = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
-            if confirmed and going:
+            starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
+            if confirmed and starts:
                 return row
             self._check_waiting(row)
             sheet = row.confirmation == Confirmation.SHEET

@@ -63,18 +63,18 @@ class LeaseSweep:
             if row is None or row.lease >= now:
                 return
             if row.state in LEASED:
-                left = interruption(row, Message("job.gateway-lost", gateway=row.owner))
+                stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
                 self._transitions.move(
                     session,
                     id,
                     Action.INTERRUPT,
                     CLOCK,
-                    left.message,
+                    stop.message,
                     epoch=row.epoch,
                     new_epoch=row.epoch + 1,
-                    line=left.line,
-                    copies_done=left.copies_done,
-                    message=left.message,
+                    line=stop.line,
+                    copies_done=stop.copies_done,
+                    message=stop.message,
                     seconds_left=None,
                     requested_action="",
                     confirmation=Confirmation.NONE.value,

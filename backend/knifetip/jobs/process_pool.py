@@ -153,10 +153,10 @@ class ProcessPool:
         """
         stage, fraction = Stage.READ, 0.0
         while True:
-            left = deadline - time.monotonic()
-            if left <= 0:
+            remaining = deadline - time.monotonic()
+            if remaining <= 0:
                 raise DrawingTooLarge("worker.timeout", stage=stage, seconds=limit)
-            if worker.pipe.poll(min(left, _LOOK)):
+            if worker.pipe.poll(min(remaining, _LOOK)):
                 kind, value = worker.pipe.recv()
                 if kind != "progress":
                     return kind, value

@@ -50,7 +50,7 @@ class Drawing(Base):
     sha256: Mapped[str] = mapped_column(sa.String(64))
     unit_given: Mapped[str] = mapped_column(
         sa.String(2)
-    )  #: set by the user; empty: that of the file
+    )  #: unit set by the user; empty for the unit of the file
     profile: Mapped[str] = mapped_column(sa.String(200))
     version: Mapped[int]  #: increases with each change, for optimistic locking
     #: TOML of the profile at classification; empty for one of the library
@@ -61,7 +61,7 @@ class Drawing(Base):
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
     content: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)
     overrides: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: (n,) 255 for none
-    edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: see ``columns``
+    edges: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: packed ``EdgeTable``
     import_report: Mapped[bytes] = mapped_column(sa.LargeBinary, deferred=True)  #: JSON, deflated
 
 

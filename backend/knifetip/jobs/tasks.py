@@ -47,7 +47,7 @@ class Reading:
     """Result of reading and classifying a drawing, as it is stored."""
 
     summary: dict[str, Any]
-    edges: bytes  #: see ``columns``
+    edges: bytes  #: packed ``EdgeTable``
     import_report: bytes  #: JSON, deflated
     overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
 

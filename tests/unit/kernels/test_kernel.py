@@ -247,15 +247,15 @@ def test_a_loaded_kernel_is_linked_into_one_that_is_compiled_later(tmp_path: Pat
     assert multiply("Duo") == "6 0"
 
 
-BROKEN_INDEXES = {
+BROKEN_FILES = {
     "truncated": b"\x80",
     "not a pickle": b"no pickle",
     "deleted class": pickle.dumps(numba.__version__) + b"cknifetip.kernels\nDeletedRecord\n.",
 }
 
 
-@pytest.mark.parametrize("index", BROKEN_INDEXES.values(), ids=BROKEN_INDEXES)
-def test_a_cache_index_that_cannot_be_loaded_is_overwritten(tmp_path: Path, index: bytes) -> None:
+@pytest.mark.parametrize("index", BROKEN_FILES.values(), ids=BROKEN_FILES)
+def test_a_cache_file_that_cannot_be_loaded_is_overwritten(tmp_path: Path, index: bytes) -> None:
     (tmp_path / "one.py").write_text(
         "from knifetip.kernels import kernel\n"
         "@kernel\ndef half(x: float) -> float:\n    return x / 2\n"
@@ -274,3 +274,7 @@ def test_a_cache_index_that_cannot_be_loaded_is_overwritten(tmp_path: Path, inde
     file.write_bytes(index)
     assert output() == "False 1.5 True"
     assert output() == "True 1.5 True"
+    (code,) = (tmp_path / "__pycache__").glob("one.half*.nbc")
+    code.write_bytes(index)
+    assert output() == "True 1.5 True"
+    assert code.stat().st_size > len(index)

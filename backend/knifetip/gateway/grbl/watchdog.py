@@ -150,11 +150,11 @@ class Watchdog:
         start = _now()
         while not self._at_once:
             due = start + (min(_SOON, self._poll) if self._soon else self._interval())
-            if (left := due - _now()) <= 0.0:
+            if (remaining := due - _now()) <= 0.0:
                 break
             self._wake.clear()
             with suppress(TimeoutError):
-                async with asyncio.timeout(left):
+                async with asyncio.timeout(remaining):
                     await self._wake.wait()
         self._soon = self._at_once = False
 
