@@ -48,7 +48,7 @@ class GatewayReport:
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """The first job in the queue of a machine, and the job that the machine has before it."""
+    """State of the queue of a machine: its first job, and the job ahead of it on the machine."""
 
     first: str  #: next job to be claimed; empty if none
     ahead: str  #: job on the table, or claimed and not confirmed; empty if none

@@ -1801,7 +1801,7 @@ export interface components {
             requested_action: "" | "hold" | "resume" | "cancel";
             /**
              * Stage
-             * @description Stage of the compile; empty while the job is not being compiled
+             * @description Stage of the compile; `prepare` while the server compiles functions that the job needs; empty while the job is not being compiled
              */
             stage: components["schemas"]["Stage"] | "";
             /**
@@ -2017,7 +2017,7 @@ export interface components {
         };
         /**
          * OperatorAction
-         * @description What an operator can do with a job, in the order in which it is offered.
+         * @description Actions of an operator on a job, in the order in which the page offers them.
          * @enum {string}
          */
         OperatorAction: "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
