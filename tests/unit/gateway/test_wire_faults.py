@@ -111,11 +111,14 @@ class Bench:
     def __init__(self) -> None:
         self.table = Table(MACHINE)
         self.wire = Wire(self.table)
+        self.reachable = True  # after the connection was lost
         self.controller = Grbl(
             self.wire, safe=SAFE, reconnect=self._reconnect, silence=SILENCE, poll=0.01
         )
 
     async def _reconnect(self) -> Wire:
+        if not self.reachable:
+            raise ControllerError("controller.unreachable", address="wire", reason="off")
         self.wire = Wire(self.table)
         return self.wire
 
@@ -244,12 +247,9 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
 
 
 async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_not_safe(
-    bench: Bench, monkeypatch: pytest.MonkeyPatch
+    bench: Bench,
 ) -> None:
-    async def nobody() -> Wire:
-        raise ControllerError("controller.unreachable", address="wire", reason="off")
-
-    monkeypatch.setattr(bench.controller, "_reconnect", nobody)
+    bench.reachable = False
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError, match="The machine is not safe: No controller answers"):
         await bench.run()

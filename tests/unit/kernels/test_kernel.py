@@ -275,6 +275,6 @@ def test_a_cache_file_that_cannot_be_loaded_is_overwritten(tmp_path: Path, index
     assert output() == "False 1.5 True"
     assert output() == "True 1.5 True"
     (code,) = (tmp_path / "__pycache__").glob("one.half*.nbc")
-    code.write_bytes(index)
+    code.write_bytes(b"cknifetip.kernels\nDeletedRecord\n.")
     assert output() == "True 1.5 True"
-    assert code.stat().st_size > len(index)
+    assert code.stat().st_size > 1000
