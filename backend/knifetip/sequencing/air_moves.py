@@ -1,12 +1,12 @@
 """air_moves: moves of the head from the end of one track to the start of the next.
 
-    poses of the head, its tool, face and outline of the board -> the lift that a turn needs
-
-The head moves straight while C turns by the smaller angle.  The tool is lifted along its own axis
-by exactly the depth at which it would cut the board; not at all if the turn is outside the board.
+In an air move the head travels straight while C turns by the smaller angle.  The tool is lifted
+along its own axis by exactly the depth at which it would cut the board.  It is not lifted if the
+whole turn is outside the board.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", sections 1 to 3.
-The travel of C, tilted blades and the proof that a turn is free are our derivation.
+The limits of C, tilted blades and the test whether a turn stays outside the board are our
+derivation.
 """
 
 from __future__ import annotations
@@ -30,7 +30,10 @@ _FLATTEST: Final = 89.0
 
 
 def tool_axis(c: F64, circle: TipCircle) -> F64:
-    """Return the unit vector from the tip into the tool at each heading ``c`` (degrees), (n, 3)."""
+    """Return the unit vector along the tool's axis, from its tip upwards, at each heading, (n, 3).
+
+    ``c`` are the headings (degrees); ``circle`` contains the tilt of the tool.
+    """
     tilt, heading = math.radians(circle.tilt), np.radians(c)
     sideways = math.sin(tilt)
     return np.column_stack(
@@ -43,16 +46,17 @@ def tool_axis(c: F64, circle: TipCircle) -> F64:
 
 
 def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
-    """Return poses along a turn, (N + 1, 4): position and heading change in equal steps.
+    """Return N + 1 poses along a turn, (N + 1, 4), with equal steps of position and heading.
 
-    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δc| / δ_s⌉), section 2.  One G0 with X Y Z C passes through all of them.
+    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δs| / δ_s⌉), where Δs is the travel of the head (section 2 of the
+    source).  One rapid along X, Y, Z and C passes through all of these poses.
 
     Parameters
     ----------
     start, end : (4,) x y z in mm, c in degrees
-        The C of ``end`` is the one to which the smaller angle leads.
+        First and last pose.  C changes from the value in ``start`` to the value in ``end``.
     step_c, step : degrees, mm
-        δ_c and δ_s, the greatest distances between two poses.
+        δ_c and δ_s, the largest permitted steps of heading and position.
     """
     turn = abs(end[3] - start[3])
     travel = math.dist(start[:3], end[:3])
@@ -62,13 +66,16 @@ def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
 
 
 def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | None = None) -> F64:
-    """Return the depth of the lowest point of the tip circle below the board's face, (n,) mm.
+    """Return the depth of the lowest point of the tip circle below the board's top face, (n,) mm.
 
-    It is 0 above the face, and if the entire circle is outside the board.
+    It is 0 if that point is above the top face, or if the entire circle is outside the board.
 
     Parameters
     ----------
     pose : (n, 4) x y z in mm, c in degrees
+        Poses of the head.
+    circle
+        The circle that contains every point of the tool's tip, with the tool's tilt.
     face : mm
         Height of the board's top face.
     outline : closed Paths
@@ -85,19 +92,23 @@ def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | Non
 
 
 def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
-    """Return the poses lifted along the tool's axis by an interference depth, (n, 4).
+    """Return the poses lifted along the tool's axis until they clear the board, (n, 4).
 
     ::
 
         d' = D / cos b        r' = r + d' a                        eqs 1, 2
 
-    Equation 2 is printed without its sign; a points from the tip into the tool.  b is the tilt.
+    Here r is the position, a the unit vector from the tip into the tool, and b the tilt of the
+    tool.  The source prints equation 2 without its sign.
 
     Parameters
     ----------
-    pose : (n, 4)
+    pose : (n, 4) x y z in mm, c in degrees
+        Poses of the head.
     depth : (n,) mm
-        D, from ``interference``.
+        D, the depth of the tool in the board at each pose, from ``interference``.
+    circle
+        Contains the tilt of the tool.
 
     Raises
     ------
@@ -120,13 +131,15 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
     ----------
     start, end : (n, 4) x y z in mm, c in degrees
         Poses at the start and the end of each turn.
+    circle
+        The circle that contains every point of the tool's tip.
     outline : closed Paths
         Outline of the board with its holes.
 
     Notes
     -----
-    This is a proof, not a sample: if the circle is outside the board by a distance, the next pose
-    that is tested is the first at which the circle could have come nearer by that distance.
+    The test cannot miss a contact between two poses: the step to the next tested pose is never
+    longer than the distance of the circle from the board.
     """
     result: Bool = _turns_outside(
         np.ascontiguousarray(start),
@@ -141,10 +154,10 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 
 
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with a full retract at every turn, for comparison with the paper.
+    """Return the toolpath with a full retract at every turn, as the source does it, for comparison.
 
-    Every rapid below the machine's travel height first goes up to that height, then across, then
-    down.
+    Every rapid below the machine's travel height is replaced by a lift to that height, a move at
+    that height, and a descent.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z
@@ -175,50 +188,52 @@ def unwind(
     end: F64_1,
     least: F64_1,
     most: F64_1,
-    here: float,
+    heading: float,
     low: float,
     high: float,
     period: float,
 ) -> Any:
-    """Return the multiple of the period to add to the headings of each run of moves, (t,) degrees.
+    """Return the angle to add to all headings of each pass, (t,) degrees, a multiple of ``period``.
 
-    Between runs C turns by the smaller angle.  If the angles either way are half a period, the
-    multiple is chosen that leaves C nearer to the middle of its travel.
+    The multiple is chosen so that C turns by the smaller angle from one pass to the next.  If both
+    directions need the same angle, the multiple is chosen that leaves C nearer to the middle of its
+    limits.
 
     Parameters
     ----------
     start, end, least, most : (t,) degrees
-        Headings at the start and the end of each run, and its extremes.
-    here : degrees
-        Heading before the first run.
+        First, last, smallest and largest heading of each pass.
+    heading : degrees
+        Heading before the first pass.
     low, high : degrees
-        Travel of C; a run that does not fit into it is placed nearest to it.
+        Limits of C.  A pass that cannot be within both limits stays below the upper limit.
     period : degrees
-        Rotation after which the tool is the same: 360, or 180 if it is symmetric.
+        Rotation after which the tool is the same: 360, or 180 if the tool is symmetric.
     """
     shift = np.empty(len(start))
-    for run in range(len(start)):
-        wanted = (here - start[run]) / period
+    for number in range(len(start)):
+        wanted = (heading - start[number]) / period
         turns = np.floor(wanted + 0.5)
         # Half a period, within the rounding of the compensation.
         if abs(wanted - np.floor(wanted) - 0.5) < 1e-9:
             below = np.floor(wanted)
-            middle = (low + high) / 2.0 - (least[run] + most[run]) / 2.0
+            middle = (low + high) / 2.0 - (least[number] + most[number]) / 2.0
             near = abs(below * period - middle) <= abs((below + 1.0) * period - middle)
             turns = below if near else below + 1.0
-        turns = max(turns, np.ceil((low - least[run]) / period))
-        turns = min(turns, np.floor((high - most[run]) / period))
-        shift[run] = turns * period
-        here = end[run] + shift[run]
+        turns = max(turns, np.ceil((low - least[number]) / period))
+        turns = min(turns, np.floor((high - most[number]) / period))
+        shift[number] = turns * period
+        heading = end[number] + shift[number]
     return shift
 
 
 @kernel(checks_division=True)
 def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
-    """Return the distance of a point from closed chains of lines and arcs (mm), negative inside.
+    """Return the distance of the point (x, y) from closed chains, in mm; it is negative inside.
 
-    A point is inside if a ray from it crosses the chords an odd number of times; every arc with
-    the point between its chord and itself counts as one more crossing.
+    ``start``, ``end`` and ``bulge`` are the lines and arcs of the chains.  A point is inside if a
+    ray from it crosses the chords an odd number of times.  For every arc, the area between the arc
+    and its chord counts as one more crossing if the point is in it.
     """
     nearest = np.inf
     inside = False
@@ -256,7 +271,10 @@ def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1
 
 @kernel
 def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> Any:
-    """Return the distances of points from closed chains, (n,) mm, negative inside."""
+    """Return the distances of n points from closed chains, (n,) mm; they are negative inside.
+
+    ``start``, ``end`` and ``bulge`` are the lines and arcs of the chains.
+    """
     off = np.empty(len(point))
     for row in range(len(point)):
         off[row] = _distance_outside(point[row, 0], point[row, 1], start, end, bulge)
@@ -267,15 +285,16 @@ def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> 
 def _turns_outside(
     start: F64_2, end: F64_2, radius: float, aside: float, first: F64_2, last: F64_2, bulge: F64_1
 ) -> Any:
-    """Return the mask of the turns that are outside the board, (n,), by sphere tracing.
+    """Return the mask of the turns that stay outside the board, (n,), by sphere tracing.
 
     Parameters
     ----------
     start, end : (n, 4) x y z in mm, c in degrees
+        Poses at the start and the end of each turn.
     radius, aside : mm
         Radius of the tip circle, and distance of its centre to the left of the pose.
     first, last, bulge
-        Lines and arcs of the board's outline.
+        Start points, end points (mm) and bulges of the edges of the board's outline.
     """
     clear = np.zeros(len(start), np.bool_)
     for row in range(len(start)):

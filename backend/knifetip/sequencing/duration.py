@@ -1,13 +1,12 @@
-"""duration: estimate the time that the machine takes for a toolpath.
+"""duration: estimate the time that the machine takes for each row of a toolpath.
 
-    Toolpath, Machine -> seconds of every row
+Every move has a trapezoidal speed profile within the limits of all axes.  Look-ahead keeps the
+speed at tangent joints and stops the head at corners.  Dwells for pistons and the oscillation to
+settle are included, and so are the halts of the controller (see ``timing``).
 
-Every move has a trapezoidal speed profile within the limits of its axes.  Look-ahead keeps the
-speed at tangent joints and stops at corners.  Dwells are included: for pistons and the oscillation
-to settle, and where the controller halts (see ``timing``).
-
-Like in grblHAL, the length of a move includes all four axes, mm and degrees alike.  The limits are
-those of the single axes, so the time of a move does not depend on this convention.
+As in grblHAL, the length of a move is computed from all four axes, with mm and degrees added alike.
+The speed is limited for each axis separately, so the time of a move does not depend on this
+convention.
 """
 
 from __future__ import annotations
@@ -46,19 +45,19 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     toolpath : Toolpath
         One chain of moves, as ``sequence`` returns it.
     machine : Machine
-        The velocities and accelerations of its axes, settling time and controller language are
-        used.
+        The function uses the velocities and accelerations of its axes, its settling time, the
+        piercing times of its tools and its controller language.
 
     Notes
     -----
-    Per row, with Δᵢ the travel of axis i, L² = ΣΔᵢ², and t the time at the programmed feed::
+    For a row, Δᵢ is the travel of axis i, L² = ΣΔᵢ², and t the time at the programmed feed::
 
         v = min(L / t, vᵢ L / Δᵢ)      a = min aᵢ L / Δᵢ
 
-    On an arc Δx = Δy = its length, and v² ≤ a R limits the centripetal acceleration.  At a joint
-    the velocity of no axis jumps by more than aᵢ · ``JOLT``.  The simulated table agrees within
-    2 %; LinuxCNC took 12 to 21 % longer on the samples, since its halts are modelled but not its
-    blending.
+    On an arc, Δx and Δy are the length of the arc, and v² ≤ a R limits the centripetal
+    acceleration, with the radius R.  At a joint the velocity of axis i jumps by at most aᵢ ·
+    ``JOLT``.  The simulated table agrees within 2 %.  LinuxCNC took 12 to 21 % longer on the
+    samples, because its blending of moves is not modelled.
     """
     if len(toolpath) == 0:
         return np.zeros(0)
@@ -107,9 +106,11 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
 
 def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
-    """Return the mask of the rows at whose start a beam is switched, and the piercing times (s).
+    """Return the mask of the rows at whose start a beam is switched on or off, and the piercing
+    times.
 
-    Both are (n,); a piercing time is 0 unless the beam is switched on.
+    Both arrays have one entry per row, (n,).  The piercing time (s) is 0 unless the beam is
+    switched on at the start of the row.
     """
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)
@@ -133,7 +134,10 @@ def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
 
 
 def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
-    """Return the change of each axis per unit of length at both ends of each row, (n, 4) each."""
+    """Return the change of each axis per unit of length, at the start and at the end of each row.
+
+    ``length`` is the length of each row over all four axes, (n,); both results are (n, 4).
+    """
     change = np.diff(toolpath.pose, axis=0)
     first, last = change.copy(), change.copy()
     is_arc = np.abs(toolpath.bulge) >= BULGE
@@ -157,18 +161,22 @@ def _simulate(
     jolt: F64_1,
     stops: Bool_1,
 ) -> Any:
-    """Return the time of each row, (n,) s: joint speeds, backward look-ahead, forward trapezoids.
+    """Return the time of each row, (n,) s.
+
+    The highest permitted speed at each joint is reduced from the last row back to the first, so
+    that the machine can always slow down in time.  Then each row gets a trapezoidal speed profile.
 
     Parameters
     ----------
     length, velocity, acceleration : (n,)
-        Length of each row, and its limits; rows without length take no time.
+        Length of each row, and its greatest velocity and acceleration; rows of length 0 take no
+        time.
     first, last : (n, 4)
         Change of each axis per unit of length at the start and the end of each row.
     jolt : (4,)
-        Greatest jump of the velocity of each axis at a joint.
+        Greatest permitted jump of the velocity of each axis at a joint.
     stops : (n,)
-        Whether each row starts at rest.
+        Whether the machine is at rest at the start of each row.
     """
     count = len(length)
     times = np.zeros(count)

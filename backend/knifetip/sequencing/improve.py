@@ -1,12 +1,11 @@
-"""improve: local search for a shorter tour of tracks.
+"""improve: shorten a tour of tracks by local search.
 
-    tour of tracks, link times, neighbours -> the same tracks in a shorter order
+2-opt and Or-opt moves are applied until none of them improves the tour.  Then two neighbouring
+sections of the tour, chosen at random, are swapped again and again.  Each swap is followed by the
+same local search, and undone if the tour is not shorter.
 
-2-opt and Or-opt until neither improves the tour; then random segment swaps.  Each swap is followed
-by the same local search, and undone if the tour is not shorter.
-
-A track is run forwards (side 0) or backwards (side 1).  ``reversal`` is a ``Reversal``.  ``ends``
-and ``rates`` are as in ``improve_tour``.
+A track is run forwards (side 0) or backwards (side 1).  ``improve_tour`` describes the arrays that
+the functions share.
 
 Source: Croes 1958 (2-opt), Or 1976, Martin, Otto & Felten 1991 (perturb and repair).
 """
@@ -31,19 +30,21 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Longest run that is reversed if the times of all links in it change.
-_LONGEST_RUN: Final = 50
+#: Longest section that is reversed if the times of all links in it change.
+_LONGEST_SECTION: Final = 50
 
 
 @kernel
-def _travel_time(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: F64_2) -> float:
-    """Return the time from the end of track a to the start of track b (s).
+def _travel_time(
+    before: int, side_before: int, after: int, side_after: int, ends: F64_4A, rates: F64_2
+) -> float:
+    """Return the time from the end of track ``before`` to the start of track ``after`` (s).
 
-    ``side_a`` and ``side_b`` are 0 for a track that is run forwards and 1 for backwards.
+    The sides are 0 for a track that is run forwards and 1 for a track that is run backwards.
     """
-    x = abs(ends[side_b, 0, b, 0] - ends[side_a, 1, a, 0])
-    y = abs(ends[side_b, 0, b, 1] - ends[side_a, 1, a, 1])
-    c = abs(ends[side_b, 0, b, 2] - ends[side_a, 1, a, 2])
+    x = abs(ends[side_after, 0, after, 0] - ends[side_before, 1, before, 0])
+    y = abs(ends[side_after, 0, after, 1] - ends[side_before, 1, before, 1])
+    c = abs(ends[side_after, 0, after, 2] - ends[side_before, 1, before, 2])
     c = min(c, rates[3, 0] - c)
     slowest = 0.0
     for axis, distance in ((0, x), (1, y), (2, c)):
@@ -57,29 +58,40 @@ def _travel_time(a: int, side_a: int, b: int, side_b: int, ends: F64_4A, rates: 
 
 @kernel
 def _link_time(
-    i: int, turn_i: int, j: int, turn_j: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    before: int,
+    flip_before: int,
+    after: int,
+    flip_after: int,
+    tour: I32_1,
+    side: U8_1,
+    ends: F64_4A,
+    rates: F64_2,
 ) -> float:
-    """Return the time from position i to position j of the tour (s); 0 if j is beyond its end.
+    """Return the time from tour position ``before`` to tour position ``after`` (s).
 
-    ``turn_i`` and ``turn_j`` are 1 if the track there is run opposite to ``side``.
+    ``flip_before`` and ``flip_after`` are 1 if the track at that position is run opposite to its
+    ``side``.  The time is 0 if ``after`` is beyond the end of the tour.
     """
-    if j >= len(tour):
+    if after >= len(tour):
         return 0.0
-    return _travel_time(tour[i], side[i] ^ turn_i, tour[j], side[j] ^ turn_j, ends, rates)
+    return _travel_time(
+        tour[before], side[before] ^ flip_before, tour[after], side[after] ^ flip_after, ends, rates
+    )
 
 
 @kernel
 def _inner_change(
-    i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return how much longer the links between positions i … j take if these are reversed (s).
+    """Return the increase of the link times inside a section of the tour if it is reversed (s).
 
-    With ``turn`` 1 the tracks are run the other way round too, which changes no link time.
+    The section reaches from position ``first`` to ``last``.  With ``flip`` 1 each track is also run
+    in its other direction; then no link time changes and the result is 0.
     """
-    if turn:
+    if flip:
         return 0.0
     more = 0.0
-    for place in range(i, j):
+    for place in range(first, last):
         more += _link_time(place + 1, 0, place, 0, tour, side, ends, rates)
         more -= _link_time(place, 0, place + 1, 0, tour, side, ends, rates)
     return more
@@ -87,59 +99,75 @@ def _inner_change(
 
 @kernel
 def _reversal_change(
-    i: int, j: int, turn: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+    first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return how much longer the tour takes if its positions i … j are reversed (s).
+    """Return the increase of the time of the tour if a section of it is reversed (s).
 
-    With ``turn`` 1 the tracks are run the other way round too.  Returns 0 if i is the origin or the
-    run is too long.
+    The section reaches from position ``first`` to ``last``.  With ``flip`` 1 each track is also run
+    in its other direction.  The result is 0, for no reversal, if the section contains the origin,
+    or if ``flip`` is 0 and it is longer than ``_LONGEST_SECTION``.  If the links at its two ends do
+    not become shorter in total, the links inside it are not counted.
     """
-    if i < 1 or (not turn and j - i > _LONGEST_RUN):
+    if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
-    more = _link_time(i - 1, 0, j, turn, tour, side, ends, rates)
-    more -= _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
-    if j + 1 < len(tour):
-        more += _link_time(i, turn, j + 1, 0, tour, side, ends, rates)
-        more -= _link_time(j, 0, j + 1, 0, tour, side, ends, rates)
+    more = _link_time(first - 1, 0, last, flip, tour, side, ends, rates)
+    more -= _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+    if last + 1 < len(tour):
+        more += _link_time(first, flip, last + 1, 0, tour, side, ends, rates)
+        more -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
     # A loss at the two ends is hardly ever regained inside, and computing that is costly.
     if more >= 0.0:
         return more
-    return more + _inner_change(i, j, turn, tour, side, ends, rates)
+    return more + _inner_change(first, last, flip, tour, side, ends, rates)
 
 
 @kernel
-def _removal_gain(s: int, e: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2) -> float:
-    """Return the time saved by removing positions s … e of the tour (s); 0 if not removable."""
-    if s < 1 or e >= len(tour):
-        return 0.0
-    saved = _link_time(s - 1, 0, s, 0, tour, side, ends, rates)
-    saved += _link_time(e, 0, e + 1, 0, tour, side, ends, rates)
-    return saved - _link_time(s - 1, 0, e + 1, 0, tour, side, ends, rates)
+def _removal_gain(
+    first: int, last: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+) -> float:
+    """Return the time saved by removing positions ``first`` to ``last`` from the tour (s).
 
-
-@kernel
-def _reverse(i: int, j: int, turn: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
-    """Reverse positions i … j of the tour in place; with ``turn`` 1 also the sides of their tracks.
-
-    Updates ``position``, the position of each track in the tour.
+    The result is 0 if the section contains the origin or reaches beyond the end of the tour.
     """
-    low, high = i, j
+    if first < 1 or last >= len(tour):
+        return 0.0
+    saved = _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+    saved += _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+    return saved - _link_time(first - 1, 0, last + 1, 0, tour, side, ends, rates)
+
+
+@kernel
+def _reverse(
+    first: int, last: int, flip: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
+) -> None:
+    """Reverse the section of the tour from position ``first`` to ``last``, in place.
+
+    With ``flip`` 1 the side of each track changes too.  ``position``, the position of each track in
+    the tour, is updated.
+    """
+    low, high = first, last
     while low < high:
         tour[low], tour[high] = tour[high], tour[low]
         side[low], side[high] = side[high], side[low]
         low += 1
         high -= 1
-    for place in range(i, j + 1):
-        side[place] ^= turn
+    for place in range(first, last + 1):
+        side[place] ^= flip
         position[tour[place]] = place
 
 
 @kernel
-def _swap(s: int, m: int, e: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1) -> None:
-    """Move positions m … e of the tour before positions s … m - 1, in place."""
-    _reverse(s, m - 1, 0, tour, side, position)
-    _reverse(m, e, 0, tour, side, position)
-    _reverse(s, e, 0, tour, side, position)
+def _swap(
+    first: int, middle: int, last: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
+) -> None:
+    """Swap two neighbouring sections of the tour in place.
+
+    The sections are positions ``first`` to ``middle - 1``, and ``middle`` to ``last``.
+    ``position``, the position of each track in the tour, is updated.
+    """
+    _reverse(first, middle - 1, 0, tour, side, position)
+    _reverse(middle, last, 0, tour, side, position)
+    _reverse(first, last, 0, tour, side, position)
 
 
 @kernel
@@ -152,46 +180,49 @@ def _improve_track(
     rates: F64_2,
     reversal: int,
     near: I32_2,
-    floor: F64_2,
+    least_time: F64_2,
 ) -> Any:
-    """Make the first change near a track that shortens the tour.
+    """Apply, in place, the first change near one track that is found to shorten the tour.
 
-    Returns the first and last position that changed and the change (s); (0, -1, 0) for none.
+    Returns the first and last position that changed, and the change of the tour's time (s,
+    negative).  Returns (0, -1, 0) if no change shortens the tour.
 
     Parameters
     ----------
+    track
+        The track at which the changed section starts or ends.
+    tour, side, ends, rates, reversal, near, least_time
+        As in ``improve_tour``.
     position
         Position of each track in the tour.
-    near, floor : (t, k) and (t, k)
-        Neighbours of each track, and lower bounds of the link times to them (s).
     """
     last = len(tour) - 1
     symmetric = 1 if reversal == 1 else 0
-    i = position[track]
+    here = position[track]
     if reversal == 2:
-        more = _link_time(i - 1, 0, i, 1, tour, side, ends, rates)
-        more -= _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
-        if i < last:
-            more += _link_time(i, 1, i + 1, 0, tour, side, ends, rates)
-            more -= _link_time(i, 0, i + 1, 0, tour, side, ends, rates)
+        more = _link_time(here - 1, 0, here, 1, tour, side, ends, rates)
+        more -= _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
+        if here < last:
+            more += _link_time(here, 1, here + 1, 0, tour, side, ends, rates)
+            more -= _link_time(here, 0, here + 1, 0, tour, side, ends, rates)
         if more < -1e-9:
-            side[i] ^= 1
-            return i, i, more
+            side[here] ^= 1
+            return here, here, more
     # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
-    longest = _link_time(i - 1, 0, i, 0, tour, side, ends, rates)
-    longest = max(longest, _link_time(i, 0, i + 1, 0, tour, side, ends, rates))
+    longest = _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
+    longest = max(longest, _link_time(here, 0, here + 1, 0, tour, side, ends, rates))
     freed = np.empty(6)
     for place in range(6):
-        s = i if place % 2 else i - place // 2
+        s = here if place % 2 else here - place // 2
         freed[place] = (
             _removal_gain(s, s + place // 2, tour, side, ends, rates) if place != 1 else 0.0
         )
     for rank in range(near.shape[1]):
-        if floor[track, rank] >= longest:
+        if least_time[track, rank] >= longest:
             break
         other = near[track, rank]
-        j = position[other]
-        low, high = min(i, j), max(i, j)
+        there = position[other]
+        low, high = min(here, there), max(here, there)
         more = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates)
         if more < -1e-9:
             _reverse(low + 1, high, symmetric, tour, side, position)
@@ -201,32 +232,32 @@ def _improve_track(
             _reverse(low, high - 1, symmetric, tour, side, position)
             return low, high - 1, more
         for place in range(6):
-            # Runs of one to three tracks that start or end at this track.
+            # Sections of one to three tracks that start or end at this track.
             size, ahead = place // 2 + 1, place % 2
-            s = i if ahead else i - size + 1
+            s = here if ahead else here - size + 1
             e = s + size - 1
-            if freed[place] <= 1e-9 or s <= j <= e:
+            if freed[place] <= 1e-9 or s <= there <= e:
                 continue
             # After or before the neighbour, reversed if needed to put the two side by side.
             for before in range(2):
-                k = j - before
+                k = there - before
                 back = before if ahead else 1 - before
                 if size == 1:
                     back = 0
                 if k < 0 or s - 1 <= k <= e:
                     continue
                 for _ in range(2 if size == 1 and reversal != 0 else 1):
-                    turn = back if (symmetric or size == 1) else 0
+                    flip = back if (symmetric or size == 1) else 0
                     head, tail = (e, s) if back else (s, e)
-                    more = _link_time(k, 0, head, turn, tour, side, ends, rates)
+                    more = _link_time(k, 0, head, flip, tour, side, ends, rates)
                     more -= _link_time(k, 0, k + 1, 0, tour, side, ends, rates) + freed[place]
                     if more < -1e-9 and k < last:
-                        more += _link_time(tail, turn, k + 1, 0, tour, side, ends, rates)
-                    if more < -1e-9 and back and not turn:
+                        more += _link_time(tail, flip, k + 1, 0, tour, side, ends, rates)
+                    if more < -1e-9 and back and not flip:
                         more += _inner_change(s, e, 0, tour, side, ends, rates)
                     if more < -1e-9:
                         if back:
-                            _reverse(s, e, turn, tour, side, position)
+                            _reverse(s, e, flip, tour, side, position)
                         if k > e:
                             _swap(s, e + 1, k, tour, side, position)
                             return s, k, more
@@ -240,9 +271,9 @@ def _improve_track(
 def _improve_queued(
     queue: OutI32_1,
     waiting: OutBool_1,
-    head: int,
+    front: int,
     size: int,
-    most: int,
+    limit: int,
     tour: OutI32_1,
     side: OutU8_1,
     position: OutI64_1,
@@ -250,34 +281,39 @@ def _improve_queued(
     rates: F64_2,
     reversal: int,
     near: I32_2,
-    floor: F64_2,
+    least_time: F64_2,
 ) -> Any:
-    """Improve the tour around the queued tracks and those next to each change, until none helps.
+    """Improve the tour in place at the queued tracks, and at the tracks next to each change.
 
-    Returns the total change (s), and the first and last position that changed.
+    It ends when no further change helps, or after ``limit`` changes.  Returns the change of the
+    tour's time (s), and the first and last position that changed.
 
     Parameters
     ----------
-    queue, waiting, head, size
-        Circular queue of tracks, whether each track is in it, its first element and its length.
-    most
+    queue, waiting, front, size
+        Circular queue of tracks, whether each track is in it, its first index and its length.
+    limit
         Greatest number of changes.
+    position
+        Position of each track in the tour.
+    tour, side, ends, rates, reversal, near, least_time
+        As in ``improve_tour``.
     """
     count = len(queue)
     gained = 0.0
     low, high = len(tour), 0
     while size > 0:
-        track = queue[head]
-        head = (head + 1) % count
+        track = queue[front]
+        front = (front + 1) % count
         size -= 1
         waiting[track] = False
-        while most > 0:
+        while limit > 0:
             first, last, more = _improve_track(
-                track, tour, side, position, ends, rates, reversal, near, floor
+                track, tour, side, position, ends, rates, reversal, near, least_time
             )
             if last < first:
                 break
-            most -= 1
+            limit -= 1
             gained += more
             low, high = min(low, first), max(high, last)
             for place in (first - 1, first, last, last + 1):
@@ -285,7 +321,7 @@ def _improve_queued(
                     other = tour[place]
                     if other != track and not waiting[other]:
                         waiting[other] = True
-                        queue[(head + size) % count] = other
+                        queue[(front + size) % count] = other
                         size += 1
     return gained, low, high
 
@@ -298,23 +334,26 @@ def improve_tour(
     rates: F64_2,
     reversal: int,
     near: I32_2,
-    floor: F64_2,
+    least_time: F64_2,
     trials: int,
 ) -> None:
-    """Shorten a tour of tracks in place.
+    """Shorten a tour of t tracks in place.
 
     Parameters
     ----------
     tour, side : (t + 1,) and (t + 1,)
-        Tracks in their order, the origin first, and whether each is run backwards.
+        Tracks in their order, with the origin (number t) first, and whether each is run backwards.
     ends : (2, 2, t + 1, 3)
-        x, y, c at the start (0) and the end (1) of each track, for each side.
+        x, y in mm and c in degrees of each track.  Axis 0 is the side; axis 1 is the start or the
+        end.
     rates : (4, 4)
-        Rates of the axes, see ``short_order``.
+        Rows 0 to 2 are X, Y and C, with velocity v and acceleration a.  The columns are the
+        shortest distance on which the axis reaches v, 4/a, 1/v and v/a.  Entry (3, 0) is the period
+        of C (degrees).
     reversal : int
         ``Reversal``: which tracks may be run backwards.
-    near, floor : (t, k) and (t, k)
-        Neighbours of each track, and lower bounds of the link times to them (s).
+    near, least_time : (t, k) and (t, k)
+        k neighbours of each track, nearest first, and lower bounds of the link times to them (s).
     trials : int
         Number of random swaps.
     """
@@ -337,7 +376,7 @@ def improve_tour(
         rates,
         reversal,
         near,
-        floor,
+        least_time,
     )
     kept, kept_side = tour.copy(), side.copy()
     state = 12345
@@ -372,7 +411,19 @@ def improve_tour(
                 size += 1
         _swap(s, m, e, tour, side, position)
         more, low, high = _improve_queued(
-            queue, waiting, 0, size, 200, tour, side, position, ends, rates, reversal, near, floor
+            queue,
+            waiting,
+            0,
+            size,
+            200,
+            tour,
+            side,
+            position,
+            ends,
+            rates,
+            reversal,
+            near,
+            least_time,
         )
         low, high = min(low, s), max(high, e)
         if gained + more < 0.0:

@@ -1,4 +1,4 @@
-"""linuxcnc: the halts of a LinuxCNC program between moves, and their time (ADR 0008)."""
+"""linuxcnc: estimate where a LinuxCNC program halts between moves, and for how long (ADR 0008)."""
 
 from __future__ import annotations
 
@@ -13,21 +13,22 @@ from knifetip.sequencing.timing import STILL
 
 #: Time of an exact stop in addition to the deceleration (s): measured, ADR 0008.
 HALT: Final = 0.015
-#: Deviation of the tip, where C starts or ends to turn, above which the program halts (mm).
+#: Deviation of the tip, at the start or the end of a turn of C, above which the program halts (mm).
 BLENDED: Final = 0.005
 
 
 def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
     """Return the time for which LinuxCNC halts after each row of a toolpath, (n,) s.
 
-    Where C starts or ends to turn, the trajectory planner overlaps the rows before and after for
-    the time t in which the slower axis changes its speed.  The tip then deviates by Δκ (v t)² / 2,
-    where κ is the turn of C per mm (ADR 0008).  The program halts if that is more than ``BLENDED``.
+    At a joint where the turn of C per mm changes by Δκ, the trajectory planner of LinuxCNC overlaps
+    the two rows for a time t, in which the slower axis changes its speed.  The tip then deviates by
+    Δκ (v t)² / 2, where v is the faster of the two feeds (ADR 0008).  The program halts if this
+    deviation is more than ``BLENDED``, and between a turn in place and a cut.
 
     Parameters
     ----------
-    travel, seconds
-        Length of each row (mm), and its time at its feed.
+    travel, seconds : (n,) and (n,)
+        Length of each row along XYZ (mm), and the time of each row at its feed.
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL

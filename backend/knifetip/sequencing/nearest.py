@@ -1,6 +1,6 @@
-"""nearest: nearest-neighbour tours and lists of neighbours, by a grid of cells.
+"""nearest: find nearest-neighbour tours of tracks, and the neighbours of each track.
 
-starts and ends of tracks (mm) -> order of tracks; neighbours of each track
+The starts and ends of the tracks are sorted into a grid of cells, which is searched in rings.
 """
 
 from __future__ import annotations
@@ -16,29 +16,34 @@ from knifetip.kernels import F64_1, F64_2, F64_2A, I32_1, OutF64_1, OutI32_1, ke
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
-    """Return the nearest-neighbour order of tracks, (t,), from the point ``origin``.
+    """Return the nearest-neighbour order of t tracks, (t,), starting at the point ``origin``.
+
+    All tracks are run forwards.
 
     Parameters
     ----------
     start, end : (t, 2) mm
         Positions of the head at the start and the end of each track.
     origin : (2,) mm
+        Position of the head before the first track.
     """
     order: I32 = nearest_walk(start, end, origin, len(start))
     return order
 
 
 def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
-    """Return the nearest-neighbour tour of ``count`` tracks that may be run in either direction.
+    """Return the nearest-neighbour tour of ``count`` tracks, (count,), each in its best direction.
 
-    Candidates i and i + ``count`` are track i, run forwards and backwards.  The result contains one
-    candidate of each track, (count,).
+    Candidate i is track i run forwards, and candidate i + ``count`` is track i run backwards.  The
+    result contains one candidate of each track.
 
     Parameters
     ----------
     start, end : (count, 2) or (2 count, 2) mm
-        Positions of the head at the start and the end of each candidate.
+        Positions of the head at the start and the end of each candidate; with ``count`` rows all
+        tracks are run forwards.
     origin : (2,) mm
+        Position of the head before the first track.
     """
     if count == 0:
         return np.zeros(0, np.int32)
@@ -65,18 +70,22 @@ def _search_rings(
     key: I32_1,
     count: int,
 ) -> Any:
-    """Return the tour by searching the grid in growing rings around the head.
+    """Return the nearest-neighbour tour, (count,), by searching a grid in growing rings round the
+    head.
 
-    A track that is found is removed from its cells.
+    When a candidate is chosen, all candidates of its track are removed from their cells.
 
     Parameters
     ----------
+    start, end, origin, count
+        As in ``nearest_walk``.
     low, size : (2,) and (2,) mm
-        Lower left corner of the grid, and size of its cells.
+        Lower left corner of the grid, and width and height of its cells.
     side
-        Number of columns, and of rows, of the grid.
+        Number of columns of the grid, equal to its number of rows.
     listed, first, key
-        Candidates of all cells, first index of each cell, and cell of each candidate.
+        Candidates sorted by cell, index in ``listed`` of the first candidate of each cell, and cell
+        of each candidate.
     """
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)
@@ -119,10 +128,10 @@ def _search_rings(
 
 @kernel(checks_division=True)
 def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
-    """Return the nearest other tracks of each track, (t, wanted), and their distances (mm).
+    """Return the ``wanted`` nearest other tracks of each of t tracks, and their distances (mm).
 
-    The distance of two tracks is the distance of their nearest ends.  ``start`` and ``end`` are (t,
-    2) mm.
+    Both results are (t, wanted), nearest first.  The distance of two tracks is the least distance
+    between an end of one and an end of the other.  ``start`` and ``end`` are (t, 2) mm.
     """
     count = len(start)
     point = np.concatenate((start, end))
@@ -169,10 +178,12 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
 
 @kernel
 def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
-    """Insert a track into a sorted list of nearest tracks; return the length of the list.
+    """Insert a track into a list of nearest tracks sorted by distance; return the list's new
+    length.
 
-    ``near`` and ``best`` are the tracks and their distances (mm), of which the first ``found`` are
-    used.  A track that is already in the list gets the smaller distance.
+    ``near`` and ``best`` are the tracks and their distances (mm); the first ``found`` entries are
+    used.  A track that is already in the list keeps the smaller distance.  A track that is farther
+    than all entries of a full list is not inserted.
     """
     at = found
     for place in range(found):

@@ -1,9 +1,9 @@
-"""order: the order of tracks, and the end from which each is run.
+"""order: choose the order of the tracks, and the end at which each track starts.
 
-A nearest-neighbour tour is shortened by local search.  The number of trials is fixed by the number
-of tracks and not by a time limit, so that the same tracks always get the same order.  The cost of a
-link is the time of its slowest axis among X, Y and C.  Lifts take the same time on every link and
-are left out.
+A nearest-neighbour tour is shortened by local search.  The number of trials depends only on the
+number of tracks, so that the same tracks always get the same order.  The cost of a link between two
+tracks is the time of the slowest of the axes X, Y and C.  Lifts are left out, since they take the
+same time on every link.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ _MOST_TRIALS: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
-    """Return the nearest-neighbour order of tracks, (t,), and the mask of those to reverse, (t,).
+    """Return the nearest-neighbour order of t tracks, (t,), and the mask of the tracks to reverse,
+    (t,).
 
     The parameters are as for ``short_order``.
     """
@@ -43,16 +44,18 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
 def short_order(
     entry: F64, leave: F64, origin: F64, pace: F64, period: float, reversal: Reversal
 ) -> tuple[I32, Bool]:
-    """Return a short order of tracks, (t,), and the mask of those to run from their far end, (t,).
+    """Return a short order of t tracks, (t,), and the mask of the tracks to run from their far end,
+    (t,).
 
     Parameters
     ----------
     entry, leave : (2, t, 3) x y in mm, c in degrees
-        Poses at the start and the end of each track, run as it is (0) and from its far end (1).
-    origin : (3,)
+        Poses at the start and the end of each track: as given (0), and if it is run from its far
+        end (1).
+    origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     pace : (2, 3)
-        Velocities and accelerations of X, Y and C.
+        Velocities (0) and accelerations (1) of X, Y and C.
     period : degrees
         Rotation after which the tool is the same.
     reversal
@@ -84,9 +87,9 @@ def short_order(
     rates[3, 0] = period
     # Lower bound of a link: one of the axes X and Y travels at least 1/√2 of the distance.
     fastest = np.array([pace[0, :2].max(), pace[1, :2].max()])
-    floor = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
+    least_time = _travel_times(far / math.sqrt(2.0), fastest[0], fastest[1])
     trials = min(_TRIALS * count, _MOST_TRIALS)
-    improve_tour(tour, side, ends, rates, int(reversal), near, floor, trials)
+    improve_tour(tour, side, ends, rates, int(reversal), near, least_time, trials)
     return tour[1:], side[1:].astype(np.bool_)
 
 
@@ -102,8 +105,9 @@ def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) ->
 
     Notes
     -----
-    Every axis goes from rest to rest: in 2√(Δ/a) if it never reaches v, else in Δ/v + v/a.  The
-    slowest axis determines the time.
+    Every axis travels its distance Δ from rest to rest, with velocity v and acceleration a.  This
+    takes 2√(Δ/a) if the axis never reaches v, else Δ/v + v/a.  The slowest axis determines the
+    time.
     """
     change = np.abs(entry - np.concatenate([origin[None], leave[:-1]]))
     around = change[:, 2] % period
@@ -114,7 +118,10 @@ def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) ->
 
 
 def _travel_times(distance: F64, velocity: Any, acceleration: Any) -> F64:
-    """Return the times in which axes travel distances from rest to rest (s)."""
+    """Return the times that axes need for travelling distances from rest to rest (s).
+
+    The arguments are broadcast against each other; the result has the shape of ``distance``.
+    """
     ramp = distance < velocity**2 / acceleration
     times: F64 = np.where(
         ramp, 2.0 * np.sqrt(distance / acceleration), distance / velocity + velocity / acceleration

@@ -1,11 +1,9 @@
-"""sequence: join the toolpaths of all operations into one.
-
-    Toolpaths in working order, Machine -> Toolpath
+"""sequence: join the toolpaths of all operations into one toolpath.
 
 Toolpaths keep their order, which is the working order of the operations.  The tracks of each
 toolpath are put into a short order, and run from their far end if the tool permits it.  In air
-moves between tracks the head turns while it travels, at the least height that clears the board.
-When the tool changes, it travels at the machine's travel height.
+moves between tracks the head turns while it travels, at the least height that clears the board.  If
+the next track needs another tool, the head travels at the machine's travel height.
 """
 
 from __future__ import annotations
@@ -37,7 +35,9 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of n moves, as in ``Toolpath``; ``pose`` is the pose at the end of each move."""
+    """Columns of n moves, as in ``Toolpath``, but ``pose`` has n rows: the pose at the end of each
+    move.
+    """
 
     pose: F64
     bulge: F64
@@ -56,17 +56,20 @@ def sequence(
     Parameters
     ----------
     toolpaths
-        In working order; each ends its tracks at the machine's clearance above the board.
+        Toolpaths in working order.  Each of their tracks ends at the machine's clearance above the
+        board.
+    machine
+        The machine that runs the toolpaths.
     outline : closed Paths, holes included
-        Outline of the board, not of the blank: around a blank lies the rest of the sheet.  If it is
-        given, a tool that has left the board turns without a lift.
+        Outline of the whole board on the table, not of the blank.  With an outline, a tool that has
+        left the board turns without a lift; with None, every turn is lifted.
 
     Raises
     ------
     PlanError
         The toolpaths contain no moves.
     TravelExceeded
-        A move would leave the machine's travel.
+        A move would leave the limits of an axis.
     """
     work = [toolpath for toolpath in toolpaths if len(toolpath)]
     if not work:
@@ -98,14 +101,17 @@ def sequence(
 
 
 def _at_height(pose: F64, height: float) -> F64:
-    """Return a copy of a pose, (4,), with the tip at a height (mm)."""
+    """Return a copy of a pose, (4,), with its z set to ``height`` (mm)."""
     raised = pose.copy()
     raised[2] = height
     return raised
 
 
 def _parking_pose(station: Station, machine: Machine) -> F64:
-    """Return the pose, (4,), nearest to the table's corner that the station can reach."""
+    """Return the parking pose of a station, (4,), at travel height with C at 0.
+
+    It is the position nearest to the machine's origin that the station can reach.
+    """
     return np.array(
         [
             min(max(0.0, machine.x.low - station.x), machine.x.high - station.x),
@@ -117,7 +123,7 @@ def _parking_pose(station: Station, machine: Machine) -> F64:
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:
-    """Return one rapid of a tool (its station number) to a pose, (4,)."""
+    """Return one rapid move, made with the tool in station number ``tool``, to a pose, (4,)."""
     return _Moves(
         pose=pose[None],
         bulge=np.zeros(1),
@@ -136,10 +142,12 @@ def _order_tracks(
 
     Parameters
     ----------
+    toolpath, station, machine
+        Toolpath of one operation, and the station and machine that run it.
     current : (4,)
         Pose of the head before the first track.
     count
-        Number of the first track.
+        Number that the first of the returned tracks gets.
     """
     # A pass is a run of rows between two rapids; the passes with one track number are one track.
     # Old rapids are dropped; new ones lead to the start of each pass.
@@ -225,8 +233,9 @@ def _order_tracks(
 def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
     """Return the toolpath with every turn at the least height that clears the board.
 
-    A turn is a rapid between a lift and a plunge.  The face of the board is the machine's clearance
-    below the turn.  Outside the board the tool only has to clear the mat.
+    A turn is a rapid between a lift and a plunge.  The board's top face lies below the turn by the
+    machine's clearance.  Outside the board's ``outline`` the tool only has to clear the mat; with
+    None, all turns clear the board.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -268,9 +277,9 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return the mask of turns, (t,), whose lift and plunge use the same tool and do not move C.
+    """Return the mask of the turns whose lift and plunge use the turn's tool and leave C unchanged.
 
-    ``turns`` are rows of the toolpath.
+    ``turns`` are rows of the toolpath, (t,); the mask is (t,).
     """
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])

@@ -1,7 +1,4 @@
-"""timing: the time for which a controller halts between moves.
-
-Toolpath -> seconds of rest at the end of every row
-"""
+"""timing: functions that return the time for which a controller halts between moves."""
 
 from __future__ import annotations
 
@@ -18,13 +15,15 @@ STILL: Final = 1e-9
 
 
 class Timing(Protocol):
-    """A function that returns the halts of programs in one controller language."""
+    """A function that estimates the halts of a controller that runs programs in one language."""
 
     def __call__(self, toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-        """Return the time for which the controller halts after each row, (n,) s.
+        """Return the time for which the controller halts after each row of the toolpath, (n,) s.
 
         Parameters
         ----------
+        toolpath, machine
+            The toolpath, and the machine that runs it.
         travel : (n,) mm
             Length of each row along XYZ.
         seconds : (n,)
@@ -34,6 +33,6 @@ class Timing(Protocol):
 
 
 def no_halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return zeros, (n,) s: the controller never halts between moves."""
+    """Return a zero for each row, (n,) s: the controller never halts between moves."""
     del travel, seconds, machine
     return np.zeros(len(toolpath))

@@ -19,12 +19,12 @@ _ROUNDING = 1e-6
 
 
 def check_travel(toolpath: Toolpath, machine: Machine) -> None:
-    """Raise an error if a toolpath takes an axis beyond its limits.
+    """Raise an error if a toolpath takes an axis of the machine beyond its limits.
 
     Raises
     ------
     TravelExceeded
-        Reports the axis, the station, the excess and the edge.
+        Reports the axis and station with the largest excess, the excess, and the edge.
     """
     boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
