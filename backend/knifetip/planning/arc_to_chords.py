@@ -1,11 +1,8 @@
 """arc_to_chords: replace the arcs of V-grooves by chords that a straight blade can cut.
 
-    arcs of V-grooves -> chords
-
-A chord of angle φ deviates from an arc of radius R at two points: in its middle by the sagitta
-R (1 - cos φ/2), and beyond its end, where a blade of width 2r continues straight, by
-√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` limits both deviations, and
-so the deviation of either flank.
+A chord of angle φ deviates from an arc of radius R at two points.  In its middle the deviation is
+the sagitta R (1 - cos φ/2).  Beyond its end, where a blade of width 2r continues straight, it is
+√((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` limits both deviations.
 
 Source: our derivation.
 """
@@ -24,7 +21,8 @@ from knifetip.model.tool import VCutter
 def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
     """Return the widest angle of a chord that stays within ``error`` mm of its arc, (n,) radians.
 
-    It is zero or negative if the blade is too wide for the arc's radius; ``radius`` is (n,) mm.
+    ``radius`` is the radius of each arc, (n,) mm.  The angle is zero or negative if the cutter's
+    blade is too wide for the radius.
     """
     blade = 2.0 * cutter.half_width
     middle = 2.0 * np.arccos(np.clip(1.0 - error / radius, -1.0, 1.0))
@@ -38,21 +36,23 @@ def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
 def arcs_to_chords(
     ends: F64, bulge: F64, rows: I32, cutter: VCutter, error: float
 ) -> tuple[F64, F64, I32, float]:
-    """Replace the arcs of grooves by chords of equal length.
+    """Replace each arc among the grooves by chords of equal length.
 
     Parameters
     ----------
     ends, bulge, rows : (n, 2, 2) mm, (n,) and (n,)
-        Grooves and their rows in the dieline.
+        Ends and bulges of the grooves, and their rows in the dieline.
+    cutter
+        The tool, whose blade continues straight beyond the end of each chord.
     error : mm
         Greatest permitted deviation from an arc.
 
     Returns
     -------
     ends, bulge, rows : (m, 2, 2) mm, (m,) and (m,)
-        Straight grooves.
+        Straight grooves, and the row in the dieline of each.
     joint : degrees
-        Sharpest angle between two neighbouring chords.
+        Greatest angle between two neighbouring chords.
 
     Raises
     ------

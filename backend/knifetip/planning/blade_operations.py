@@ -1,7 +1,4 @@
-"""blade_operations: the operations of a knife: cuts, half-cuts and perforations.
-
-Dieline, rows of edges, Setup -> Operation, or one Operation for each layer of cuts
-"""
+"""blade_operations: plan the operations of a knife: cuts, half-cuts and perforations."""
 
 from __future__ import annotations
 
@@ -43,9 +40,9 @@ class _Cuts:
 
 
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
-    """Return the operations that cut some edges of a dieline with a knife, layer by layer.
+    """Return the operations that cut edges of a dieline with a knife, one or two for each layer.
 
-    In each layer the cuts that bound no part come first.
+    Inner layers come first.  In each layer, the cuts that bound no part come before the other cuts.
 
     Parameters
     ----------
@@ -56,35 +53,37 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
     """
     side = sides.waste
     layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
-    turn = (layer.max(initial=0) - layer) * 2 + (side != 0)
+    rank = (layer.max(initial=0) - layer) * 2 + (side != 0)
     operations = []
     for bounds in (False, True):
         some = np.flatnonzero((side != 0) == bounds)
         if len(some):
             waste = side[some] if bounds else None
             cuts = _Cuts(LineType.CUT, rows[some], setup.through, waste, layer[some])
-            operations += _split_by_turn(_cut(dieline, cuts, setup), rows, turn)
-    operations.sort(key=lambda turn_and_operation: turn_and_operation[0])
+            operations += _split_by_rank(_cut(dieline, cuts, setup), rows, rank)
+    operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
 
 
-def _split_by_turn(operation: Operation, rows: I32, turn: I64) -> list[tuple[int, Operation]]:
-    """Split an operation by the turn of its paths, and return the pairs (turn, operation).
+def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int, Operation]]:
+    """Split an operation by the rank of its paths; return pairs (rank, operation), lowest rank
+    first.
 
-    A turn is the position of an edge in the working order; a path has the turn of its first edge.
+    The rank of an edge is its position in the working order.  A path has the rank of its first
+    edge.
 
     Parameters
     ----------
-    rows, turn : (m,) and (m,)
-        Rows of edges in the dieline, and the turn of each.
+    rows, rank : (m,) and (m,)
+        Rows of edges in the dieline, and the rank of each.
     """
-    turn_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
-    turn_of_edge[rows] = turn
+    rank_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
+    rank_of_edge[rows] = rank
     paths = operation.paths
-    turn_of_path = turn_of_edge[operation.source[paths.first[:-1]]]
+    rank_of_path = rank_of_edge[operation.source[paths.first[:-1]]]
     parts = []
-    for number in np.unique(turn_of_path):
-        which = np.flatnonzero(turn_of_path == number).astype(np.int32)
+    for number in np.unique(rank_of_path):
+        which = np.flatnonzero(rank_of_path == number).astype(np.int32)
         some, segment = select_paths(paths, which)
         part = replace(
             operation,
@@ -108,7 +107,8 @@ def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
-    """Return the operation that makes cuts with a knife, with bridges if the board requires them.
+    """Return the operation that makes the cuts with a knife, with bridges if the board requires
+    them.
 
     A knife with a lead-in travels closed contours with the waste on its left.
     """
@@ -153,7 +153,7 @@ def _keep_waste_left(
 
     Returns
     -------
-    All paths, and the row of each of their segments.
+    All paths, and the row in the dieline of each of their segments.
     """
     side = np.zeros(len(dieline), np.int8)
     side[rows] = waste
@@ -165,9 +165,9 @@ def _keep_waste_left(
 
 
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
-    """Return the mask of the ends of the paths that lie on another through cut, (2p,).
+    """Return the mask of the ends of p paths that lie on a through cut of another edge, (2p,).
 
-    ``source`` is the row in the dieline of each segment of the paths.
+    ``source`` is the row in the dieline of each segment of the paths.  The starts come first.
     """
     points, segment = end_points(paths)
     cut = np.flatnonzero(dieline.line_type == LineType.CUT)
@@ -189,10 +189,10 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
-    """Return the dashes of perforated paths as paths, and the old segment of each new segment.
+    """Return the dashes of p perforated paths as paths, and the old segment of each new segment.
 
-    Every path starts and ends with a dash, so that the board tears from its ends; the gaps between
-    dashes of ``cut`` mm are equal, and at most ``gap`` mm.
+    Every path starts and ends with a dash, so that the board tears from its ends.  The dashes are
+    ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.
     """
     length = paths.lengths
     count = np.maximum(1, np.ceil((length + gap) / (cut + gap) - 1e-9)).astype(np.int64)

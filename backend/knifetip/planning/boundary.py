@@ -1,14 +1,13 @@
-"""boundary: which grooves end on the board's edge, and how far they must run out over it.
+"""boundary: find the grooves that end on the board's edge, and how far they must run out past it.
 
-    ends of paths, outline of the board -> run-out lengths
-
-The corners of a tool of width W are W/2 to the left and to the right of the line.  The tool has
-left the board when both corners are outside.  At a straight edge with outward normal m this takes
-(W/2) |n·m| / (u·m), where u is the direction of the groove and n its normal.  At a round edge the
-sagitta of the edge is added.  At an outer corner of the outline the tool has left once it is past
-one of the two edges.  At an inner corner (a notch) each half of the tool must be past both edges.
-A groove that continues into the board, or runs along its edge within 5°, gets no run-out: its end
-lies inside the board, where the board limits the overcut of the blade.
+The corners of a tool of width W are W/2 to the left and to the right of the groove's line.  The
+tool has left the board when both corners are outside.  At a straight edge of the board this takes a
+run-out of (W/2) |n·m| / (u·m), where m is the edge's outward normal, u the direction of the groove
+and n the groove's normal.  At a round edge the sagitta of the edge is added.  At an outer corner of
+the outline the tool has left the board once it is past one of the two edges.  At an inner corner (a
+notch) each half of the tool must be past both edges.  A groove that continues into the board, or
+runs along its edge within 5°, gets no run-out.  Its end counts as inside the board, where the board
+limits the overcut of the blade.
 
 Source: the turning paper, section 1 (run-out and back-up); corners and arcs are our derivation.
 """
@@ -44,12 +43,12 @@ class BoardOutline:
 
     @classmethod
     def from_cuts(cls, ends: F64, bulge: F64, side: I8) -> BoardOutline:
-        """Return the outline that cuts form, from the cuts that have waste on one side.
+        """Return the outline of the board from the cuts that have waste on one side.
 
         Parameters
         ----------
         ends, bulge : (n, 2, 2) mm and (n,)
-            The cuts.
+            Ends and bulges of all cuts.
         side : (n,)
             Side of the waste: +1 left, -1 right, 0 for a cut that bounds no part.
         """
@@ -62,7 +61,7 @@ class BoardOutline:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Contacts:
-    """k contacts: pairs of an end of a groove and a cut of the outline on which the end lies."""
+    """k contacts: pairs of an end of a groove and a cut of the outline on which that end lies."""
 
     end: I64  #: (k,) index of the end
     cut: I64  #: (k,) index of the cut
@@ -82,7 +81,7 @@ def run_out_lengths(
     Parameters
     ----------
     points, ahead : (n, 2) mm and (n, 2)
-        Ends of grooves, and the unit directions in which the grooves leave the board there.
+        Ends of grooves, and at each end the unit direction out of the groove.
     width : mm
         W, the width of the tool or of the groove.
     outline
@@ -97,7 +96,7 @@ def run_out_lengths(
     Raises
     ------
     FlankOutside
-        A groove meets the board's edge at less than 5°, or its run-out would enter board again.
+        A groove meets the board's edge at less than 5°, or its run-out would enter the board again.
     """
     contacts = _find_contacts(points, outline)
     u, m = ahead[contacts.end], contacts.normal
@@ -133,9 +132,10 @@ def _check_run_outs(
     outline: BoardOutline,
     source: I32,
 ) -> None:
-    """Raise ``FlankOutside`` if a run-out enters board again: across a slot, or in another part.
+    """Raise ``FlankOutside`` if a run-out enters the board again, behind a slot or in another part.
 
-    ``size`` is the run-out of each end, (n,) mm; the other arguments are as in ``run_out_lengths``.
+    ``size`` is the run-out of each end, (n,) mm; ``contacts`` are the contacts of the ends with the
+    outline.  The other arguments are as in ``run_out_lengths``.
     """
     rows = np.flatnonzero(size > GAP)
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
@@ -164,7 +164,8 @@ def _check_run_outs(
 def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
     """Raise ``FlankOutside`` if a groove meets a single edge of the board at less than 5°.
 
-    ``sine`` is the sine of the angle between groove and edge at each contact, (k,).
+    ``sine`` is the sine of the angle between the groove and the edge at each contact, (k,);
+    ``source`` is the edge of each end of a groove, for errors.
     """
     alone = np.bincount(contacts.end, minlength=len(source)) == 1
     along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & alone[contacts.end])
@@ -175,7 +176,7 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
 
 
 def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
-    """Return the contacts of points, (n, 2) mm, with the outline: at most ``GAP`` mm apart."""
+    """Return the contacts of points, (n, 2) mm, with cuts of the outline within ``GAP`` mm."""
     boxes = arc.bounding_boxes(outline.start, outline.end, outline.bulge)
     end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
@@ -200,10 +201,10 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
 
 
 def _corner_turns(contacts: _Contacts, count: int) -> F64:
-    """Return the sine of the turn of the outline at each of ``count`` ends of grooves.
+    """Return the sine of the angle by which the outline turns at each end of a groove, (count,).
 
-    It is positive in a notch, negative at an outer corner (with the waste on the left, a right
-    turn), and 0 where the outline has no corner.
+    It is positive in a notch, negative at an outer corner (a right turn, since the waste is on the
+    left), and 0 if the outline has no corner there.
     """
     arriving, leaving = np.zeros((count, 2)), np.zeros((count, 2))
     arriving[contacts.end[contacts.arrives]] = contacts.tangent[contacts.arrives]

@@ -1,12 +1,10 @@
-"""bridges: positions of the bridges (nicks) that hold a part in its sheet.
+"""bridges: find positions for the bridges (nicks) that hold a part in its sheet.
 
-    closed Paths -> positions of bridges on them
-
-Bridges are spaced equally around the contour, then each is moved to the nearest permitted
+Bridges are first spaced equally around the contour.  Then each is moved to the nearest permitted
 position: on a straight segment, 5 mm away from sharp corners, or in the middle of a segment that is
-too short for this.  Arcs are used only if the straight segments do not suffice.  In a slot so
-narrow that the cutter clears it from its other side there is no bridge.  Where a slit opens into
-the contour or a crease ends on it, the board is weak: bridges stay 5 mm away from there, if
+too short for this.  Arcs are used only if the straight segments do not suffice.  A slot that the
+cutter clears completely from its other side gets no bridge.  At a point at which a slit opens into
+the contour, or a crease ends on it, the board is weak.  Bridges stay 5 mm away from such points, if
 possible.
 """
 
@@ -38,7 +36,7 @@ _TRIES = 16
 
 
 class Spacing(NamedTuple):
-    """Length of bridges, and the greatest distance between them."""
+    """Length of the bridges, and the greatest distance between neighbouring bridges."""
 
     gap: float  #: mm of the path that a bridge takes
     most: float  #: greatest distance between the middles of two neighbouring bridges (mm)
@@ -52,7 +50,7 @@ def place_bridges(
     avoid: F64,
     reachable: ReachableStretches,
 ) -> tuple[I32, F64]:
-    """Return the path of each bridge, (k,), and the position of its middle along it, (k,) mm.
+    """Return the path of each of k bridges, (k,), and the position of its middle on it, (k,) mm.
 
     Parameters
     ----------
@@ -63,9 +61,9 @@ def place_bridges(
     source : (n,)
         Edge of each segment, for errors.
     avoid : (m, 2) mm
-        Ends of other edges; bridges keep away from those that lie on the paths, if possible.
+        Ends of other edges.  If possible, bridges keep away from the ends that lie on the paths.
     reachable
-        Stretches that the tool can reach; elsewhere a bridge would be useless.
+        Stretches of the segments that the tool can reach; bridges lie only there.
 
     Raises
     ------
@@ -83,7 +81,10 @@ def place_bridges(
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
-    """Return the ends, (m, 2) mm, of all worked edges except those in these rows."""
+    """Return the ends, (m, 2) mm, of the edges of a dieline that are not in ``rows``.
+
+    Ignored and unclassified edges are left out.
+    """
     worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     worked[rows] = False
     ends: F64 = dieline.ends[worked].reshape(-1, 2)
@@ -91,17 +92,20 @@ def ends_of_others(dieline: Dieline, rows: I32) -> F64:
 
 
 def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
-    """Locate points that lie on paths; points on no path are left out.
+    """Return the path and the position of each point that lies on a path.
+
+    Points on no path are left out.
 
     Parameters
     ----------
     which : (p,)
         Mask of the paths that are searched.
     points : (m, 2) mm
+        The points.
 
     Returns
     -------
-    Path of each located point (k,), and its position along the path (k,) mm.
+    Path of each located point (k,), and the point's position along that path (k,) mm.
     """
     rows = np.flatnonzero(which[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
@@ -124,9 +128,10 @@ class _FreeRanges:
     high: F64  #: mm
 
     def without(self, at: F64, clear: float, length: float) -> _FreeRanges:
-        """Return the parts of the ranges that are at least ``clear`` mm away from positions ``at``.
+        """Return the parts of the ranges that are at least ``clear`` mm away from all positions
+        ``at``.
 
-        ``length`` is the length of the contour (mm).
+        ``length`` is the length of the closed contour (mm).
         """
         low, high = self.low, self.high
         for place in np.concatenate([at - length, at, at + length]):
@@ -152,8 +157,9 @@ def _place_on_contour(
 ) -> F64:
     """Return the positions of the middles of the bridges along one closed path, ascending (mm).
 
-    ``at`` are the positions on the path that bridges avoid (mm); the other arguments are as in
-    ``place_bridges``.
+    ``at`` are the positions on the path from which bridges keep away, if possible (mm).  ``path``
+    is the index of the path, ``bridge`` the length and spacing of the bridges.  The other arguments
+    are as in ``place_bridges``.
     """
     gap, spacing = bridge
     length = float(paths.lengths[path])
@@ -180,9 +186,10 @@ def _place_on_contour(
 
 
 def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
-    """Return the positions of bridges without those that the spacing does not require (mm).
+    """Return the positions of bridges that remain if superfluous bridges are removed (mm).
 
-    ``middle`` are the positions along a contour of ``length`` mm, ascending.
+    A bridge is superfluous if its neighbours are not more than ``spacing`` mm apart.  ``middle``
+    are the positions along a contour of ``length`` mm, ascending.
     """
     while len(middle) > _FEWEST:
         around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
@@ -201,12 +208,14 @@ def _free_ranges(
 
     Parameters
     ----------
+    path
+        Index of the path.
     gap : mm
         Length of the path that a bridge takes.
     reachable
-        Stretches that the tool can reach.
+        Stretches of the segments that the tool can reach.
     arcs_too
-        Bridges may lie on arcs.
+        Whether bridges may lie on arcs.
     """
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]

@@ -1,6 +1,4 @@
-"""corners: match the user's corner choices with the corners of contours.
-
-    Paths, side, Corners -> type and k of the corner at the start of each segment
+"""corners: find the corners of contours that the user's corner choices mean.
 
 A corner is a joint of two segments of a path whose bend is convex for the tool.  At a concave bend
 the tool can move in only one way, so there is nothing to choose.
@@ -21,7 +19,7 @@ from knifetip.geometry.tolerance import JOIN
 from knifetip.messages import Message
 from knifetip.model.corners import AS_OTHERS, INTERFERENCES, TYPES, Corners
 
-#: Greatest distance of a given position from the corner it means (mm).
+#: Greatest distance of a chosen position from its corner (mm).
 NEAR: Final = 0.5
 #: Bends by less than this are no corners (radians).
 _STRAIGHT: Final = 1e-9
@@ -31,14 +29,20 @@ _LISTED: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bends:
-    """Positions and bends of the contours at the starts of n segments, in sheet coordinates."""
+    """Positions and angles of the bends at the starts of n segments of contours.
+
+    The positions are in sheet coordinates.
+    """
 
     position: F64  #: (n, 2) mm
     turn: F64  #: (n,) radians, > 0 if convex for the tool; 0 at the start of an open path
 
 
 def find_bends(paths: Paths, side: int) -> Bends:
-    """Return the bend at the start of every segment; ``side`` is +1 if the tool is on the left."""
+    """Return the bend at the start of every segment of the paths.
+
+    ``side`` is +1 if the tool is on the left of the paths, and -1 if it is on the right.
+    """
     ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
     first, last = paths.first[:-1], paths.first[1:] - 1
     before = np.roll(arriving, 1, axis=0)
@@ -66,14 +70,16 @@ def check_choices(corners: Corners) -> None:
 
 
 def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
-    """Return the distance of each chosen position from the nearest corner, (len(at),) mm.
+    """Return the distance of each position that the user chose from the nearest corner, mm.
+
+    The result has one entry for each of ``corners.at``.
 
     Parameters
     ----------
     corners
-        Corner choices; ``at`` contains those for single positions.
+        Corner choices; ``at`` contains the choices for single positions.
     contours
-        Bends of every operation that mills beside a line.
+        Bends of every operation that mills beside its edges.
 
     Raises
     ------
@@ -109,15 +115,19 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 
 
 def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
-    """Return the chosen corner type and k at the start of every segment, (n,) and (n,).
+    """Return the chosen corner type and the chosen k at the start of each of n segments, (n,) each.
 
-    They are ``AS_OTHERS`` and NaN without a choice.  A choice applies to all corners at one point,
+    Without a choice they are ``AS_OTHERS`` and NaN.  A choice applies to all corners at its point,
     for instance if two contours touch there.
 
     Parameters
     ----------
-    nearest : (len(at),) mm
-        Distance of each chosen position from the nearest corner.
+    corners
+        Corner choices; ``at`` contains the choices for single positions.
+    nearest : mm
+        Distance of each position in ``corners.at`` from the nearest corner.
+    bends
+        Bends of one operation, one for each segment.
     """
     kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
     k = np.full(len(bends.turn), np.nan)

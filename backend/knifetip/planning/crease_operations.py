@@ -1,7 +1,4 @@
-"""crease_operations: the operation that rolls the creases of a dieline.
-
-Dieline, rows of creases, Setup -> Operation
-"""
+"""crease_operations: plan the operation that rolls the creases of a dieline."""
 
 from __future__ import annotations
 
@@ -41,8 +38,8 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
     """Return the paths of creases, the row of each segment, and the kinds of the paths' ends.
 
-    Dashes are merged, coincident creases become one, and all are split where cuts cross them.
-    The kinds are two arrays (p,): of the starts and of the finishes.
+    Dashes are merged, coincident creases become one, and creases are split where cuts cross them.
+    The kinds are two arrays, (p,) each: of the starts and of the finishes of p paths.
     """
     cut = dieline.line_type == LineType.CUT
     cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]

@@ -1,9 +1,7 @@
 """creases: split creases where cuts cross them, and replace creases by double creases.
 
-    Paths of creases -> Paths
-
-Both halves of a split crease keep the end clearance from the cut.  The two lines of a double crease
-end at the same positions as the drawn crease.
+The two parts of a split crease keep the end clearance from the cut.  The two lines of a double
+crease end at the same positions as the drawn crease.
 """
 
 from __future__ import annotations
@@ -28,19 +26,19 @@ _CHORDS_PER_ARC = 128
 
 
 def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool]:
-    """Return the paths split where cuts cross them.
+    """Return the paths, split where cuts cross them.
 
-    A cut that only touches a path from one side, or on which a path ends, does not split it.
+    A path is not split by a cut that only touches it from one side, nor by a cut on which it ends.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        The cuts.
+        Ends and bulges of the cuts.
 
     Returns
     -------
     Paths
-        In the order of the old paths.
+        The q new paths, in the order of the old paths.
     row : (m,)
         Old segment of each new segment.
     split : (q, 2)
@@ -54,7 +52,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     order = np.lexsort((added, low, row))
     row, low, added = row[order], low[order], added[order]
     high = np.where(np.append(row[1:] != row[:-1], True), 1.0, np.roll(low, -1))
-    # Drop what lies between two cuts at one point, and before a cut through a joint.
+    # Drop stretches between two cuts at one point, and before a cut through a joint.
     size = arc.length(paths.start, paths.end, paths.bulge)[row] * (high - low)
     some = (size > GAP) | ((low == 0.0) & (high == 1.0))
     row, low, high, added = row[some], low[some], high[some], added[some]
@@ -76,15 +74,17 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return where cuts cross segments: segment (k,), parameter of the crossing 0 … 1 (k,).
+    """Return the k crossings of segments by cuts: segment (k,) and parameter on it, 0 … 1 (k,).
 
-    A cut crosses a segment if the crossing lies away from the ends of both.  It also crosses if
-    it ends on the segment, and another cut continues from there on the segment's other side.
+    A cut crosses a segment if their common point is an end of neither.  Cuts also cross a segment
+    if they end at one point of it and leave it on both sides.
 
     Parameters
     ----------
+    paths
+        Paths that consist of the segments.
     ends, bulge : (n, 2, 2) mm and (n,)
-        The cuts.
+        Ends and bulges of the cuts.
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
@@ -94,9 +94,10 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
 
 
 def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return where cuts from both sides end at one point of a segment.
+    """Return the points of segments at which cuts from both sides end.
 
-    Returns the segment (k,) and the parameter of the point on it, 0 … 1 (k,).
+    Returns the segment of each point (k,), and the parameter of the point on it, 0 … 1 (k,).
+    ``ends`` and ``bulge`` are the cuts.
     """
     points = ends.reshape(-1, 2)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
@@ -132,17 +133,20 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
-    """Return the crossings of segments with cuts that lie away from the ends of both.
+    """Return the k crossings of segments with cuts that are ends of neither the segment nor the
+    cut.
 
     Parameters
     ----------
+    paths
+        Paths that consist of the segments.
     ends, bulge : (n, 2, 2) mm and (n,)
-        The cuts.
+        Ends and bulges of the cuts.
 
     Returns
     -------
     segment, cut, share : (k,), (k,) and (k,)
-        Segment, cut, and parameter of the crossing on the segment, 0 … 1.
+        Segment and cut of each crossing, and its parameter on the segment, 0 … 1.
     """
     mine, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
@@ -167,15 +171,17 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
 
 
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
-    """Split n lines and arcs into k chords.
+    """Split n lines and arcs into k chords; a line is one chord.
 
     Returns
     -------
     chords : (k, 2, 2) mm
+        Ends of the chords.
     owner : (k,)
-        Line or arc of each chord.
+        Index of the line or arc that each chord replaces.
     low, size : (k,) and (k,)
-        Parameter of the line or arc (0 … 1) at which the chord starts, and the chord's part of it.
+        Parameter of the line or arc, 0 … 1, at which the chord starts, and the range of the
+        parameter that the chord covers.
     """
     count = np.where(np.abs(bulge) < BULGE, 1, _CHORDS_PER_ARC)
     owner = np.repeat(np.arange(len(bulge)), count)
@@ -247,9 +253,11 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
 
 
 def _mitre_offset(one: F64, other: F64) -> F64:
-    """Return the vector from each joint of two lines to the point at distance 1 from both, (n, 2).
+    """Return the vector from each joint of two lines to the point at distance 1 from both lines,
+    (n, 2).
 
-    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).
+    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).  The point
+    lies on the side to which the normals point.
     """
     both = one + other
     result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]

@@ -1,4 +1,4 @@
-"""cut_sides: on which side of each cut the waste lies, and which face each cut bounds.
+"""cut_sides: find the side of each cut on which the waste lies, and the face that each cut bounds.
 
 A contour that lies inside an even number of other contours (0, 2, …) is the outline of a part.  A
 contour that lies inside an odd number is a hole.

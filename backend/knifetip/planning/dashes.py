@@ -32,19 +32,20 @@ _REGULAR = 0.25
 def merge_dashes(
     ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None
 ) -> tuple[F64, F64, I32]:
-    """Return edges that cover each stretch of the given edges once, with gaps of dashes filled.
+    """Return edges that cover each stretch of the given edges once, with gaps between dashes
+    filled.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        The edges.
+        Ends and bulges of the edges.
     cuts : (m, 2, 2) mm and (m,)
-        Ends and bulges of the cuts: a gap with a cut in it is not filled.  None fills no gap.
+        Ends and bulges of the cuts.  A gap with a cut in it is not filled; None fills no gap.
 
     Returns
     -------
     ends, bulge, row
-        New edges, and the old edge of each; a gap belongs to the dash before it.
+        New edges, and the old edge of each.  A filled gap belongs to the dash before it.
     """
     straight = np.abs(bulge) < BULGE
     bent = np.flatnonzero(~straight)
@@ -74,7 +75,11 @@ def merge_dashes(
     begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
-        """Return the points at positions ``along`` on the lines of runs of dashes, (k, 2) mm."""
+        """Return the points at positions ``along`` on the lines of edges, (k, 2) mm.
+
+        The line of an edge of a row of dashes runs from the first dash of the row to the last.
+        ``piece`` are the indices of the edges.
+        """
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
         place: F64 = near[first[piece]] + way * (along - low[first[piece]])[:, None] / span
@@ -111,10 +116,15 @@ def _upward_directions(ends: F64) -> F64:
 
 
 def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
-    """Return the number of the line on which each straight edge lies, and its positions there.
+    """Return the line on which each straight edge lies, as a number, and the edge's range on it.
 
-    Clusters of directions span at most ``COLLINEAR``, those of offsets ``JOIN``.  Edges that are
-    just collinear may get different lines; edges that are not collinear never get the same line.
+    Edges on one line differ in direction by at most ``COLLINEAR`` degrees and in position by at
+    most ``JOIN`` mm.  Edges near these limits may get different lines although they are collinear.
+
+    Parameters
+    ----------
+    rows : (m,)
+        Indices of the straight edges in ``ends``.
 
     Returns
     -------
@@ -135,9 +145,10 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
 
 
 def _cluster(group: I64, value: F64, gap: float) -> I64:
-    """Return the cluster of each value, (n,).
+    """Return the cluster of each value, as a number from 0, (n,).
 
-    The values of a cluster belong to one group and exceed its least value by at most ``gap``.
+    The values of a cluster belong to one group, and the greatest exceeds the least by at most
+    ``gap``.
     """
     order = np.lexsort((value, group))
     number = np.empty(len(order), np.int64)
@@ -147,7 +158,11 @@ def _cluster(group: I64, value: F64, gap: float) -> I64:
 
 @kernel
 def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
-    """Return the cluster of each value, (n,); the values are sorted by group, then by size."""
+    """Return the cluster of each value, as a number from 0, (n,).
+
+    The values are sorted by group, then ascending.  A new cluster starts at a new group, and at a
+    value that exceeds the least value of its cluster by more than ``gap``.
+    """
     number = np.zeros(len(value), np.int64)
     least = 0
     for i in range(1, len(value)):
@@ -159,7 +174,7 @@ def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
 
 
 def distinct_edges(ends: F64, bulge: F64) -> I32:
-    """Return the rows of the edges that repeat no earlier edge, ascending.
+    """Return the rows of the edges that do not coincide with an earlier edge, ascending.
 
     ``ends`` is (n, 2, 2) mm and ``bulge`` (n,).
     """
@@ -178,23 +193,24 @@ def distinct_edges(ends: F64, bulge: F64) -> I32:
 def _merge_along_lines(
     line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1
 ) -> Any:
-    """Remove overlaps along each line, and find rows of dashes.
+    """Remove overlaps of edges along each line, and find rows of dashes.
 
     Parameters
     ----------
     line, low, high : (n,)
-        Line of each edge, and its start and end along it (mm), sorted by line and start.
+        Line of each edge, and its start and end along that line (mm), sorted by line and start.
     low_barred, high_barred : (n,)
-        Whether a cut prevents that the gap before, and after, the edge is filled.
+        Whether a cut forbids to fill the gap before, and after, each edge.
 
     Returns
     -------
     begin : (n,) mm
-        Position at which each edge starts, or at which the edge before it ends.
+        Position at which each edge starts after the overlap with earlier edges is removed.
     kept : (n,)
         Mask of the edges that earlier edges do not cover completely.
     first, last : (n,) and (n,)
-        First and last dash of the row to which an edge belongs; the edge itself if it is no dash.
+        First and last dash of the row to which each edge belongs, or the edge itself if it is no
+        dash.
     """
     count = len(line)
     begin = low.copy()

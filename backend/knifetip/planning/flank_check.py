@@ -1,8 +1,8 @@
-"""flank_check: check that both flanks of a V-groove stay on the board.
+"""flank_check: check that no flank of a V-groove passes through a cut.
 
-A groove of depth h and flank angle θ is a strip of half-width h tan θ on the top face.  A cut
-inside this strip would lose its edge: the flank passes the cut by h tan θ minus the distance of the
-cut from the groove's line.
+On the top face, a groove of depth h and flank angle θ is a strip of half-width h tan θ.  A cut
+inside this strip would lose its edge.  The flank passes the cut by h tan θ minus the distance of
+the cut from the groove's line.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ _CHORD: Final = 0.5 * POINT
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _NearbyChords:
-    """k chords of cuts near grooves; only the part from ``low`` to ``high`` of a chord counts."""
+    """k pairs of a groove and a chord of a nearby cut, in coordinates along and across the groove.
+
+    Only the part of each chord between its parameters ``low`` and ``high`` counts.
+    """
 
     path: I64  #: (k,) path of the groove
     cut: I64  #: (k,) row of the cut in the dieline
@@ -38,14 +41,15 @@ class _NearbyChords:
     high: F64  #: (k,) parameter on the chord, 0 … 1
 
     def select(self, rows: I64 | Bool) -> _NearbyChords:
-        """Return the chords with these indices, or of this mask."""
+        """Return the chords that ``rows``, an array of indices or a mask, selects."""
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
-        """Return the parts of the chords on which a coordinate lies between two limits.
+        """Return the parts of the chords on which a coordinate lies between ``least`` and ``most``.
 
-        ``column`` is the coordinate at both ends of each chord, (k, 2): ``along`` or ``offset``.
-        There are no such parts if ``least`` exceeds ``most``.
+        ``column`` is that coordinate at the two ends of each chord, (k, 2): ``along`` or
+        ``offset``.  A chord without such a part is left out, and so is a chord whose ``least``
+        exceeds its ``most``.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
         level = np.abs(step) < 1e-12
@@ -62,7 +66,8 @@ class _NearbyChords:
     def at_ends(self, column: F64) -> F64:
         """Return a coordinate at the parameters ``low`` and ``high`` of each chord, (k, 2).
 
-        ``column`` is the coordinate at both ends of each chord, (k, 2): ``along`` or ``offset``.
+        ``column`` is that coordinate at the two ends of each chord, (k, 2): ``along`` or
+        ``offset``.
         """
         share = np.stack([self.low, self.high], axis=1)
         result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * share
@@ -72,23 +77,23 @@ class _NearbyChords:
 def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline: Dieline) -> None:
     """Raise ``FlankOutside`` if a flank of a groove passes through a cut.
 
-    If a groove ends on a cut or runs out over one, its flanks cross that cut.  At such an end,
-    twice the reach of the flanks is not checked, or the run-out if it is longer.  A cut across the
-    groove that ends between the flanks is permitted.
+    A groove that ends on a cut, or runs out over it, crosses that cut with its flanks.  At such an
+    end, a stretch of the groove is not checked: twice the reach of the flanks, or the run-out if
+    that is longer.  A cut that crosses the groove and ends between its flanks is permitted.
 
     Parameters
     ----------
     paths, source
         Straight grooves, and the edge of each segment.
     reach : mm
-        Distance of the flanks from the line on the top face.
+        Distance of the flanks from the groove's line on the top face.
     run_out : (p, 2) mm
-        Run-out of each groove beyond its start and its end.
+        Run-out of each of p grooves beyond its start and its end.
 
     Raises
     ------
     FlankOutside
-        Reports the groove, the cut, and by how much the flank passes it.
+        Reports the groove, the cut, and by how much the flank passes the cut.
     """
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
     length = np.hypot(*(finish - begin).T)
@@ -122,10 +127,11 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
 
 
 def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:
-    """Return the chords of the cuts near straight grooves, in coordinates along each groove.
+    """Return the chords of the cuts near straight grooves, in coordinates along and across each
+    groove.
 
-    ``begin`` and ``finish`` are the ends of the grooves, (p, 2) mm; ``reach`` is the distance of
-    the flanks from the line (mm).
+    ``begin`` and ``finish`` are the ends of p grooves, (p, 2) mm; ``reach`` is the distance of the
+    flanks from the groove's line (mm).
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
@@ -156,9 +162,10 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
 
 
 def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
-    """Return the mask of the ends of grooves that lie on a cut or within twice the reach, (p, 2).
+    """Return the mask of the ends of p grooves that have a cut on the groove's line nearby, (p, 2).
 
-    ``length`` is the length of each groove, (p,) mm.
+    A cut is near if it is within twice ``reach`` of the end, or, inside the groove, within the
+    run-out if that is longer.  ``length`` is the length of each groove, (p,) mm.
     """
     result = np.zeros((len(length), 2), np.bool_)
     on = nearby.clip(nearby.offset, -GAP, GAP)
@@ -172,7 +179,10 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
 
 
 def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
-    """Return the mask of the chords whose cut crosses steeply and ends between the flanks, (k,)."""
+    """Return the mask of the chords of cuts that cross the groove and end between its flanks, (k,).
+
+    The cut must extend at least as far across the groove as along it.
+    """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)
     pair, group = np.unique(np.stack([strip.path, strip.cut], axis=1), axis=0, return_inverse=True)

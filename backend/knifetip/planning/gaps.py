@@ -1,17 +1,14 @@
-"""gaps: links that close contours whose cuts do not quite meet.
-
-    cuts -> links from dangling ends to the cuts they were meant to meet
+"""gaps: find links that close contours whose cuts do not quite meet.
 
 A dangling end is linked to the nearest point of another cut within ``CONTOUR_GAP``.  It is also
-linked to its relative neighbours among the dangling ends within ``CONTOUR_GAP``: two ends are
-relative neighbours if no third end is nearer to both than they are to each other.  Without this,
-an end of one of two close contours would only be linked to the other contour.  Relative neighbours
-need few links to connect all ends that are near each other.  A point of the same chain counts only
-if the path to it along the chain is at least three times as long as the gap, so that no end is
-linked to the corner it comes from.
+linked to its relative neighbours among the dangling ends within ``CONTOUR_GAP``.  Two ends are
+relative neighbours if no third end is nearer to both than they are to each other.  Without these
+links, an end of one of two close contours would only be linked to the other contour.  A point of
+the end's own chain can be linked only if the path to it along the chain is at least three times as
+long as the gap, so that no end is linked to the corner from which it comes.
 
-Links only close contours for ``layers``; they are never cut.  A superfluous link does no harm: work
-inside such a contour only comes earlier than necessary.
+Links only close contours for ``layers``; they are never cut.  A superfluous link does no harm: cuts
+inside such a contour are only made earlier than necessary.
 """
 
 from __future__ import annotations
@@ -39,7 +36,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Cuts in any order and direction.
+        Ends and bulges of the cuts, in any order and direction.
     """
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]
@@ -72,7 +69,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     )  # fmt: skip
     kept = order[linked]
     found = np.stack([points[tips[tip[kept]]], target[kept]], axis=1)
-    # Two ends that are linked to each other need one link only.
+    # Two ends that are linked to each other need only one link.
     swap = (found[:, 0, 0] > found[:, 1, 0]) | (
         (found[:, 0, 0] == found[:, 1, 0]) & (found[:, 0, 1] > found[:, 1, 1])
     )
@@ -88,31 +85,32 @@ def _choose_links(
 ) -> Any:  # fmt: skip
     """Return the mask of the candidates that become links, (k,).
 
-    These are relative neighbours among the dangling ends, and nearest points of cuts.
+    A candidate is a point to which a dangling end may be linked.  The relative neighbours among the
+    dangling ends are chosen, and for each dangling end the nearest point of another cut.
 
     Parameters
     ----------
     tips, first : (t,) and (t + 1,)
         Dangling ends, and the index of the first candidate of each.
-    row, share, target, to_end : (k,), (k,), (k, 2) and (k,)
-        Of each candidate: the edge, the parameter and the point on it, and whether it is a
-        dangling end.
+    row, share, target, to_end : (k,), (k,), (k, 2) mm and (k,)
+        Edge of each candidate, parameter on it (0 … 1), point, and whether it is a dangling end.
     points, length : (2n, 2) and (n,) mm
         Ends and lengths of all edges.
     node, by_node, begin
-        Vertex of each end, and the ends at each vertex in compressed rows.
+        Vertex of each end, ends sorted by vertex, and index in ``by_node`` of each vertex's first
+        end.
     """
     linked = np.zeros(len(row), np.bool_)
     seen = np.full(len(length), -1, np.int64)
     # Distance along the chain from the tip to each edge, and whether that edge is run backwards.
     along_chain = np.empty(len(length))
     back = np.empty(len(length), np.bool_)
-    for t in range(len(tips)):
-        tip = tips[t]
+    for number in range(len(tips)):
+        tip = tips[number]
         half, walked = tip, 0.0
-        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and seen[half // 2] != t:
+        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and seen[half // 2] != number:
             edge = half // 2
-            seen[edge], along_chain[edge], back[edge] = t, walked, half % 2 == 1
+            seen[edge], along_chain[edge], back[edge] = number, walked, half % 2 == 1
             walked += length[edge]
             at = node[half ^ 1]
             if begin[at + 1] - begin[at] != 2:
@@ -120,15 +118,15 @@ def _choose_links(
             one, other = by_node[begin[at]], by_node[begin[at] + 1]
             half = other if one == half ^ 1 else one
         nearest, best = CONTOUR_GAP, -1
-        for k in range(first[t], first[t + 1]):
+        for k in range(first[number], first[number + 1]):
             gap = math.hypot(target[k, 0] - points[tip, 0], target[k, 1] - points[tip, 1])
             if gap <= JOIN or gap > CONTOUR_GAP:
                 continue
-            if not _far_along_chain(row[k], share[k], gap, t, seen, along_chain, back, length):
+            if not _far_along_chain(row[k], share[k], gap, number, seen, along_chain, back, length):
                 continue
             if to_end[k]:
                 linked[k] = not _has_end_between(
-                    k, gap, first[t], first[t + 1], target, to_end, points[tip]
+                    k, gap, first[number], first[number + 1], target, to_end, points[tip]
                 )
             elif row[k] != tip // 2 and gap <= nearest:
                 nearest, best = gap, k
@@ -139,26 +137,29 @@ def _choose_links(
 
 @kernel
 def _has_end_between(
-    k: int, gap: float, low: int, high: int, target: F64_2, to_end: Bool_1, tip: F64_1
+    candidate: int, gap: float, low: int, high: int, target: F64_2, to_end: Bool_1, tip: F64_1
 ) -> bool:
     """Return whether a third dangling end is nearer to both ends of a gap than the gap is long.
 
     Parameters
     ----------
-    k, gap
-        Candidate at the other end of the gap, and the length of the gap (mm).
+    candidate, gap
+        Candidate at the far end of the gap, and the length of the gap (mm).
     low, high
-        Range of the candidates of this dangling end.
-    target, to_end
-        Point of each candidate (mm), and whether it is a dangling end.
+        Index of the first candidate of the dangling end, and the index after its last candidate.
+    target, to_end : (k, 2) mm and (k,)
+        Point of each candidate, and whether it is a dangling end.
     tip : (2,) mm
-        The dangling end.
+        Position of the dangling end.
     """
     for other in range(low, high):
         if (
             to_end[other]
             and math.hypot(target[other, 0] - tip[0], target[other, 1] - tip[1]) < gap
-            and math.hypot(target[other, 0] - target[k, 0], target[other, 1] - target[k, 1]) < gap
+            and math.hypot(
+                target[other, 0] - target[candidate, 0], target[other, 1] - target[candidate, 1]
+            )
+            < gap
             and (target[other, 0] != tip[0] or target[other, 1] != tip[1])
         ):
             return True
@@ -170,31 +171,32 @@ def _far_along_chain(
     edge: int,
     share: float,
     gap: float,
-    t: int,
+    number: int,
     seen: I64_1,
     along_chain: F64_1,
     back: Bool_1,
     length: F64_1,
 ) -> bool:
-    """Return whether a point on an edge is far enough from a dangling end along their chain.
+    """Return whether a point is far enough from a dangling end along their common chain.
 
-    A point of another chain is far enough.
+    The path along the chain must be at least ``_CHAIN_FACTOR`` times as long as the gap.  A point
+    of another chain is always far enough.
 
     Parameters
     ----------
     edge, share
-        Edge, and parameter of the point on it, 0 … 1.
+        Edge on which the point lies, and the parameter of the point on it, 0 … 1.
     gap : mm
         Straight distance of the point from the dangling end.
-    t
+    number
         Number of the dangling end.
-    seen, along_chain, back
-        Of each edge: the dangling end from which it was reached last, the distance along the chain
-        to it (mm), and whether the chain runs from its end to its start.
+    seen, along_chain, back : (n,)
+        Dangling end from which each edge was reached last, distance along the chain to the edge
+        (mm), and whether the chain runs from the edge's end to its start.
     length : (n,) mm
         Length of each edge.
     """
-    if seen[edge] != t:
+    if seen[edge] != number:
         return True
     along = (1.0 - share if back[edge] else share) * length[edge]
     return bool(along_chain[edge] + along >= _CHAIN_FACTOR * gap)

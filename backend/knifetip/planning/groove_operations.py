@@ -1,7 +1,4 @@
-"""groove_operations: the operation that cuts the V-grooves of a dieline.
-
-Dieline, rows of V-grooves, Setup, outline of the board -> Operation
-"""
+"""groove_operations: plan the operation that cuts the V-grooves of a dieline."""
 
 from __future__ import annotations
 
@@ -50,7 +47,7 @@ def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setu
     run_out, on_edge = run_out_lengths(points, -inward, 2.0 * reach, outline, own)
     run_out = run_out.reshape(2, -1).T
     check_flanks(paths, source, reach, run_out, dieline)
-    # From chord to chord the blade runs over into its own groove.
+    # At a joint of two chords the blade overruns into the groove that it has cut itself.
     joined = (
         continues_straight(points, inward, joint + COLLINEAR)
         if joint

@@ -1,17 +1,15 @@
 """layers: order cuts so that no tool works on a piece of board that is already loose.
 
-    cuts -> layer of each cut; layer 0 is cut last
-
 A piece of board comes loose when cuts enclose it.  The layers are found backwards, from the
-finished sheet: removing a cut joins the faces on its two sides, and a face that is joined to the
-plane outside is held.  Cuts with a held face on one side form layer 0.  Removing them makes more
-faces held; cuts beside those faces form layer 1, and so on inwards.  Cuts of one layer may be made
-in any order, after all cuts of higher layers.
+finished sheet.  Removing a cut joins the faces on its two sides, and a face that is joined to the
+plane outside is held.  Cuts with a held face on one side form layer 0, which is cut last.  Removing
+them makes more faces held; cuts beside those faces form layer 1, and so on inwards.  Cuts of one
+layer may be made in any order, after all cuts of higher layers.
 
-So holes come before their part, a part before the window in which it lies, the line between two
-parts before their common outline, and open cuts before the contour in which they lie.  A closed
-contour is one unit of work, and so is an edge that belongs to no contour; a unit has the layer of
-its innermost stretch.
+In this order, a hole is cut before its part, and a part before the window in which it lies.  The
+line between two parts is cut before their common outline, and an open cut before the contour in
+which it lies.  A closed contour is one unit of work, and so is an edge that belongs to no contour.
+A unit has the layer of its innermost stretch.
 """
 
 from __future__ import annotations
@@ -35,10 +33,11 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Cuts in any order and direction; contours may have gaps of up to ``CONTOUR_GAP``.
+        Ends and bulges of the cuts, in any order and direction.  Contours may have gaps of up to
+        ``CONTOUR_GAP``.
     contour : (n,)
         Closed contour of each cut, -1 for none.  All cuts of a contour get one layer, unless
-        contours enclose each other in a cycle; then each edge gets its own layer.
+        contours enclose each other in a cycle; then each cut gets its own layer.
 
     Raises
     ------
@@ -73,42 +72,47 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
 
 @kernel
 def _assign_layers(
-    face: I64_2, row: I64_1, size_of: F64_1, piece_of: I64_1, first: I64_1, count: int
+    face: I64_2, unit_of: I64_1, size_of: F64_1, piece_of: I64_1, first: I64_1, count: int
 ) -> Any:
     """Return the layer of each of ``count`` units of work, and whether no cycle was found.
+
+    A unit of work is a closed contour or a single edge; it consists of stretches between faces.  A
+    cycle is a set of units each of which would have to be cut before another one.
 
     Parameters
     ----------
     face : (m, 2)
-        Faces on the two sides of each stretch; 0 is the plane outside.
-    row : (m,)
+        Faces on the two sides of each of m stretches; 0 is the plane outside.
+    unit_of : (m,)
         Unit of work of each stretch, -1 for links.
     size_of : (m,) mm
-        Length of each stretch; short ones, up to ``CONTOUR_GAP``, break cycles last.
+        Length of each stretch.  Stretches up to ``CONTOUR_GAP`` break a cycle only if no longer one
+        does.
     piece_of, first
-        Stretches beside each face, in compressed rows.
+        Stretches sorted by the faces beside them, and index in ``piece_of`` of each face's first
+        stretch.
     """
     layer = np.full(count, -1, np.int64)
     waiting = np.zeros(count, np.int64)
     starts = np.zeros(count + 1, np.int64)
-    for piece in range(len(row)):
-        if row[piece] >= 0:
-            waiting[row[piece]] += 1
-            starts[row[piece] + 1] += 1
-    for edge in range(count):
-        starts[edge + 1] += starts[edge]
+    for piece in range(len(unit_of)):
+        if unit_of[piece] >= 0:
+            waiting[unit_of[piece]] += 1
+            starts[unit_of[piece] + 1] += 1
+    for unit in range(count):
+        starts[unit + 1] += starts[unit]
     pieces = np.empty(starts[count], np.int64)
     filled = starts[:-1].copy()
-    for piece in range(len(row)):
-        if row[piece] >= 0:
-            pieces[filled[row[piece]]] = piece
-            filled[row[piece]] += 1
+    for piece in range(len(unit_of)):
+        if unit_of[piece] >= 0:
+            pieces[filled[unit_of[piece]]] = piece
+            filled[unit_of[piece]] += 1
     held = np.zeros(len(first) - 1, np.bool_)
-    ready = np.zeros(len(row), np.bool_)
+    ready = np.zeros(len(unit_of), np.bool_)
     reached = np.empty(len(held), np.int64)
     queue = np.empty(count, np.int64)
-    begun = np.empty(len(row), np.int64)
-    brief = np.empty(len(row), np.int64)
+    begun = np.empty(len(unit_of), np.int64)
+    brief = np.empty(len(unit_of), np.int64)
     started = tried = scraps = tried_brief = done = 0
     faces = 1
     held[0] = True
@@ -122,24 +126,24 @@ def _assign_layers(
         while looked < faces:
             for place in range(first[reached[looked]], first[reached[looked] + 1]):
                 piece = piece_of[place]
-                edge = row[piece]
-                if ready[piece] or edge < 0:
+                unit = unit_of[piece]
+                if ready[piece] or unit < 0:
                     continue
                 ready[piece] = True
                 if size_of[piece] > CONTOUR_GAP:
-                    begun[started] = edge
+                    begun[started] = unit
                     started += 1
                 else:
-                    brief[scraps] = edge
+                    brief[scraps] = unit
                     scraps += 1
-                waiting[edge] -= 1
-                if waiting[edge] == 0:
-                    queue[size] = edge
+                waiting[unit] -= 1
+                if waiting[unit] == 0:
+                    queue[size] = unit
                     size += 1
             looked += 1
         if size == done:
             ordered = False
-            # A cycle: take the work with a ready stretch; if there is none, all of it.
+            # A cycle: queue the units with a ready stretch or, if there are none, all units.
             for place in range(tried, started):
                 size = _enqueue(begun[place], layer, waiting, queue, size)
             tried = started
@@ -148,13 +152,13 @@ def _assign_layers(
                     size = _enqueue(brief[place], layer, waiting, queue, size)
                 tried_brief = scraps
             if size == done:
-                for edge in range(count):
-                    size = _enqueue(edge, layer, waiting, queue, size)
+                for unit in range(count):
+                    size = _enqueue(unit, layer, waiting, queue, size)
         until = size
         for place in range(done, until):
-            edge = queue[place]
-            layer[edge] = number
-            for k in range(starts[edge], starts[edge + 1]):
+            unit = queue[place]
+            layer[unit] = number
+            for k in range(starts[unit], starts[unit + 1]):
                 for side in range(2):
                     name = face[pieces[k], side]
                     if not held[name]:
@@ -167,13 +171,14 @@ def _assign_layers(
 
 
 @kernel
-def _enqueue(edge: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
-    """Append a unit of work to the queue unless it was queued; return the length of the queue.
+def _enqueue(unit: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
+    """Append a unit of work to the queue unless it is or was queued; return the queue's new length.
 
-    ``layer`` is the layer of each unit, -1 for none yet; ``waiting`` becomes -1 for a queued unit.
+    ``layer`` is the layer of each unit, -1 for none yet.  ``waiting`` is set to -1 for the unit
+    when it is queued.
     """
-    if layer[edge] >= 0 or waiting[edge] < 0:
+    if layer[unit] >= 0 or waiting[unit] < 0:
         return size
-    waiting[edge] = -1
-    queue[size] = edge
+    waiting[unit] = -1
+    queue[size] = unit
     return size + 1

@@ -1,12 +1,11 @@
-"""milling: the operations of a cutter that removes a disc: a router bit or a laser beam.
+"""milling: plan the operations of a router bit or a laser beam, which cuts by removing a disc.
 
-    Dieline, rows of cuts, Setup -> one Operation for each layer of cuts, open cuts first
-
-The centre of the cutter runs beside the line, in the waste: outside a part, inside a hole.  The
-waste is on the left of travel: a part is travelled clockwise, a hole counter-clockwise.  With a
-spindle that turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut
-on the line, and each side loses the radius r.  An edge that two parts share is refused, since the
-disc would cut into one of them.
+There is one operation for each layer of cuts, with open cuts first.  The centre of the cutter runs
+beside the edge, in the waste: outside a part, inside a hole.  The waste is on the left of travel,
+so the cutter runs clockwise round a part and counter-clockwise round a hole.  With a spindle that
+turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut on its line,
+and each side loses the cutter's radius.  An edge between two parts is refused, since the disc would
+cut into one of them.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ def plan_milling(
     rows: I32,
     setup: Setup,
 ) -> list[Operation]:
-    """Return the operations that mill some cuts, layer by layer from the innermost.
+    """Return the operations that mill the given cuts, layer by layer from the innermost.
 
     Every contour is chained separately, so that two contours may touch at a point.
 
@@ -55,7 +54,7 @@ def plan_milling(
     Raises
     ------
     PlanError
-        Two parts share an edge.
+        An edge lies between two parts.
     NoRoomForBridges
         A contour has no room for the bridges that the board requires.
     """
@@ -115,10 +114,10 @@ def _bridge_positions(
     source: I32,
     avoid: F64,
 ) -> F64:
-    """Return the segment of each bridge and the position of its middle along it (mm), (k, 2).
+    """Return the segment of each of k bridges and the position of its middle along it (mm), (k, 2).
 
-    The disc cuts one radius beyond the points at which its centre stops, on either side of a
-    bridge.
+    On both sides of a bridge the disc cuts one radius farther than its centre travels.  The gaps in
+    the path of the centre are longer than the bridges by that.
 
     Parameters
     ----------
@@ -145,12 +144,12 @@ def _bridge_positions(
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return all operations, with the choices for single corners set in those that mill.
+    """Return all operations; in those that mill, the choices for single corners are set.
 
     Raises
     ------
     PlanError
-        A choice is invalid or names no corner.
+        A choice is invalid or is near no corner.
     """
     milling = [
         isinstance(operation.tool, DiscTool) and operation.side != 0 for operation in operations
@@ -190,7 +189,7 @@ def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
 
 
 def _check_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise ``PlanError`` if there is an edge that two parts share; ``rows`` are these edges."""
+    """Raise ``PlanError`` unless ``rows``, the edges that lie between two parts, is empty."""
     if len(rows):
         raise PlanError(
             "milling.shared-edge",
@@ -201,7 +200,11 @@ def _check_shared(rows: I32, cutter: DiscTool) -> None:
 
 
 def _close_joints(paths: Paths) -> Paths:
-    """Return the paths with equal ends at joints, closed if their two ends are within ``JOIN``."""
+    """Return the paths with small gaps removed.
+
+    Each segment ends exactly at the start of the next one.  A path whose two ends are within
+    ``JOIN`` is closed.
+    """
     end = paths.end.copy()
     first, last = paths.first[:-1], paths.first[1:] - 1
     inner: Bool = np.ones(len(end), np.bool_)

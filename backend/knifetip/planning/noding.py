@@ -1,6 +1,6 @@
 """noding: split edges where other edges end on them or cross them.
 
-edges -> pieces that meet only at their ends, and the edge of each piece
+The results are pieces that meet only at their ends, and the edge of each piece.
 """
 
 from __future__ import annotations
@@ -21,25 +21,31 @@ _MOST_PAIRS: Final = 5_000_000
 
 
 def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges split where others end on them: ends and bulge of the pieces, edge of each.
+    """Return edges, split where ends of other edges lie on them.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
+        Ends and bulges of the edges.
+
+    Returns
+    -------
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
     """
     return _split_at(ends, bulge, *_end_contacts(ends, bulge))
 
 
 def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges split where other edges end on them or cross them.
+    """Return edges, split where other edges end on them or cross them.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
+        Ends and bulges of the edges.
 
     Returns
     -------
-    Ends (m, 2, 2) mm and bulge (m,) of the pieces, and the edge of each piece (m,).
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
 
     Raises
     ------
@@ -55,12 +61,12 @@ def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 
 
 def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return the points of edges at which ends of other edges lie.
+    """Return the k points of edges at which ends of other edges lie.
 
     Returns
     -------
     edge, share, point : (k,), (k,) and (k, 2) mm
-        Edge, parameter of the point on it (0 … 1), and the end of the other edge.
+        Edge, parameter of the point on it (0 … 1), and the position of the other edge's end.
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
@@ -75,12 +81,12 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return the points at which edges cross, once for each of the two edges.
+    """Return the points at which two edges cross, once for each of the two edges.
 
     Returns
     -------
     edge, share, point : (k,), (k,) and (k, 2) mm
-        Edge, parameter of the point on it (0 … 1), and the point.
+        Edge, parameter of the point on it (0 … 1), and the position of the point.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes, boxes, 0.0)
@@ -105,12 +111,18 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _split_at(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64, F64, I64]:
-    """Return edges split at points: ends and bulge of the pieces, and the edge of each piece.
+    """Return edges, split at given points.
 
     Parameters
     ----------
+    ends, bulge : (n, 2, 2) mm and (n,)
+        Ends and bulges of the edges.
     row, share, point : (k,), (k,) and (k, 2) mm
-        Edge, parameter on it (0 … 1) and position of each point.
+        Edge of each point, parameter of the point on it (0 … 1), and position of the point.
+
+    Returns
+    -------
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
     """
     rows = np.concatenate([np.arange(len(ends)), row])
     low = np.concatenate([np.zeros(len(ends)), share])

@@ -1,6 +1,6 @@
-"""path_ends: chain edges into paths; positions, directions and kinds of the ends of paths.
+"""path_ends: chain edges into paths, and find the positions, directions and kinds of their ends.
 
-The 2p ends of p paths are listed starts first, then finishes.
+In all arrays of the 2p ends of p paths, the starts come first, then the finishes.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from knifetip.model.operation import End
 def chain_edges(
     dieline: Dieline, rows: I32, kink: float, group: I64 | None = None
 ) -> tuple[Paths, I32]:
-    """Chain edges of a dieline into paths; return the paths and the row of each segment.
+    """Chain edges of a dieline into paths; return the paths and the dieline row of each segment.
 
     Parameters
     ----------
     rows : (m,)
-        Rows of the dieline.
+        Rows of the edges in the dieline.
     kink : degrees
-        Edges that meet in a sharper corner are not chained.
+        Two edges are not chained if the path would turn by more than this angle between them.
     group : (m,)
         Edges of different groups are not chained.
     """
@@ -40,7 +40,7 @@ def end_points(paths: Paths) -> tuple[F64, I32]:
 
 
 def end_directions(paths: Paths) -> F64:
-    """Return the unit directions from the ends of the paths into the paths, (2p, 2)."""
+    """Return, at each of the 2p ends of p paths, the unit direction into the path, (2p, 2)."""
     _, segment = end_points(paths)
     side = np.repeat([0, 1], len(paths))
     segments = np.stack([paths.start, paths.end], axis=1)
@@ -49,10 +49,10 @@ def end_directions(paths: Paths) -> F64:
 
 
 def end_kinds(paths: Paths, marked: Bool, kind: End) -> tuple[U8, U8]:
-    """Return the kinds of the starts and of the finishes of the paths, (p,) and (p,).
+    """Return the kinds of the starts and of the finishes of p paths, (p,) and (p,).
 
-    The ends of closed paths are CLOSED.  The other ends are of kind ``kind`` if the mask
-    ``marked``, (2p,), contains them, and FREE if it does not.
+    Both ends of a closed path are CLOSED.  Every other end has the kind ``kind`` if ``marked``, a
+    mask of the ends (2p,), is true for it, and the kind FREE if not.
     """
     kinds = np.where(marked, kind, End.FREE)
     start, finish = np.split(np.where(np.tile(paths.closed, 2), End.CLOSED, kinds), 2)

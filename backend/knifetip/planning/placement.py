@@ -1,7 +1,4 @@
-"""placement: the position of a drawing on a machine's table.
-
-Dieline, Machine -> shift in mm, added to the drawing's coordinates
-"""
+"""placement: compute the position of a drawing on a machine's table."""
 
 from __future__ import annotations
 
@@ -14,14 +11,15 @@ from knifetip.model.machine import Machine
 
 
 def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
-    """Return the shift (mm) from the lower left corner of the work to the machine's origin.
+    """Return the shift (x, y) in mm to be added to the drawing's coordinates.
 
-    Ignored and unclassified edges are no part of the work.
+    It moves the lower left corner of the drawing to the machine's origin.  Ignored and unclassified
+    edges do not count.
 
     Raises
     ------
     TravelExceeded
-        The work is larger than the table.
+        The drawing is larger than the table.
     """
     worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     low_x, low_y, high_x, high_y = extents(dieline.ends[worked], dieline.bulge[worked])

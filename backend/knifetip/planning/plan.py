@@ -1,10 +1,8 @@
-"""plan: the operations that make a dieline, in working order.
+"""plan: find the operations that make a dieline, in working order.
 
-    Dieline (in sheet coordinates), Machine, Board -> Operations
-
-Creases and V-grooves come first, while the board is uncut and lies firmly; then half-cuts and
-perforations; then the cuts, layer by layer from the innermost: edges inside a contour are cut
-before the contour itself.
+Creases and V-grooves come first, while the board is uncut and lies firmly.  Half-cuts and
+perforations follow.  The cuts come last, layer by layer from the innermost: edges inside a contour
+are cut before the contour itself.
 """
 
 from __future__ import annotations
@@ -42,7 +40,7 @@ _STEPS: Final[Mapping[LineType, tuple[LineType, ...]]] = {
 
 
 def lacks_tool(machine: Machine, line_type: LineType) -> bool:
-    """Return whether a machine lacks a tool that a line type needs."""
+    """Return whether a machine has no tool for a line type."""
     return any(machine.station_for(step) is None for step in _STEPS.get(line_type, (line_type,)))
 
 
@@ -68,13 +66,16 @@ def plan(
     ----------
     dieline
         Edges in sheet coordinates.  Ignored and unclassified edges are skipped.
+    machine, board
+        Machine that makes the dieline, and the board on its table.
     corners
         How a milling cutter goes round corners; None for the fastest way on this machine.
 
     Raises
     ------
     PlanError
-        A corner choice is invalid or names no corner, or there is no cutter.
+        A corner choice is invalid or is near no corner, or the machine has no milling cutter for
+        it.
     NoToolForLineType
         No station of the machine makes one of the line types.
     FlankOutside

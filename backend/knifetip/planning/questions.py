@@ -1,7 +1,4 @@
-"""questions: line types of a dieline for which a machine has no tool.
-
-Dieline, Machine -> list[Question]
-"""
+"""questions: ask how to make the line types for which a machine has no tool."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
-"""reachable: the stretches of each segment of a contour that the tool can reach.
+"""reachable: find the stretches of a contour's segments that the tool can reach.
 
-    Paths, radius of a cutter on their left -> ReachableStretches, at most one per raw offset piece
-
-A knife reaches everything.  A disc does not reach into inner corners, slots and necks that are
-narrower than itself: it reaches the stretches whose offset ``offset.offset_paths`` keeps.
+A knife reaches every point of a contour.  A disc does not reach into inner corners, slots and necks
+that are narrower than itself.  It reaches the stretches whose offset curve, at the distance of its
+radius, ``offset.offset_paths`` keeps.
 """
 
 from __future__ import annotations
@@ -34,9 +33,10 @@ def all_reachable(paths: Paths) -> ReachableStretches:
 
 
 def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
-    """Return the stretches that a disc reaches from the left of paths which bound one region.
+    """Return the stretches of paths that a disc reaches from their left.
 
-    If the paths have no offset, all stretches are returned: compensation reports the error later.
+    The closed paths bound one region.  If the paths have no offset curve, all segments are returned
+    entirely, because compensation reports the error later.
 
     Parameters
     ----------
