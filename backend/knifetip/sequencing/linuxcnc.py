@@ -23,7 +23,8 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     At a joint where the turn of C per mm changes by Δκ, the trajectory planner of LinuxCNC overlaps
     the two rows for a time t, in which the slower axis changes its speed.  The tip then deviates by
     Δκ (v t)² / 2, where v is the faster of the two feeds (ADR 0008).  The program halts if this
-    deviation is more than ``BLENDED``, and between a turn in place and a cut.
+    deviation is more than ``BLENDED`` and neither row is a rapid.  It also halts between a turn in
+    place and another move, unless both are rapids.
 
     Parameters
     ----------

@@ -110,7 +110,7 @@ def _at_height(pose: F64, height: float) -> F64:
 def _parking_pose(station: Station, machine: Machine) -> F64:
     """Return the parking pose of a station, (4,), at travel height with C at 0.
 
-    It is the position nearest to the machine's origin that the station can reach.
+    It is the position nearest to X 0, Y 0 that the station can reach.
     """
     return np.array(
         [

@@ -24,7 +24,8 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
     Raises
     ------
     TravelExceeded
-        Reports the axis and station with the largest excess, the excess, and the edge.
+        Reports the first station that exceeds a limit, the axis with its greatest excess, and the
+        edge.
     """
     boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
