@@ -271,7 +271,8 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
         source=dieline.source[shown],
         rule=dieline.rule[shown],
         confidence=dieline.confidence[shown],
-        face=_faces_of(dieline, shown, ends, slot),
+        # A cleaned edge has the direction of the drawn edge that it is shown for.
+        face=dieline.face[shown],
         part=dieline.part[shown],
     )
     order = np.lexsort((work.begin, work.row))
@@ -311,27 +312,6 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
         off,
         Stretches(row.astype(np.int32), low, high, target.astype(np.int32), given),
     )
-
-
-def _faces_of(dieline: Dieline, shown: I64, ends: F64, changed: I64) -> I32:
-    """Return the faces on the left and on the right of each cleaned edge, (m, 2).
-
-    Parameters
-    ----------
-    shown : (m,)
-        Drawn row that each cleaned edge comes from; its faces are taken.
-    ends : (m, 2, 2) mm
-        Ends of the cleaned edges.
-    changed : (k,)
-        Cleaned rows that may run against the direction in which they were drawn.
-    """
-    faces = dieline.face[shown]
-    drawn = shown[changed]
-    start, end, bulge = dieline.ends[drawn, 0], dieline.ends[drawn, 1], dieline.bulge[drawn]
-    first, last = (arc.nearest_fraction(start, end, bulge, ends[changed, side]) for side in (0, 1))
-    against = changed[first > last]
-    faces[against] = faces[against, ::-1]
-    return faces
 
 
 def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:

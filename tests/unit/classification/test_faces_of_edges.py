@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Point
@@ -76,18 +77,21 @@ def test_a_hole_belongs_to_its_panel_and_its_blank() -> None:
     assert (face[9:, 1] == -1).all()
 
 
-def test_cleaning_keeps_faces_on_their_sides() -> None:
-    drawn = panel_with_hole()
-    assert clean(drawn).dieline.face.tolist() == drawn.face.tolist()
-    backwards = drawn.ends.copy()
-    backwards[2] = backwards[2, ::-1]
-    faces = drawn.face.copy()
-    faces[2] = faces[2, ::-1]
-    cleaned = clean(replace(drawn, ends=backwards, face=faces)).dieline
-    assert cleaned.part.tolist() == drawn.part.tolist()
-    for row in range(len(drawn)):
-        same = (cleaned.ends[row] == drawn.ends[row]).all()
-        assert cleaned.face[row].tolist() == drawn.face[row, :: 1 if same else -1].tolist()
+@pytest.mark.parametrize("swapped", [(), (0,), (1,), (0, 1)])
+@pytest.mark.parametrize("first", [0, 1])
+def test_cleaning_keeps_faces_on_their_sides(first: int, swapped: tuple[int, ...]) -> None:
+    halves = edges(((0, 50), (40, 50)), ((40, 50), (80, 50)))
+    for row in swapped:
+        halves[row] = halves[row, ::-1]
+    rest = edges(((0, 50), (0, 0)), ((0, 0), (80, 0)), ((80, 0), (80, 50)))
+    drawn = dieline((LineType.CUT, np.concatenate([halves[[first, 1 - first]], rest])))
+    features = extract_shape_features(drawn.ends, np.zeros(5))
+    cleaned = clean(replace(drawn, face=features.sides, part=features.part)).dieline
+    (panel,) = set(features.sides[features.sides >= 0].tolist())
+    (merged,) = np.flatnonzero((np.abs(cleaned.ends[:, 0] - cleaned.ends[:, 1])[:, 0] == 80)[:2])
+    to_the_right = cleaned.ends[merged, 0, 0] < cleaned.ends[merged, 1, 0]
+    assert cleaned.face[merged].tolist() == ([-1, panel] if to_the_right else [panel, -1])
+    assert cleaned.part[merged] == features.part[0]
 
 
 def test_a_dieline_without_a_graph_has_no_faces() -> None:
