@@ -6,8 +6,8 @@ right.  So for a contour point P with left normal n and a cutter of radius r, th
 programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: every point of the offset moves by
 −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
 
-Source: radius paper, eqs 6–12.  The paper does not state the side of the correction; here it is
-into the board.
+Source: "Tool radius compensation" (the radius paper), eqs 6–12.  The paper does not state the side
+of the correction; here it is into the board.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 
 from knifetip.errors import CompensationError
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import left_normal, unit_vectors
+from knifetip.geometry.azimuth import left_normal, tan_half_angle, unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import BULGE
@@ -39,7 +39,7 @@ FIT_TOLERANCE: Final = 0.0005
 def deflection_at(tangent: F64, side: int, x: float, y: float) -> F64:
     """Return the deflection of a cutter, (n, 2) mm, at points of contours with given tangents.
 
-    Δ = σ (−δx sin a, δy cos a): radius paper, eqs 6–9; its eq 9 prints ΔXmax instead of ΔYmax.
+    Δ = σ (−δx sin a, δy cos a): "Tool radius compensation", eqs 6–9; eq 9 prints ΔXmax for ΔYmax.
 
     Parameters
     ----------
@@ -59,7 +59,8 @@ def programmed_centre(
 ) -> F64:
     """Return the positions of a cutter's centre that cut given contour points, (n, 2) mm.
 
-    P + σ diag(r − δx, r − δy) n with n the left normal: eq 5 less eq 11 of the radius paper.
+    P + σ diag(r − δx, r − δy) n with n the left normal: eq 5 minus eq 11 of "Tool radius
+    compensation".
 
     Parameters
     ----------
@@ -88,8 +89,8 @@ def fit_deflection(tangent: F64, measured: F64, side: int) -> tuple[float, float
 
         δx = −σ Σ ΔX sin a / Σ sin² a        δy = σ Σ ΔY cos a / Σ cos² a
 
-    For one point this is the solution of eq 10 of the radius paper, which divides by sin a₀ and cos
-    a₀.
+    For one point at azimuth a₀ this is the solution of eq 10 of "Tool radius compensation", which
+    divides by sin a₀ and cos a₀.
 
     Parameters
     ----------
@@ -307,13 +308,7 @@ class _ShiftedSegments:
         halved = double[which]
         start = np.where(second[:, None], joint[which], a[which])
         end = np.where((halved & ~second)[:, None], joint[which], b[which])
-        bulge = np.where(second, _half_angle(b - joint, v)[which], _half_angle(u, joint - a)[which])
+        bulge = np.where(
+            second, tan_half_angle(b - joint, v)[which], tan_half_angle(u, joint - a)[which]
+        )
         return row[which], start, end, np.where(halved, bulge, 0.0)
-
-
-def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle between two vectors: an arc's bulge, from tangent and chord."""
-    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    dot = (before * after).sum(axis=1)
-    result: F64 = cross / (np.hypot(cross, dot) + dot)
-    return result

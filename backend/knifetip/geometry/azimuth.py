@@ -55,10 +55,23 @@ def turn_angle(before: F64, after: F64) -> F64:
     return folded
 
 
-def unwrap(azimuths: F64, period: float = 360.0) -> F64:
-    """Return a sequence of azimuths without jumps: each is as near as possible to its predecessor.
+def tan_half_angle(before: F64, after: F64) -> F64:
+    """Return tan of half the angle from one vector to another, (n,), for vectors (n, 2).
 
-    Multiples of ``period`` degrees are added: 360, or 180 for a tool that is the same from both
-    sides, such as a crease wheel.
+    It is the bulge of an arc if the vectors are the tangent at its start and its chord, or its
+    chord and the tangent at its end.
+    """
+    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    dot = (before * after).sum(axis=1)
+    result: F64 = cross / (np.hypot(cross, dot) + dot)
+    return result
+
+
+def unwrap(azimuths: F64, period: float = 360.0) -> F64:
+    """Return azimuths, (n,) degrees, without jumps between successive values.
+
+    Multiples of ``period`` degrees are added to each azimuth so that it is as near as possible to
+    the preceding azimuth.  The period is 360, or 180 for a tool that is the same from both sides,
+    such as a crease wheel.
     """
     return np.unwrap(azimuths, period=period)

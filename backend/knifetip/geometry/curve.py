@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.errors import GeometryError
+from knifetip.geometry.azimuth import tan_half_angle
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE, CURVE
 
@@ -128,13 +129,17 @@ def fit_many(
 def _fit_block(
     point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Return the segments of ``count`` curves from number ``low`` on, as ``fit_many`` does.
+    """Return the segments of the curves ``low`` … ``low + count - 1``, as ``fit_many`` does.
 
-    The curves are fitted as one curve, with parameters 2k to 2k + 1 for curve k.
+    The curves are joined into one curve and fitted together; the i-th of them has the parameters
+    2i to 2i + 1.
     """
 
     def curve_and_parameter(t: F64) -> tuple[I64, F64]:
-        """Return curve numbers and parameters, (m,) each, for parameters of the one curve."""
+        """Return curve numbers and the parameters on these curves, (m,) each.
+
+        ``t`` (m,) are parameters of the joined curve.
+        """
         k = np.minimum(t // 2.0, count - 1.0)
         return k.astype(np.int64) + low, np.clip(t - 2.0 * k, 0.0, 1.0)
 
@@ -238,9 +243,10 @@ def _merge_collinear(
 
 
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
-    """Return parameters that divide a curve into pieces of nearly equal deviation.
+    """Return parameters that divide a curve into pieces whose biarcs deviate nearly equally.
 
-    All knots are among the returned parameters.
+    ``knots`` (k,) are parameters that must be among the returned ones; ``tolerance`` is the largest
+    deviation of a biarc in mm.
     """
     cells = 32
     if len(knots) - 1 > _MAX_PIECES:
@@ -306,11 +312,11 @@ def _biarcs(
     open_ = 2.0 * (1.0 - (u * v).sum(axis=1))
     d = square / (lean + np.sqrt(lean * lean + open_ * square))
     joint = ((a + d[:, None] * u) + (b - d[:, None] * v)) / 2.0
-    bulge = np.stack([_half_angle(u, joint - a), _half_angle(b - joint, v)], axis=1)
+    bulge = np.stack([tan_half_angle(u, joint - a), tan_half_angle(b - joint, v)], axis=1)
 
     # Use one arc where it fits as well as two (circles, straight parts).
-    whole = _half_angle(u, chord)
-    one_arc = np.abs(whole - _half_angle(chord, v)) < 1e-9
+    whole = tan_half_angle(u, chord)
+    one_arc = np.abs(whole - tan_half_angle(chord, v)) < 1e-9
     joint[one_arc] = b[one_arc]
     bulge[one_arc, 0] = whole[one_arc]
     bulge[one_arc, 1] = 0.0
@@ -335,14 +341,6 @@ def _biarcs(
 def _normalise(vectors: F64) -> F64:
     """Return vectors, (n, 2), scaled to length 1; NaN for zero vectors."""
     return vectors / np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
-
-
-def _half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle between two vectors: an arc's bulge, from tangent and chord."""
-    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    dot = (before * after).sum(axis=1)
-    result: F64 = cross / (np.hypot(cross, dot) + dot)
-    return result
 
 
 def _distances(start: F64, end: F64, bulge: F64, points: F64) -> F64:
