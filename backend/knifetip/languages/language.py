@@ -41,7 +41,8 @@ class Language:
     def load_part(self, role: str) -> Any:
         """Import and return one component of the language.
 
-        ``role`` is the field that names the component: ``emitter``, ``reader`` or ``timing``.
+        ``role`` is the field that names the component: ``emitter``, ``reader``, ``timing``,
+        ``driver`` or ``settings``.
         """
         return pkgutil.resolve_name(getattr(self, role))
 
@@ -68,5 +69,5 @@ class Language:
         if self.settings:
             return self.load_part("settings")(fields, machine)
         if fields:
-            raise ValueError(f"{self.title} has no settings, so there is no [controller]")
+            raise ValueError(f"{self.title} has no settings; remove [controller]")
         return None

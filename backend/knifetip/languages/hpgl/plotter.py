@@ -1,6 +1,6 @@
 """plotter: the settings of an HPGL device and its pens, read from a machine's TOML file.
 
-The module contains data only: the emitter and the verifier's reader share no computation.
+The emitter and the verifier's reader of HPGL share these records, but no computation.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ CM_PER_SECOND: Final = 600.0
 
 
 class PenWork(StrEnum):
-    """Kind of work that a pen does in the board; its force is set at the device or by FS."""
+    """Kind of work that a pen does in the board."""
 
     CUT = "cut"  #: through the board
     HALF_CUT = "half-cut"
@@ -72,23 +72,23 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
     pens = tuple(_read_pen(row, device) for row in fields.get("pen", ()))
     numbers = [pen.number for pen in pens]
     if len(set(numbers)) != len(numbers):
-        raise ValueError(f"pen numbers {numbers} must differ")
+        raise ValueError(f"pen numbers {numbers} must differ; give each pen its own number")
     for station in machine.stations:
         _check_station(station, device)
     for pen in pens:
         _check_pen(pen, machine)
     works = [(pen.station, pen.work) for pen in pens]
     if len(set(works)) != len(works):
-        raise ValueError("two pens of one station do the same work")
+        raise ValueError("two pens of one station do the same work; remove one of them")
     if idle := {station.number for station in machine.stations} - {pen.station for pen in pens}:
-        raise ValueError(f"station {min(idle)} has no [[controller.pen]]")
+        raise ValueError(f"station {min(idle)} has no [[controller.pen]]; add one")
     x0, y0, x1, y1 = device.area
     for axis, zero, low, high in (("x", 0, x0, x1), ("y", 1, y0, y1)):
         reach = [device.zero[zero] + edge / device.units for edge in (low, high)]
         travel = getattr(machine, axis)
         if travel.low < reach[0] - 1e-9 or travel.high > reach[1] + 1e-9:
             raise ValueError(
-                f"axes.{axis} goes from {travel.low:g} to {travel.high:g}, and the device reaches "
+                f"axes.{axis} goes from {travel.low:g} to {travel.high:g}, but the device reaches "
                 f"{reach[0]:g} to {reach[1]:g} mm"
             )
     return Plotter(device, pens)
@@ -110,8 +110,7 @@ def _read_device(value: Any, machine: Machine) -> Device:
         if value not in _shipped_devices():
             known = ", ".join(sorted(_shipped_devices()))
             raise ValueError(
-                f"controller.device is {value!r}: it is one of {known}, or a table with the same "
-                "fields"
+                f"controller.device is {value!r}; give one of {known}, or a table with their fields"
             )
         value = _shipped_devices()[value]
     units = float(value["units"])
@@ -144,12 +143,17 @@ def _read_range(value: Any, name: str) -> tuple[int, int] | None:
 
 
 def _read_pen(row: Mapping[str, Any], device: Device) -> Pen:
-    """Return the pen of one row of the table ``pens``; raise ``ValueError`` if it is invalid."""
+    """Return the pen that one table ``[[controller.pen]]`` describes, given as ``row``.
+
+    Raises ``ValueError`` if a field of the pen is invalid.
+    """
     number, force = int(row["number"]), int(row.get("force", 0))
     if not 1 <= number <= device.pens:
         raise ValueError(f"pen {number}: {device.title} has pens 1 to {device.pens}")
     if device.force is None and force:
-        raise ValueError(f"pen {number} has a force, and {device.title} has no FS")
+        raise ValueError(
+            f"pen {number} has a force, but {device.title} has no FS; remove the force"
+        )
     if device.force is not None and not device.force[0] <= force <= device.force[1]:
         raise ValueError(
             f"pen {number}: force is {force}, and must be {device.force[0]} to {device.force[1]}"
@@ -158,7 +162,7 @@ def _read_pen(row: Mapping[str, Any], device: Device) -> Pen:
         work = PenWork(row["work"])
     except ValueError:
         known = ", ".join(PenWork)
-        raise ValueError(f"pen {number}: work is {row['work']!r}: it is one of {known}") from None
+        raise ValueError(f"pen {number}: work is {row['work']!r}; give one of {known}") from None
     return Pen(number, int(row["station"]), work, force)
 
 
@@ -167,18 +171,24 @@ def _check_station(station: Station, device: Device) -> None:
     where = f"station {station.number}"
     tool = station.tool
     if kind_of(tool).engine not in (Engine.KNIFE, Engine.CREASE):
-        raise ValueError(f"{where}: HPGL has neither depths nor headings, and its tool needs them")
+        raise ValueError(
+            f"{where}: HPGL has neither depths nor headings, but the tool needs them; remove the "
+            "station"
+        )
     if any((station.x, station.y, station.z, station.c)) or station.output >= 0:
-        raise ValueError(f"{where}: the device keeps its tools' places: datum 0 and no output")
+        raise ValueError(
+            f"{where}: the device stores the offsets of its tools; set the datum to 0 and remove "
+            "output"
+        )
     if isinstance(tool, Knife) and tool.trail:
-        raise ValueError(f"{where}: the device makes good the trail of its knife: give 0")
+        raise ValueError(f"{where}: the device compensates the trail of its knife; set trail to 0")
     if device.speed is None:
         return
     speed = tool.feed / CM_PER_SECOND
     if speed != round(speed) or not device.speed[0] <= speed <= device.speed[1]:
         least, greatest = (CM_PER_SECOND * limit for limit in device.speed)
         raise ValueError(
-            f"{where}: feed is {tool.feed:g} mm/min, and {device.title} has multiples of "
+            f"{where}: feed is {tool.feed:g} mm/min, but {device.title} has multiples of "
             f"{CM_PER_SECOND:g} from {least:g} to {greatest:g}"
         )
 
@@ -188,6 +198,6 @@ def _check_pen(pen: Pen, machine: Machine) -> None:
     try:
         tool = machine.station(pen.station).tool
     except KeyError:
-        raise ValueError(f"pen {pen.number} is in station {pen.station}, which is none") from None
+        raise ValueError(f"pen {pen.number}: the machine has no station {pen.station}") from None
     if (kind_of(tool).engine is Engine.CREASE) is not (pen.work is PenWork.CREASE):
         raise ValueError(f"pen {pen.number}: the tool of station {pen.station} cannot {pen.work}")
