@@ -6,8 +6,9 @@ the waste; without room for leads it plunges on the offset path.  The last pass 
 waste loose, so the tool lifts from there without a lead-out.  Contours are milled in several
 passes; a cut without a side is milled on its centre line, forth and back.
 
-Source: radius paper, eqs 1–5 (in the offset engine).  The offset is set up and cancelled as
-controllers do, to the perpendicular (type A) or around the outside (type B).
+Source: "Tool radius compensation" (the radius paper), eqs 1–5, in the offset engine.  The offset is
+set up and cancelled as controllers do, to the perpendicular (type A) or around the outside (type
+B).
 """
 
 from __future__ import annotations

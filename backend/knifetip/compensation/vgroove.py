@@ -245,7 +245,7 @@ def _write_passes(
 
 
 def _check_paths(operation: Operation, cutter: VCutter) -> None:
-    """Raise an error if a path is curved, too short or too deep, or would overrun a free end."""
+    """Raise an error if a path is curved, short, or cut too deep or past a free end."""
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)
     if len(curved):

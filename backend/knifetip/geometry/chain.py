@@ -1,8 +1,8 @@
 """chain: connect edges into paths.
 
-Edges whose ends meet are connected.  If three or more ends meet at a point, only ends that continue
-each other straight are connected, and only if neither has a second candidate: an open end is better
-than a wrong connection.
+Edges whose ends meet are connected.  If three or more ends meet at a point, two of them are
+connected only if one continues the other straight and neither has a second such partner: ends that
+are left open do less harm than ends that are connected wrongly.
 """
 
 from __future__ import annotations
@@ -64,9 +64,10 @@ def outward_directions(ends: F64, bulge: F64) -> F64:
 
 
 def number_vertices(points: F64, gap: float = JOIN) -> I32:
-    """Return the number of the vertex that each point, (n, 2) mm, belongs to, (n,), from 0.
+    """Return the vertex number of each point, (n,), counted from 0, for points (n, 2) mm.
 
-    Points nearer than ``gap`` mm are one vertex, also indirectly through points between them.
+    Points nearer than ``gap`` mm belong to the same vertex.  So do points that are farther apart
+    but connected by a series of points in which neighbours are nearer than ``gap``.
     """
     if len(points) == 0:
         return np.zeros(0, np.int32)
@@ -152,9 +153,10 @@ def continues_straight(
 
 @kernel
 def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> Any:
-    """Return the least index among all points of the same vertex, (n,), for each point.
+    """Return for each point the least index of all points of its cluster, (n,).
 
-    Near points are merged by union-find over a grid of cells, found by bisection.
+    Points within ``gap`` of each other are merged into clusters by union-find.  Near points are
+    found in a grid of cells, by bisection in ``order``.
 
     Parameters
     ----------
@@ -162,7 +164,7 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
     cell : (n, 2)
         Column and row of the grid cell of each point; cells are ``gap`` mm wide.
     order : (n,)
-        Points sorted by cell.
+        Indices of the points, sorted by cell.
     gap : mm
         Largest distance of points that are merged.
     """
@@ -194,10 +196,10 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
 
 @kernel
 def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
-    """Return the end connected to each end, (2n,), -1 for open ends.
+    """Return the end to which each edge end is connected, (2n,), -1 for ends that remain open.
 
-    Two ends continue each other if their outward directions are opposite: the cosine of the turn is
-    minus their scalar product.
+    The turn between two ends is measured by its cosine, which is minus the scalar product of their
+    outward directions.
 
     Parameters
     ----------
@@ -206,9 +208,11 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
     by_node : (2n,)
         The ends, sorted by vertex.
     bounds : (v + 1,)
-        First end of each vertex in ``by_node``.
-    any_turn, straight
-        Least cosine of the turn if two ends meet, and if more meet.
+        Position in ``by_node`` of the first end of each vertex; the last entry is 2n.
+    any_turn
+        Least cosine of the turn at which two ends that meet alone are connected.
+    straight
+        Least cosine of the turn at which two ends are connected if three or more ends meet.
     """
     link = np.full(len(out), -1, np.int64)
     for node in range(len(bounds) - 1):
@@ -274,7 +278,7 @@ def follow_links(link: I64_1) -> Any:
     flipped : (k,)
         Whether each edge in ``order`` is traversed backwards.
     first : (r + 1,)
-        Position in ``order`` at which each run starts, and k.
+        Position in ``order`` at which each of the r runs starts; the last entry is k.
     closed : (r,)
         Whether each run is closed.
     """

@@ -38,8 +38,9 @@ class Ellipse:
     def to_segments(self, tolerance: float = CURVE) -> Segments:
         """Return lines and arcs within a tolerance (mm) of the ellipse: start, end and bulge.
 
-        Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  An
-        ellipse without width gives a line in both directions.
+        Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  If
+        u and v are parallel, the result consists of lines, which a full ellipse passes forth and
+        back.
 
         Raises
         ------

@@ -66,7 +66,10 @@ def intersect_pairs(
 def _intersect_pairs(
     one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3
 ) -> None:
-    """Write the common points of row i of both arrays to found[i], and their number to count[i]."""
+    """Write the common points of each pair of segments to ``found``, their number to ``count``.
+
+    Pair i consists of the segments in row i of ``one`` and in row i of ``two``.
+    """
     for i in range(len(one)):
         count[i] = intersect_rows(one, i, two, i, touch, found[i])
 
@@ -312,8 +315,8 @@ def _intersect_line_arc(
 ) -> int:
     """Write the common points of a line and an arc to ``found`` and return their number.
 
-    The segments are row i of ``one`` and row j of ``two``; ``flat`` states whether the first is the
-    line.
+    The segments are row i of ``one`` and row j of ``two``; ``flat`` states whether the line is the
+    segment in ``one``.
     """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]

@@ -65,7 +65,7 @@ def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> li
 
 @lru_cache(maxsize=1)
 def _thread_pool(_process: int) -> ThreadPoolExecutor:
-    """Return a pool of threads for the other cores; it is kept, since starting a thread takes ms.
+    """Return a pool of threads for the other cores; it is cached, because starting threads is slow.
 
     Cached by process id: a forked process does not inherit threads.
     """

@@ -164,9 +164,10 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
 
 
 def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, and those in the mask ``which`` (p,) with all segments twice in order.
+    """Return a copy of the paths in which the masked paths run through all their segments twice.
 
-    Also returns the input segment of each returned segment.
+    ``which`` (p,) is the mask.  Also returns the input segment that each returned segment comes
+    from.
     """
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)

@@ -1,6 +1,7 @@
 """run_out: length after which both corners of a tool have passed an edge of the board.
 
-Source: the turning paper, section 1 (run-out and back-up).
+Source: "A new method of turning processing in multi axis linkage NC machining", section 1 (run-out
+and back-up).
 """
 
 from __future__ import annotations
@@ -22,10 +23,11 @@ _MAX_ANGLE: Final = 89.0
 def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
     """Return the length by which to extend a track until each corner of its tool is off the board.
 
-    With u the direction of travel, n its left normal and m the outward normal of the edge, the
-    corners P1, P2 are at c ± (W/2) n, with c the tip, and have passed a straight edge after::
+    With u the direction of travel, n its left normal, m the outward normal of the edge of the
+    board, c the position of the tip and W the width of the tool, the corners of the tool are at
+    c ± (W/2) n.  Each corner passes a straight edge after::
 
-        ∓ (W/2) (n · m) / (u · m)                                 section 1
+        ∓ (W/2) (n · m) / (u · m)                                 section 1 of the source
 
     so the later corner leaves after (W/2) |n · m| / (u · m).
 
@@ -34,7 +36,7 @@ def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float 
     travel, outward : (n, 2) unit vectors
         u and m; for the start of a track, give -u.
     width : (n,) mm
-        W, across the travel.
+        W, the width of the tool across the travel.
     short : (n,) mm
         Distance between the end of the track and the edge of the board.
 

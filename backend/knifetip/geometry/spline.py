@@ -48,9 +48,10 @@ class Spline:
         return np.unique(inside)
 
     def _de_boor(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
-        """Return a polynomial B-spline at parameters t (m,) by de Boor's recurrence, (m, c).
+        """Return points of a polynomial B-spline, (m, c), at parameters t (m,), by de Boor.
 
-        ``rows`` (k, c) are its control points, ``knots`` its knots.
+        ``rows`` (k, c) are the control points in c dimensions, ``knots`` (k + degree + 1,) the
+        knots.
         """
         count = len(rows)
         span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)

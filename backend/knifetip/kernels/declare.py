@@ -61,9 +61,9 @@ def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
     for name, parameter in inspect.signature(function).parameters.items():
         where = f"{function.__module__}.{function.__qualname__}: argument {name}"
         if parameter.default is not parameter.empty:
-            raise TypeError(f"{where} has a default value. Kernels get every argument.")
+            raise TypeError(f"{where} has a default value. Remove it, and pass it in every call.")
         if parameter.kind is not parameter.POSITIONAL_OR_KEYWORD:
-            raise TypeError(f"{where} is no plain argument. Name each argument.")
+            raise TypeError(f"{where} collects several arguments. Declare each by its own name.")
         if name not in hints:
             raise TypeError(f"{where} has no annotation. See knifetip.kernels for the vocabulary.")
         declared[name] = _numba_type(hints[name], where)

@@ -28,7 +28,7 @@ class Kernel(CPUDispatcher):
     """A function that numba compiles for the signature that its annotations declare."""
 
     def enable_caching(self) -> None:
-        """Keep the machine code beside the source."""
+        """Store the machine code in a file beside the source."""
         del self._cache  # numba's "no cache"; the property below takes its place
 
     @cached_property
@@ -49,13 +49,15 @@ class Kernel(CPUDispatcher):
     def _accepted(self) -> set[tuple[Any, ...]]:
         """Return the combinations of argument types for which the machine code has been registered.
 
-        They are kept so that numba assigns the type codes to no other types.
+        The set also keeps these types alive: numba gives a new code to a type that was released,
+        and the machine code is registered by the codes of the types.
         """
         return {tuple(self.declared.values())}
 
     def compile(self, _sig: object = None) -> Any:
-        """Compile for the declared signature, or load it from the cache; return its entry point.
+        """Return the entry point of the machine code for the declared signature.
 
+        The machine code is loaded from the cache, or compiled if the cache does not contain it.
         numba passes the types of the arguments of a call, which are not needed here.
         """
         return super().compile(tuple(self.declared.values()))
@@ -70,7 +72,16 @@ class Kernel(CPUDispatcher):
         return self._cache.is_stored(tuple(self.declared.values()), self.targetctx)
 
     def get_call_template(self, args: Sequence[Any], kws: dict[str, Any]) -> Any:
-        """Return the types of a call from another kernel (numba's protocol).
+        """Return how another kernel calls this kernel, as numba's protocol requires.
+
+        Returns
+        -------
+        template
+            Numba's typing template with the signature of this kernel.
+        pysig
+            Python signature of the function.
+        args, kws
+            Types of the positional arguments, and an empty dict.
 
         Raises
         ------

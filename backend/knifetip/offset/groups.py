@@ -47,7 +47,7 @@ def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegm
 
 @kernel
 def _reserve_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
-    """Return ``chains`` with capacity for ``wanted`` chains, all present chains kept."""
+    """Return ``chains`` with capacity for ``wanted`` chains; all rows that it has are kept."""
     size = len(chains.owner)
     if wanted <= size:
         return OffsetChains(chains.first, chains.owner, chains.unreached)

@@ -1,4 +1,4 @@
-"""raw_region: move the segments of all paths of a region, before pieces are selected."""
+"""raw_region: move the segments of all paths of a region, before its valid pieces are selected."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def region_corners(
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
     before = np.empty(total, np.int64)
     kind = np.empty(total, np.int64)
-    share = np.empty(total)
+    corner_k = np.empty(total)
     capped = False
     for m in range(len(paths.member)):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
@@ -114,9 +114,9 @@ def region_corners(
             source[here] = i
             before[here] = here - 1 if i > a else at + b - a - 1
             kind[here] = corners.kind[corners.step * i]
-            share[here] = corners.k[corners.step * i]
+            corner_k[here] = corners.k[corners.step * i]
             capped |= corners.kind[corners.step * i] > 0
-    return RegionCorners(segments, before, kind, share, capped)
+    return RegionCorners(segments, before, kind, corner_k, capped)
 
 
 @kernel
@@ -130,7 +130,7 @@ def _write_trimmed(
     made, count
         Columns of the trimmed path, and the number of its segments.
     put
-        Next free row of ``raw`` before.
+        First row of ``raw`` to write.
     m
         Number of the path in the region.
     """
@@ -161,12 +161,25 @@ def write_raw_region(
 ) -> tuple[int, int, int, int]:
     """Write the moved segments of all paths of a region to ``raw``, each path as if it were alone.
 
-    Also writes the successor of each row of ``raw``, -1 for none, to ``follow``.
+    Parameters
+    ----------
+    contours, paths, corners
+        Input contours, the paths of the region, and the types of its corners.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    segments
+        The moved segments of the region, which this function computes.
+    raw
+        Gets the moved segments after trimming, and the transitions between them.
+    follow
+        Gets the successor of each row of ``raw``, -1 for none.
+    rows
+        Scratch rows for one transition.
 
     Returns
     -------
     put
-        Next free row of ``raw``.
+        Number of rows of ``raw`` that are written.
     lost
         A contour segment that has no offset at all, because its arc is too small for the tool, or
         -1.
@@ -176,13 +189,13 @@ def write_raw_region(
     most = 0
     for m in range(len(paths.member)):
         most = max(most, paths.begin[m + 1] - paths.begin[m])
-    room = (MAX_SEGMENTS + 1) * most
+    capacity = (MAX_SEGMENTS + 1) * most
     made = OffsetSegments(
-        np.empty((room, 2)),
-        np.empty((room, 2)),
-        np.empty(room),
-        np.empty(room, np.int32),
-        np.empty(room, np.bool_),
+        np.empty((capacity, 2)),
+        np.empty((capacity, 2)),
+        np.empty(capacity),
+        np.empty(capacity, np.int32),
+        np.empty(capacity, np.bool_),
     )
     table = segments.table
     put = 0

@@ -156,7 +156,7 @@ def _swept_area(
     chains: int,
     scratch: Scratch,
 ) -> tuple[float, bool, int, float]:
-    """Return twice the area between the origin and the tool's edge beside the chains of a region.
+    """Return twice the area between the origin and the edge that a tool leaves beside the chains.
 
     Returns
     -------

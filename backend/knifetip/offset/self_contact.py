@@ -51,7 +51,7 @@ class Scratch(NamedTuple):
 
 @kernel(allocates=False)
 def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
-    """Return how many of the first ``count`` boxes overlap the box that is ``step`` rows later.
+    """Return how many of the first ``count`` boxes overlap the box ``step`` rows after them.
 
     ``x0``, ``y0``, ``x1`` and ``y1`` are the columns of the boxes.
     """
@@ -85,9 +85,9 @@ def _separated_across_chord(
 ) -> bool:
     """Return whether two segments are separated by a line parallel to the chord of the first.
 
-    The first has start (x0, y0), chord (dx, dy) and bulge b, the second ends o and e and bulge
-    ``other``.  An arc of up to half a turn is replaced by the rectangle of its chord and its
-    height.
+    The first segment starts at (x0, y0) and has the chord (dx, dy) and the bulge ``b``.  The second
+    goes from (ox, oy) to (ex, ey) with the bulge ``other``.  Both bulges are at most 1: an arc of
+    up to half a turn is replaced by the rectangle of its chord and its height.
     """
     rise = -0.5 * b * (dx * dx + dy * dy)
     fx = ex - ox
@@ -116,8 +116,8 @@ def cannot_meet(
 ) -> bool:
     """Return whether the rectangles around two segments prove that they have no common point.
 
-    The first segment has the ends (x0, y0), (x1, y1) and bulge b, the second the ends o and e and
-    bulge ``other``.
+    The first segment goes from (x0, y0) to (x1, y1) with the bulge ``b``, the second from (ox, oy)
+    to (ex, ey) with the bulge ``other``.
     """
     if abs(b) > 1.0 or abs(other) > 1.0:
         return False
@@ -286,7 +286,7 @@ def find_self_contact(
 def _find_contact(
     segments: CheckedSegments, low: int, high: int, step: int, columns: F64_2, scratch: Scratch
 ) -> tuple[int, int]:
-    """Return two of the segments low … high - 1 that have a common point, or -1.
+    """Return two of the segments low … high - 1 that have a common point, or -1 and -1.
 
     Both are counted from ``low`` and at least ``step`` rows apart.  With ``step`` 2 the segments
     are a closed path, whose first and last segment are neighbours.  ``columns`` (4, m) has the

@@ -70,9 +70,9 @@ def find_cuts(
     done
         Number of split points; the arrays may be longer.
     """
-    room = 2 * count + 16
-    which = np.empty(room, np.int64)
-    place = np.empty((room, 3))
+    capacity = 2 * count + 16
+    which = np.empty(capacity, np.int64)
+    place = np.empty((capacity, 3))
     done = 0
     for i in range(real):
         depth = start_query(tree, stack)
@@ -101,10 +101,10 @@ def find_cuts(
             ):  # fmt: skip
                 continue
             hits = intersect_rows(rows, i, rows, j, TOUCH, found)
-            if done + 2 * hits > room:
-                room *= 2
-                more = np.empty(room, np.int64)
-                further = np.empty((room, 3))
+            if done + 2 * hits > capacity:
+                capacity *= 2
+                more = np.empty(capacity, np.int64)
+                further = np.empty((capacity, 3))
                 for c in range(done):
                     more[c] = which[c]
                     further[c, 0] = place[c, 0]
@@ -175,14 +175,14 @@ def split_rows(
         length = math.sqrt(dx * dx + dy * dy)
         if b >= BULGE:
             length = length * (1.0 + b * b) * math.atan(b) / b
-        speck = MIN_PIECE / length
+        min_step = MIN_PIECE / length
         bound_first = done
-        x, y, share = rows[i, 0], rows[i, 1], 0.0
+        x, y, parameter = rows[i, 0], rows[i, 1], 0.0
         for o in range(bound[i], bound[i + 1]):
             c = order[o]
-            if place[c, 0] - share < speck or 1.0 - place[c, 0] < speck:
-                touched[i, 0] |= place[c, 0] < 2.0 * speck
-                touched[i, 1] |= 1.0 - place[c, 0] < 2.0 * speck
+            if place[c, 0] - parameter < min_step or 1.0 - place[c, 0] < min_step:
+                touched[i, 0] |= place[c, 0] < 2.0 * min_step
+                touched[i, 1] |= 1.0 - place[c, 0] < 2.0 * min_step
                 continue
             piece[done, 0] = x
             piece[done, 1] = y
@@ -190,16 +190,16 @@ def split_rows(
             y = place[c, 2]
             piece[done, 2] = x
             piece[done, 3] = y
-            piece[done, 4] = share
-            share = place[c, 0]
-            piece[done, 5] = share
+            piece[done, 4] = parameter
+            parameter = place[c, 0]
+            piece[done, 5] = parameter
             owner[done] = i
             done += 1
         piece[done, 0] = x
         piece[done, 1] = y
         piece[done, 2] = rows[i, 2]
         piece[done, 3] = rows[i, 3]
-        piece[done, 4] = share
+        piece[done, 4] = parameter
         piece[done, 5] = 1.0
         owner[done] = i
         done += 1
@@ -211,9 +211,9 @@ def split_rows(
 def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
     """Write the successor and the predecessor of each valid piece to ``pieces``.
 
-    The successor is the next piece of the same row, or the first piece of the row that follows it.
-    If that piece is not valid, the successor is the nearest valid piece that starts at the end of
-    the piece and has no predecessor.
+    The successor of a piece is the next piece of the same row or, after the last piece of a row,
+    the first piece of the row that follows.  If this piece is not valid or starts elsewhere, the
+    successor is the nearest valid piece without predecessor that starts where the piece ends.
 
     Parameters
     ----------

@@ -79,8 +79,8 @@ def _contains_point(
     slack = TOUCH * (abs(dx) + abs(dy))
     radius = table[at, RADIUS]
     if radius == 0.0:
-        share = (x - sx) * dx + (y - sy) * dy
-        return -slack <= share <= dx * dx + dy * dy + slack
+        along = (x - sx) * dx + (y - sy) * dy
+        return -slack <= along <= dx * dx + dy * dy + slack
     side = dx * (y - sy) - dy * (x - sx)
     return (side if radius > 0.0 else -side) <= slack
 
@@ -166,14 +166,14 @@ def concave_crossing(
         gx, gy = ox, oy
     # Contact points of the disc around g with both segments.
     if radius1 == 0.0:
-        share = gx * u1x + gy * u1y
-        f1x, f1y = share * u1x, share * u1y
+        along = gx * u1x + gy * u1y
+        f1x, f1y = along * u1x, along * u1y
     else:
         scale = radius1 / moved1
         f1x, f1y = c1x + (gx - c1x) * scale, c1y + (gy - c1y) * scale
     if radius2 == 0.0:
-        share = gx * u2x + gy * u2y
-        f2x, f2y = share * u2x, share * u2y
+        along = gx * u2x + gy * u2y
+        f2x, f2y = along * u2x, along * u2y
     else:
         scale = radius2 / moved2
         f2x, f2y = c2x + (gx - c2x) * scale, c2y + (gy - c2y) * scale
@@ -193,9 +193,9 @@ def concave_crossing(
 
 @kernel(allocates=False)
 def _multiply_rotations(re: float, im: float, dot: float, sine: float) -> tuple[float, float, bool]:
-    """Return the product of two rotations as complex numbers, and whether their angle passed 180°.
+    """Return the product of two rotations, and whether the sum of their angles passes 180°.
 
-    The first rotation is ``re`` + i ``im``, the second ``dot`` + i ``sine``, both of modulus 1.
+    Rotations are complex numbers of modulus 1: ``re`` + i ``im`` and ``dot`` + i ``sine``.
     """
     product = re * dot - im * sine
     up = re * sine + im * dot
@@ -216,8 +216,10 @@ def _trim_corners(
 
     Parameters
     ----------
-    low, high, closed
-        The path has the contour segments low … high - 1; whether it is closed.
+    low, high
+        The path has the contour segments low … high - 1.
+    closed
+        Whether the path is closed.
     signed : mm
         Radius of the tool, positive left of travel.
     segments, at
@@ -261,9 +263,9 @@ def _trim_corners(
             # A nearly smooth joint is intersected like two lines.
             if dot < -1.0 + 1e-9:
                 return DOES_NOT_FIT, low + i, 0.0, 0.0
-            share = signed / (1.0 + dot)
-            gx = start[low + i, 0] - share * (u1y + u2y)
-            gy = start[low + i, 1] + share * (u1x + u2x)
+            factor = signed / (1.0 + dot)
+            gx = start[low + i, 0] - factor * (u1y + u2y)
+            gy = start[low + i, 1] + factor * (u1x + u2x)
             joint[here] = CONCAVE
             sine = abs(cross)
             if smooth:
@@ -271,7 +273,7 @@ def _trim_corners(
                 joint[here] = SHIFTED if off > NEGLIGIBLE_SHIFT else SMOOTH
                 dot, sine = 1.0, 0.0
             else:
-                twice += 2.0 * abs(share) * size * sine
+                twice += 2.0 * abs(factor) * size * sine
         else:
             if math.isnan(table[before, MOVED]):
                 return DOES_NOT_FIT, last, 0.0, 0.0
@@ -345,7 +347,7 @@ def _write_corner(
     signed : mm
         Radius of the tool, positive left of travel.
     put
-        Next free row of ``out`` before.
+        First row of ``out`` to write.
     rows
         Scratch rows for one transition.
     """

@@ -1,6 +1,6 @@
-"""untrimmed: the moved segments of a path without trimming, if trimming is not enough.
+"""untrimmed: the moved segments of a path, mostly untrimmed, for paths that ``trim`` cannot offset.
 
-``region`` splits these segments at their intersections.  Neighbours are trimmed to their
+``region`` splits these segments at their intersections.  Here two neighbours are trimmed to their
 intersection only if both keep about half their length.
 """
 
@@ -59,13 +59,13 @@ def _trim_point(
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
         u1x, u1y = table[before, U2X], table[before, U2Y]
         u2x, u2y = table[here, U1X], table[here, U1Y]
-        share = signed / (1.0 + u1x * u2x + u1y * u2y)
-        if abs(share * (u1x * u2y - u1y * u2x)) > 0.49 * min(
+        factor = signed / (1.0 + u1x * u2x + u1y * u2y)
+        if abs(factor * (u1x * u2y - u1y * u2x)) > 0.49 * min(
             table[before, CHORD], table[here, CHORD]
         ):
             return math.nan, math.nan
         start = contours.start
-        return start[next_, 0] - share * (u1y + u2y), start[next_, 1] + share * (u1x + u2x)
+        return start[next_, 0] - factor * (u1y + u2y), start[next_, 1] + factor * (u1x + u2x)
     if math.isnan(table[before, MOVED]) or math.isnan(table[here, MOVED]):
         return math.nan, math.nan
     hits, gx, gy, _, sine, _ = concave_crossing(contours, last, next_, table, before, here, signed)
@@ -97,8 +97,10 @@ def _trim_long_neighbours(
 
     Parameters
     ----------
-    low, high, closed
-        The path has the contour segments low … high - 1; whether it is closed.
+    low, high
+        The path has the contour segments low … high - 1.
+    closed
+        Whether the path is closed.
     signed : mm
         Radius of the tool, positive left of travel.
     segments, at
@@ -119,9 +121,9 @@ def _trim_long_neighbours(
         dot = u1x * u2x + u1y * u2y
         last = low + (i - 1 if i > 0 else count - 1)
         if dot > 0.0 and size * abs(cross) < POINT:
-            share = signed / (1.0 + dot)
-            gx = start[low + i, 0] - share * (u1y + u2y)
-            gy = start[low + i, 1] + share * (u1x + u2x)
+            factor = signed / (1.0 + dot)
+            gx = start[low + i, 0] - factor * (u1y + u2y)
+            gy = start[low + i, 1] + factor * (u1x + u2x)
             off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
             joint[here] = SHIFTED if off > NEGLIGIBLE_SHIFT else SMOOTH
         elif cross * signed < 0.0 or dot < -1.0 + 1e-12:
@@ -155,9 +157,10 @@ def raw_offset(
     put: int,
     member: int,
 ) -> int:
-    """Write the untrimmed moved segments and transitions of a path to ``raw`` from row ``put`` on.
+    """Write the moved segments and transitions of a path to ``raw``, for ``region`` to split.
 
-    Arcs of which no part remains are omitted.
+    Neighbours are trimmed only if both keep about half their length.  Arcs of which no part remains
+    are omitted.
 
     Parameters
     ----------
@@ -165,8 +168,10 @@ def raw_offset(
         The path has the segments low … high - 1.
     segments, at
         The moved segments, from row ``at`` on.
+    raw, put
+        Rows to write, and the first of them.
     member
-        Number of the path in ``raw``.
+        Number of the path in the region, or -1.
 
     Returns
     -------

@@ -17,7 +17,9 @@ Characters: TypeAlias = NDArray[np.uint8]
 
 
 def digit_columns(values: I64, decimals: int, *, brief: bool) -> Characters:
-    """Return the characters of numbers with a fixed number of decimals, (n, k) bytes, 0 for none.
+    """Return numbers with a fixed number of decimals as characters, (n, k) bytes.
+
+    Each row has one number; bytes that have no character are 0.
 
     Parameters
     ----------

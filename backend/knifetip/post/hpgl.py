@@ -1,12 +1,12 @@
 """hpgl: write HPGL programs for plotters and flat cutters.
 
-Each line has one instruction::
+A program consists of these instructions, one on each line::
 
-    IN;PA;               initialise, absolute coordinates
-    PU;SP1;FS30;VS40;    pen up; select a tool, its force and its speed
-    PU800,800;           move with the tool up (plotter units)
-    PD;PD1200,800;       lower the tool; move with the tool down
-    PU;SP0;              end: pen up, no tool selected
+    IN;  PA;               initialise; absolute coordinates
+    PU;  SP1; FS30; VS40;  raise the tool; select a tool, its force and its speed
+    PU800,800;             move with the tool up (plotter units)
+    PD;  PD1200,800;       lower the tool; move with the tool down
+    PU;  SP0;              end: raise the tool, select none
 
 HPGL has neither depths nor headings: each kind of work of a station is a pen with its own force,
 and the device turns the tool along the path.  Arcs become chords.  Every point is rounded to whole
@@ -286,6 +286,9 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
 
 def _text_columns(text: bytes, where: Bool) -> Characters:
-    """Return a text as columns of characters, (n, k), zeros in rows outside a mask (n,)."""
+    """Return a text repeated in the rows of a mask, as columns of characters, (n, k) bytes.
+
+    ``where`` (n,) is the mask; all other rows are 0.
+    """
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

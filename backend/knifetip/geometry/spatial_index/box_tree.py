@@ -63,7 +63,17 @@ def build_tree(boxes: F64_2) -> BoxTree:
 
 @kernel(allocates=False)
 def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
-    """Write the boxes of all nodes above the first ``count`` rows; return the root's level."""
+    """Write the boxes of all nodes of a tree, level by level, and return the level of the root.
+
+    Parameters
+    ----------
+    nodes : (t, 4)
+        Boxes of the tree: the first ``count`` rows are given, the boxes of the nodes follow them.
+    count
+        Number of given boxes.
+    level : (24,)
+        Gets the row in ``nodes`` of the first box of each level.
+    """
     level[0] = 0
     height = 0
     begin = 0

@@ -342,9 +342,9 @@ def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
 
 
 def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the columns of the words G93 and G94, (n, 4) bytes, zeros in lines without them.
+    """Return the columns of the words G93 and G94, (n, 4) bytes; lines without these words are 0.
 
-    ``inverse`` (n,) marks the lines with G93, ``ends_inverse`` (n,) the lines with G94.
+    ``inverse`` (n,) is the mask of the lines with G93, ``ends_inverse`` (n,) of the lines with G94.
     """
     modes = np.frombuffer(b"\0\0\0\0G93 G94 ", np.uint8).reshape(3, 4)
     return modes[inverse + 2 * ends_inverse]

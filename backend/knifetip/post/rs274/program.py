@@ -188,7 +188,7 @@ def _datum(station: Station, dialect: Dialect) -> F64:
 
 
 def _station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
-    """Return the station of row ``first`` of a toolpath, at which the station starts.
+    """Return the station whose moves begin at row ``first`` of a toolpath.
 
     Raises
     ------
