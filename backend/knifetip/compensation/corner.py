@@ -57,7 +57,7 @@ def turn_angles(paths: Paths, side: int) -> F64:
 
 
 def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
-    """Return the length l of both lines and the radius r′ of the arc of D corners, (n,) mm each.
+    """Return the length l of each line and the radius r′ of the arc of D corners, (n,) mm each.
 
     l = k r tan(φ/2) up to 90°, k (L_C − L_B) / (2 − φ cot(φ/2)) beyond, with L_B and L_C the path
     lengths of types B and C; r′ = r − l cot(φ/2).

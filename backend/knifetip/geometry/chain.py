@@ -27,7 +27,7 @@ class Chains:
 
     order: I32  #: (n,) rows of the edges, path by path
     flipped: Bool  #: (n,) whether each edge in ``order`` is traversed backwards
-    first: I32  #: (p + 1,) start of each path in ``order``, and n
+    first: I32  #: (p + 1,) start of each path in ``order``; the last entry is n
 
     def paths(self, ends: F64, bulge: F64) -> Paths:
         """Return the chained edges as paths.

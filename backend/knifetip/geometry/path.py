@@ -23,7 +23,7 @@ class Paths:
     start: F64  #: (n, 2) mm, start of each segment
     end: F64  #: (n, 2) mm, end of each segment
     bulge: F64  #: (n,) tan(sweep / 4): 0 a line, > 0 an arc to the left
-    first: I32  #: (p + 1,) first segment of each path, and n
+    first: I32  #: (p + 1,) first segment of each path; the last entry is n
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -35,7 +35,7 @@ def offset_on_all_cores(
     member : (p,)
         Path numbers in the order of their groups.
     group_first : (g + 1,)
-        Position in ``member`` at which each group begins, and p.
+        Position in ``member`` at which each group begins; the last entry is p.
     signed : (p,) mm
         Radius of the tool for each path, positive if the tool is left of travel.
     corner, k : (n,) or (1,)
@@ -75,12 +75,12 @@ def _split_groups(first: I32, member: I32, group_first: I32, number: int) -> lis
     member : (p,)
         Path numbers in the order of their groups.
     group_first : (g + 1,)
-        Position in ``member`` at which each group begins, and p.
+        Position in ``member`` at which each group begins; the last entry is p.
 
     Returns
     -------
     list of slices of ``group_first``
-        For each run the position at which each of its groups begins, and the end of the last group.
+        For each run the positions at which its groups begin, then the end of its last group.
     """
     before = np.append(0, np.cumsum(np.diff(first)[member]))[group_first]
     count = int(min(number, before[-1] // _MIN_SEGMENTS, len(group_first) - 1))

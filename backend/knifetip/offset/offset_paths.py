@@ -135,7 +135,7 @@ def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
     member : (p,)
         Path numbers in the order of their groups.
     group_first : (g + 1,)
-        Position in ``member`` at which each group begins, and p.
+        Position in ``member`` at which each group begins; the last entry is p.
 
     Raises
     ------
