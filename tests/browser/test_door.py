@@ -70,7 +70,7 @@ def test_a_tab_shows_within_two_seconds_what_another_one_changed(
         expect(tab.get_by_test_id("legend-perforation")).to_be_visible(timeout=10_000)
         expect(tab.get_by_test_id("legend-crease")).to_be_hidden()
         notice = tab.get_by_test_id("report").filter(has_text="The drawing was changed elsewhere")
-        expect(notice).to_contain_text("3 edges have another line type")
+        expect(notice).to_contain_text("3 edges now have another line type")
     # Two seconds, and what a busy machine needs to look.
     assert time.monotonic() - began < 8.0
     page.screenshot(path=screenshots / "changed-elsewhere.png")
@@ -105,7 +105,7 @@ def test_an_order_of_what_is_no_longer_there_is_refused(
     page.get_by_test_id("compile").click()
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("Your change was not saved: the drawing was changed elsewhere")
-    expect(report).to_contain_text("1 edge has another line type")
+    expect(report).to_contain_text("1 edge now has another line type")
     expect(page.get_by_test_id("legend-half-cut")).to_be_visible()
     assert len(api.get("/api/jobs?limit=500").json()) == jobs
     page.get_by_test_id("compile").click()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import inspect
 import logging
 import re
 from collections.abc import AsyncIterator, Mapping
@@ -175,7 +174,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         status,
         error.message,
         kind=f"urn:knifetip:problem:{word}",
-        title=(inspect.getdoc(kind) or "").split("\n")[0].rstrip("."),
+        title=word.replace("-", " ").capitalize(),
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
         revision=error.revision if isinstance(error, errors.StaleRevision) else None,

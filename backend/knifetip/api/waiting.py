@@ -47,7 +47,7 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
     if row.confirmation == Confirmation.AWAITED:
         code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
         message = Message(
-            code, machine=_title(row.machine), board=board_message(row.board), tools=_tools(row)
+            code, machine=_title(row.machine), board=_board_title(row.board), tools=_tools(row)
         )
         return Waiting("confirmation", message)
     if row.confirmation == Confirmation.SHEET:
@@ -55,7 +55,7 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
             "waiting.for-sheet",
             copy=row.copies_done,
             copies=row.copies,
-            board=board_message(row.board),
+            board=_board_title(row.board),
         )
         return Waiting("sheet", message)
     if row.state == State.QUEUED and queue is not None:
@@ -113,10 +113,9 @@ def _title(machine: str) -> str:
         return machine
 
 
-def board_message(board: str) -> Message:
-    """Return a message with name and caliper of a board, or its name if the library lacks it."""
+def _board_title(board: str) -> str:
+    """Return the title of a board, or its name if the library lacks it or it has no title."""
     try:
-        caliper = load.board(board, files=False).caliper
+        return load.board(board, files=False).title or board
     except LibraryError:
-        return Message("board.not-in-library", name=board)
-    return Message("board.named", name=board, caliper=caliper)
+        return board

@@ -109,13 +109,13 @@ describe("columns", () => {
 
   test("an answer that was cut short is refused", () => {
     const whole = packed({ a: Float64Array.of(1, 2, 3) });
-    expect(() => decodeColumns(whole.slice(0, -8))).toThrow(/does not fit/);
-    expect(() => decodeColumns(whole.slice(0, 20))).toThrow(/Incomplete answer/);
+    expect(() => decodeColumns(whole.slice(0, -8))).toThrow(/incomplete: column a/);
+    expect(() => decodeColumns(whole.slice(0, 20))).toThrow(/incomplete: its header/);
   });
 
   test("a column that is missing is named", () => {
     const { length: _, ...others } = EDGES;
-    expect(() => edgesOf(packed(others))).toThrow(/no column length/);
+    expect(() => edgesOf(packed(others))).toThrow(/lacks the column length/);
   });
 });
 

@@ -40,13 +40,13 @@ export function decodeColumns(bytes: ArrayBuffer): Columns {
   const magic = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength)));
   if (magic !== MAGIC || bytes.byteLength < 8) {
     throw new ColumnsError(
-      `Not a column file: it begins with “${magic}” instead of “${MAGIC}”. Reload the page.`,
+      `The server sent data of an unknown format (“${magic}” instead of “${MAGIC}”). Reload the page.`,
     );
   }
   const size = new DataView(bytes).getUint32(4, true);
   if (8 + size > bytes.byteLength) {
     throw new ColumnsError(
-      `Incomplete answer: its header should have ${size} bytes. Reload the page.`,
+      `The data from the server is incomplete: its header should have ${size} bytes. Reload the page.`,
     );
   }
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 8, size))) as {
@@ -61,7 +61,7 @@ export function decodeColumns(bytes: ArrayBuffer): Columns {
     const view = viewOf(dtype, bytes, at, count);
     if (view === null) {
       throw new ColumnsError(
-        `Column ${name} (${dtype}, ${count} values) does not fit the answer. Reload the page.`,
+        `The data from the server is incomplete: column ${name} should have ${count} values (${dtype}). Reload the page.`,
       );
     }
     columns.set(name, view);
@@ -82,7 +82,7 @@ function viewOf(dtype: string, bytes: ArrayBuffer, at: number, count: number): C
 function column<T extends Column>(from: Columns, name: string, kind: new (n: number) => T): T {
   const found = from.columns.get(name);
   if (!(found instanceof kind))
-    throw new ColumnsError(`The answer has no column ${name}. Reload the page.`);
+    throw new ColumnsError(`The data from the server lacks the column ${name}. Reload the page.`);
   return found;
 }
 

@@ -20,7 +20,8 @@ export function Welcome() {
             <b>1. Open</b>Drop a drawing file, or choose a drawing from the list.
           </li>
           <li>
-            <b>2. Prepare</b>Choose machine and board, prepare the program and see how exact it is.
+            <b>2. Prepare</b>Choose machine and board, prepare the program and see its deviation
+            from the drawing.
           </li>
           <li>
             <b>3. Send</b>Send the job to the table and follow its progress.

@@ -31,14 +31,6 @@ export const TEXTS = {
     "text": "Hold, resume or cancel it.",
     "hint": ""
   },
-  "board.named": {
-    "text": "{name} ({caliper:g} mm)",
-    "hint": ""
-  },
-  "board.not-in-library": {
-    "text": "{name}",
-    "hint": ""
-  },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long and has no room for {fewest:# bridge|# bridges} of {gap:.2f} mm that are at most {spacing:.1f} mm apart and away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing, or cut this board without bridges."
@@ -729,7 +721,7 @@ export const TEXTS = {
   },
   "drawing.unknown": {
     "text": "Drawing {drawing} does not exist.",
-    "hint": "Choose one of the drawings that GET /api/drawings lists."
+    "hint": "Go back to the list of drawings and open one of them; it may have been deleted."
   },
   "drawing.upload-too-large": {
     "text": "{name} is larger than {limit} MB.",
@@ -3573,7 +3565,7 @@ export const TEXTS = {
   },
   "waiting.for-start": {
     "text": "Waiting for the operator at {machine}: table clear, board {board}{tools}.",
-    "hint": "Confirm to start."
+    "hint": "Check the table, then confirm to start."
   },
   "waiting.for-turn": {
     "text": "Waiting for its turn at {machine}; other jobs come first.",

@@ -10,9 +10,23 @@ import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 
+const CHECKS: Readonly<Record<string, string>> = {
+  "waiting.for-start": "Waiting for the operator: the table must be clear and set up as listed.",
+  "waiting.unconfirmed-run":
+    "The machine was started without the operator's confirmation. It must be set up as listed.",
+};
+
 function buttonOf(job: Job): string {
   if (job.waiting_for === "sheet") return "New sheet loaded: start machine";
   return job.state === "queued" ? "Table checked: start machine" : "Table checked: continue job";
+}
+
+/** What to check, without board and tools, which the card lists. */
+function textOf({ message, waiting_for }: Job): string {
+  if (message === null) return "";
+  return waiting_for === "confirmation" && message.code in CHECKS
+    ? (CHECKS[message.code] ?? "")
+    : renderText(message);
 }
 
 export function ConfirmationCard({ job }: { job: Job }) {
@@ -28,7 +42,7 @@ export function ConfirmationCard({ job }: { job: Job }) {
       data-testid="confirmation"
       data-waiting-for={job.waiting_for}
     >
-      <div data-testid="waiting">{job.message !== null && renderText(job.message)}</div>
+      <div data-testid="waiting">{textOf(job)}</div>
       <dl className={jobCss.setUp}>
         <dt>Board on the table</dt>
         <dd>

@@ -17,7 +17,7 @@ const TITLES: Readonly<Record<CornerType, string>> = {
 };
 
 const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
-  auto: "Each corner gets the type that takes the least time.",
+  auto: "Each corner gets the path that takes the least time.",
   B: "The tool centre follows an arc around the corner. The tool touches the corner throughout.",
   C: "The tool centre runs straight past the corner, stops and turns.",
   D: "The tool centre runs past the corner and turns on a small arc without stopping.",
@@ -58,13 +58,13 @@ export function CornersForm() {
       <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
       {hasSize && (
         <SizeSlider
-          label="Blend (0: arc, 1: sharp)"
+          label="Sharpness of the blend (0: arc, 1: stop)"
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
       )}
       <div className={cornerCss.cornerFit}>
-        <span id={fit}>Where the tool is too wide to fit</span>
+        <span id={fit}>Where the tool is too wide for the drawing</span>
         <SegmentedControl
           size="xs"
           fullWidth
@@ -92,7 +92,7 @@ export function CornersForm() {
         onClick={() => set({ pickingCorners: !pickingCorners })}
         data-testid="pick-corner"
       >
-        {pickingCorners ? "Finish choosing corners" : "Choose the type of single corners"}
+        {pickingCorners ? "Finish setting corners" : "Set the path at individual corners"}
       </Button>
     </fieldset>
   );
@@ -122,17 +122,17 @@ function SingleCorners() {
                 const type = CORNER_TYPES.find((known) => known === choice);
                 if (type !== undefined) set({ corners: setCornerType(corners, which, type) });
               }}
-              aria-label={`Type of the corner at ${positionText(one)}`}
+              aria-label={`Tool path at the corner at ${positionText(one)}`}
             />
             <CloseButton
               size="sm"
-              aria-label={`Use the common type for the corner at ${positionText(one)}`}
+              aria-label={`Use the path chosen above for the corner at ${positionText(one)}`}
               onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
           </div>
           {one.type === "D" && (
             <SizeSlider
-              label="Blend (0: arc, 1: sharp)"
+              label="Sharpness of the blend (0: arc, 1: stop)"
               value={one.k ?? corners.k}
               onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />

@@ -109,7 +109,7 @@ function Running({ job }: { job: Job }) {
   const held = job.state === "held";
   const left = job.seconds_left;
   return (
-    <div data-testid="run">
+    <div data-testid="run" data-on-table>
       <Progress
         value={job.progress * 100}
         size="lg"
@@ -265,7 +265,7 @@ function Controls({ job }: { job: Job }) {
         return (
           <Button
             key={word}
-            style={at === 0 && words.length > 1 ? { flex: 1 } : {}}
+            style={at === 0 && words.length > 1 ? { flex: "1 0 auto" } : {}}
             leftSection={icon}
             color={colour}
             variant={variant}

@@ -83,8 +83,8 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
         {others === 0
           ? ". Changes no other edge."
           : proposal.sure
-            ? ". Also decides open edges:"
-            : ". Also changes:"}
+            ? ". Also sets edges that have no line type yet:"
+            : ". Also changes other edges:"}
       </p>
       <TypeChanges changes={changes} />
       {profile.shipped ? (

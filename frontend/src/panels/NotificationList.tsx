@@ -28,7 +28,7 @@ export function NotificationList() {
             )}
             <div>
               <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
-              <div>{detail}</div>
+              {detail !== "" && <div>{detail}</div>}
               {hint !== "" && <div className={css.hint}>{hint}</div>}
               {rows.length > 0 && (
                 <Button

@@ -16,16 +16,16 @@ export function PreparationBanner() {
       role="status"
       data-testid="preparation"
     >
-      <div>{`The server is being prepared: ${compiled} of ${parts} parts are ready`}</div>
+      <div>{`First start: ${compiled} of ${parts} program parts of the server are compiled`}</div>
       <Progress
         value={(compiled / parts) * 100}
         size="sm"
         my={6}
-        aria-label="Preparation of the server"
+        aria-label="First start of the server"
       />
       <div className={css.hint}>
-        This happens once after an installation. You can open drawings and send jobs now; each
-        starts as soon as the parts that it needs are ready.
+        This happens once after an installation. You can open drawings and prepare programs now;
+        each starts as soon as the parts that it needs are compiled.
       </div>
     </div>
   );

@@ -28,7 +28,7 @@ export function ProgressOverlay() {
             <span className={css.rowName}>{upload.name}</span>
             <span>
               {upload.fraction < 1
-                ? `${Math.round(upload.fraction * 100)} % sent`
+                ? `${Math.round(upload.fraction * 100)} % uploaded`
                 : "Reading the file …"}
             </span>
           </div>

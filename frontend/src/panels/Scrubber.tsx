@@ -38,6 +38,8 @@ export function Scrubber() {
 
   if (job === undefined || timeline === undefined || total === 0 || isOnTable(job)) return null;
   const at = previewTime ?? (job.state === "done" ? total : 0);
+  // The preview moves without acceleration: its clock is scaled to the machine time of the verdict.
+  const seconds = job.verdict?.seconds ?? total;
   return (
     <div className={`${overlayCss.float} ${overlayCss.scrubber}`} data-testid="scrubber">
       <ActionIcon
@@ -67,8 +69,8 @@ export function Scrubber() {
           set({ previewTime: value });
         }}
       />
-      <span className={css.rowFigure}>
-        {formatDuration(at)} / {formatDuration(total)}
+      <span className={css.rowFigure} title="Time on the machine up to here, and of the program">
+        {formatDuration((at / total) * seconds)} / {formatDuration(seconds)}
       </span>
     </div>
   );

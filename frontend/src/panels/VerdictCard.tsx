@@ -48,7 +48,9 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </span>
         <span className={verdictCss.verdictTitle}>
-          {verdict.accepted ? "Program checked: correct" : "Program checked: not usable"}
+          {verdict.accepted
+            ? "Program checked: correct"
+            : "Program checked: has errors, cannot be sent"}
         </span>
       </div>
       <Deviation verdict={verdict} />
@@ -62,7 +64,7 @@ export function VerdictCard({ job }: { job: Job }) {
           <dd>{formatLength(verdict.uncut)}</dd>
         </div>
         <div>
-          <dt>Machine time</dt>
+          <dt>Time on the machine</dt>
           <dd>{formatDuration(verdict.seconds)}</dd>
         </div>
       </dl>
@@ -125,7 +127,8 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
     <div className={verdictCss.noteRow} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
-        Short lifts between the cuts save {formatDuration(retracted - verdict.seconds)} ({share}
+        Lifting the tool only as high as needed between cuts saves{" "}
+        {formatDuration(retracted - verdict.seconds)} ({share}
         {"\u202f"}%).
       </span>
     </div>

@@ -33,7 +33,11 @@ const LISTED = 4;
 
 /** Text for the rule or evidence that decided an edge. */
 export const ruleText = (rule: string): string =>
-  rule === OVERRIDE_RULE ? "set by hand" : rule === "" ? "no rule and no evidence" : rule;
+  rule === OVERRIDE_RULE
+    ? "set by hand"
+    : rule === ""
+      ? "no rule matches, and the shape is not conclusive"
+      : rule;
 
 export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSummary {
   const reasons = new Map<

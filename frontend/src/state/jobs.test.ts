@@ -44,7 +44,7 @@ describe("what is asked before it is sent", () => {
     for (const state of ["running", "held"] as const) {
       const ask = confirmationBefore(job({ state }), "cancel");
       expect(ask?.text).toContain("stops, lifts the tool and releases its stations");
-      expect(ask?.text).toContain("probably lost");
+      expect(ask?.text).toContain("probably unusable");
     }
     expect(confirmationBefore(job({ state: "queued" }), "cancel")).toBeNull();
   });

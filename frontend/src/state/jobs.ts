@@ -57,7 +57,7 @@ export function confirmationBefore(job: Job, word: JobCommand): Confirmation | n
       title: "Cancel the running job?",
       text:
         "The machine stops, lifts the tool and releases its stations. " +
-        "The board on the table is probably lost.",
+        "The board on the table is probably unusable.",
       yes: "Cancel job",
       no: "Do not cancel",
     };

@@ -28,15 +28,19 @@ export const useNotifications = create<Notifications>()((set) => ({
   add: (notification) =>
     set(({ list }) => {
       // The same text is shown once.
-      const others = list.filter(({ detail }) => detail !== notification.detail);
+      const others = list.filter(
+        ({ title, detail }) => title !== notification.title || detail !== notification.detail,
+      );
       return { list: [...others, { ...notification, id: ++last }].slice(-MAX_SHOWN) };
     }),
   dismiss: (id) => set(({ list }) => ({ list: list.filter((one) => one.id !== id) })),
 }));
 
+/** Problems of the page have a title for users; that of the server names the type of the error. */
 const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
-  title: problem.title,
-  detail: renderText(problem),
+  ...(problem.code === "stored.text"
+    ? { title: problem.title, detail: renderText(problem) }
+    : { title: renderText(problem) || problem.title, detail: "" }),
   hint: renderHint(problem),
   source: problem.source,
 });

@@ -66,12 +66,14 @@ describe("what differs", () => {
 
   test("is described", () => {
     expect(describeDifference(drawingOf(1), drawingOf(2), [4])).toBe(
-      "1 edge has another line type",
+      "1 edge now has another line type",
     );
-    expect(describeDifference(drawingOf(1), drawingOf(2), [])).toBe("no visible difference");
+    expect(describeDifference(drawingOf(1), drawingOf(2), [])).toBe(
+      "line types, unit and profile are as before",
+    );
     const after = drawingOf(2, { unit: "in", profile: "acme" });
     expect(describeDifference(drawingOf(1), after, null)).toBe(
-      "its unit is in, its profile is acme, its edges were replaced",
+      "its unit is now in, its profile is now acme, its edges were calculated again from the file",
     );
   });
 });
@@ -132,7 +134,7 @@ describe("a drawing that is changed elsewhere", () => {
     expect(notifications()).toMatchObject([
       { title: "The drawing was changed elsewhere", notice: true },
     ]);
-    expect(notifications()[0]?.detail).toContain("1 edge has another line type");
+    expect(notifications()[0]?.detail).toContain("1 edge now has another line type");
     expect(notifications()[0]?.hint).toContain("undone");
     expect(useUiStore.getState().past).toEqual([]);
     expect(useUiStore.getState().job).toBeNull();
@@ -175,7 +177,7 @@ describe("a drawing that is changed elsewhere", () => {
     expect(notifications()).toMatchObject([
       { title: "Your change was not saved: the drawing was changed elsewhere" },
     ]);
-    expect(notifications()[0]?.detail).toContain("1 edge has another line type");
+    expect(notifications()[0]?.detail).toContain("1 edge now has another line type");
     expect(shown()).toEqual(Uint8Array.of(1, 4, 1));
     expect(useUiStore.getState().past).toEqual([]);
 

@@ -26,15 +26,15 @@ export function describeDifference(
   rows: readonly number[] | null,
 ): string {
   const parts: string[] = [];
-  if (before.unit !== after.unit) parts.push(`its unit is ${after.unit ?? "unknown"}`);
+  if (before.unit !== after.unit) parts.push(`its unit is now ${after.unit ?? "unknown"}`);
   if (before.profile !== after.profile || before.rules !== after.rules)
-    parts.push(`its profile is ${after.profile}`);
-  if (rows === null) parts.push("its edges were replaced");
+    parts.push(`its profile is now ${after.profile}`);
+  if (rows === null) parts.push("its edges were calculated again from the file");
   else if (rows.length > 0)
     parts.push(
-      `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "has" : "have"} another line type`,
+      `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "now has" : "now have"} another line type`,
     );
-  return parts.length === 0 ? "no visible difference" : parts.join(", ");
+  return parts.length === 0 ? "line types, unit and profile are as before" : parts.join(", ");
 }
 
 /**

@@ -3,7 +3,7 @@ import { SHOWN_STAGES, stageProgress } from "./stages";
 
 test("a job that waits for the server has not begun its first stage", () => {
   expect(stageProgress("prepare")).toEqual({
-    title: "Waiting for the server to be prepared",
+    title: "Waiting for the server to finish its first start",
     index: -1,
   });
 });

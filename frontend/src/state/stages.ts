@@ -27,7 +27,8 @@ export const SHOWN_STAGES: readonly Stage[] = (Object.keys(COMPILE_STAGES) as St
 /** Text and position of a stage; before the first and without a stage the job waits. */
 export function stageProgress(stage: Job["stage"]): { title: string; index: number } {
   if (stage === "") return { title: "Waiting for the server to begin", index: -1 };
-  if (stage === "prepare") return { title: "Waiting for the server to be prepared", index: -1 };
+  if (stage === "prepare")
+    return { title: "Waiting for the server to finish its first start", index: -1 };
   if (stage === "done") return { title: "Program is ready", index: SHOWN_STAGES.length };
   return { title: COMPILE_STAGES[stage] ?? stage, index: SHOWN_STAGES.indexOf(stage) };
 }

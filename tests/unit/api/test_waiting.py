@@ -98,9 +98,9 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
     claimed(store)
     assert shown(store, job) == (
         "confirmation",
-        f"Waiting for the operator at {TITLE}: table clear, board e-flute (1.6 mm), tools: "
+        f"Waiting for the operator at {TITLE}: table clear, board Corrugated, E-flute 1.6 mm, tools: "
         "Oscillating knife (station 1), Crease wheel (station 2).",
-        "Confirm to start.",
+        "Check the table, then confirm to start.",
     )
     store.jobs.confirm(job.id)
     assert shown(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
@@ -147,7 +147,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     assert shown(store, job) == (
         "sheet",
         "Copy 1 of 2 is done.",
-        "Put a new sheet of e-flute (1.6 mm) on the table and confirm.",
+        "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm.",
     )
     store.jobs.confirm(job.id)
     assert waits(store, job) == Waiting()
@@ -165,7 +165,7 @@ def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store)
     row = store.jobs.get(job.id)
     row.tools = []
     (found,) = waiting_of(store, [row])
-    assert str(found.message).endswith("table clear, board e-flute (1.6 mm).")
+    assert str(found.message).endswith("table clear, board Corrugated, E-flute 1.6 mm.")
 
 
 def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store) -> None:

@@ -70,7 +70,7 @@ MESSAGES: Final[Entries] = {
     ),
     "drawing.unknown": entry(
         "Drawing {drawing} does not exist.",
-        "Choose one of the drawings that GET /api/drawings lists.",
+        "Go back to the list of drawings and open one of them; it may have been deleted.",
         drawing="text",
     ),
     "drawing.upload-too-large": entry(

@@ -242,15 +242,6 @@ MESSAGES: Final[Entries] = {
         "Delete a profile that is not used.",
         limit="count",
     ),
-    "board.named": entry(
-        "{name} ({caliper:g} mm)",
-        name="text",
-        caliper="number",
-    ),
-    "board.not-in-library": entry(
-        "{name}",
-        name="text",
-    ),
     "rule.block": entry("block {patterns:or}", patterns="texts"),
     "rule.colour": entry("colour {colours:or}", colours="texts"),
     "rule.conditions": entry("{conditions:, }", conditions="messages"),

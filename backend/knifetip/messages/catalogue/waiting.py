@@ -31,13 +31,13 @@ MESSAGES: Final[Entries] = {
         "Put a new sheet of {board} on the table and confirm.",
         copy="count",
         copies="count",
-        board="message",
+        board="text",
     ),
     "waiting.for-start": entry(
         "Waiting for the operator at {machine}: table clear, board {board}{tools}.",
-        "Confirm to start.",
+        "Check the table, then confirm to start.",
         machine="text",
-        board="message",
+        board="text",
         tools="message?",
     ),
     "waiting.for-turn": entry(
@@ -74,7 +74,7 @@ MESSAGES: Final[Entries] = {
         "{machine} was started without the operator's confirmation: board {board}{tools}.",
         "Look at the table. Confirm to let the job go on, or cancel it.",
         machine="text",
-        board="message",
+        board="text",
         tools="message?",
     ),
 }
