@@ -93,7 +93,9 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
         waiting = until(shop, job, "held")
         assert waiting["waiting_for"] == "sheet"
         assert waiting["reason"] == f"Copy {copy} of 3 is done."
-        assert waiting["hint"] == "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm."
+        assert waiting["hint"] == (
+            "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm."
+        )
         # The older command and the confirmation do the same.
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
     done = until(shop, job, "done", confirm=True)
@@ -123,10 +125,11 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
         time.sleep(0.02)
     assert found["state"] == "queued"
     assert found["reason"] == (
-        "Waiting for the operator at Demo table 1600 × 1200: table clear, board Corrugated, E-flute 1.6 mm, "
+        "Waiting for the operator at Demo table 1600 × 1200: table clear, board "
+        "'Corrugated, E-flute 1.6 mm', "
         "tools: Oscillating knife (station 1)."
     )
-    assert found["hint"] == "Confirm to start."
+    assert found["hint"] == "Check the table, then confirm to start."
     assert found["tools"] == [{"station": 1, "name": "Oscillating knife", "kind": "knife"}]
     time.sleep(1.0)
     assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"

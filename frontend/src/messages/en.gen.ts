@@ -3564,7 +3564,7 @@ export const TEXTS = {
     "hint": "Put a new sheet of {board} on the table and confirm."
   },
   "waiting.for-start": {
-    "text": "Waiting for the operator at {machine}: table clear, board {board}{tools}.",
+    "text": "Waiting for the operator at {machine}: table clear, board {board!r}{tools}.",
     "hint": "Check the table, then confirm to start."
   },
   "waiting.for-turn": {
@@ -3592,7 +3592,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.unconfirmed-run": {
-    "text": "{machine} was started without the operator's confirmation: board {board}{tools}.",
+    "text": "{machine} was started without the operator's confirmation: board {board!r}{tools}.",
     "hint": "Look at the table. Confirm to let the job go on, or cancel it."
   },
   "worker.died": {

@@ -176,10 +176,11 @@ def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
     assert (job["state"], job["waiting_for"], job["hint"]) == (
         "queued",
         "confirmation",
-        "Confirm to start.",
+        "Check the table, then confirm to start.",
     )
     assert job["reason"] == (
-        "Waiting for the operator at Demo table 1600 × 1200: table clear, board Corrugated, E-flute 1.6 mm, "
+        "Waiting for the operator at Demo table 1600 × 1200: table clear, board "
+        "'Corrugated, E-flute 1.6 mm', "
         "tools: Oscillating knife (station 1)."
     )
     assert client.get(f"/api/machines/{MACHINE}").json()["job"] is None

@@ -98,7 +98,8 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
     claimed(store)
     assert shown(store, job) == (
         "confirmation",
-        f"Waiting for the operator at {TITLE}: table clear, board Corrugated, E-flute 1.6 mm, tools: "
+        f"Waiting for the operator at {TITLE}: table clear, board "
+        "'Corrugated, E-flute 1.6 mm', tools: "
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Check the table, then confirm to start.",
     )
@@ -156,7 +157,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
     store.gateways.claim("gone", "gateway", manual=True)
-    assert "at gone: table clear, board old-board, tools:" in str(waits(store, job).message)
+    assert "at gone: table clear, board 'old-board', tools:" in str(waits(store, job).message)
 
 
 def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store) -> None:
@@ -165,7 +166,7 @@ def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store)
     row = store.jobs.get(job.id)
     row.tools = []
     (found,) = waiting_of(store, [row])
-    assert str(found.message).endswith("table clear, board Corrugated, E-flute 1.6 mm.")
+    assert str(found.message).endswith("table clear, board 'Corrugated, E-flute 1.6 mm'.")
 
 
 def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store) -> None:

@@ -34,7 +34,7 @@ MESSAGES: Final[Entries] = {
         board="text",
     ),
     "waiting.for-start": entry(
-        "Waiting for the operator at {machine}: table clear, board {board}{tools}.",
+        "Waiting for the operator at {machine}: table clear, board {board!r}{tools}.",
         "Check the table, then confirm to start.",
         machine="text",
         board="text",
@@ -71,7 +71,7 @@ MESSAGES: Final[Entries] = {
         tools="messages",
     ),
     "waiting.unconfirmed-run": entry(
-        "{machine} was started without the operator's confirmation: board {board}{tools}.",
+        "{machine} was started without the operator's confirmation: board {board!r}{tools}.",
         "Look at the table. Confirm to let the job go on, or cancel it.",
         machine="text",
         board="text",
