@@ -1,4 +1,7 @@
-"""NumPy array types for annotations; this package imports nothing from ``geometry``."""
+"""NumPy array types for annotations.
+
+They are defined here because this package imports nothing from ``geometry``.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The list that collects the findings of one verification, with a limit of a thousand findings."""
+"""The list that collects the findings of one verification, at most a thousand."""
 
 from __future__ import annotations
 
@@ -43,5 +43,5 @@ class Findings:
         return len(self._kept)
 
     def sorted(self) -> tuple[Finding, ...]:
-        """Return the findings in order of program lines; those without a line come last."""
+        """Return the findings sorted by program line; findings without a program line come last."""
         return tuple(sorted(self._kept, key=lambda finding: (finding.line < 0, finding.line)))

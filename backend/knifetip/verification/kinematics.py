@@ -1,14 +1,14 @@
 """Poses of the tool tip at the ends of moves, and the paths of the tip in the board.
 
-    Moves, Machine, Board -> TipPoses -> TipPaths
-
 The formulas are derived from the tools' drawings, independently of the compensation engines.  With
-the direction of travel u = (cos C, sin C) and v = (sin C, -cos C) to its right, the tip is at
+the direction of travel u = (cos C, sin C) and the direction to its right v = (sin C, -cos C), the
+tip is at
 
     knife, wheel    head - trail u           (trail is 0 for a tangential knife)
     V-cutter        head - back v - half_width u
 
-The tip of a V-cutter moves along the tilted blade: by Δz tan θ to the right when it rises by Δz.
+The tip of a V-cutter with tilt θ moves along its tilted blade: when it rises by Δz, it also moves
+by Δz tan θ to the right.
 """
 
 from __future__ import annotations
@@ -38,7 +38,9 @@ _MAX_CHORDS: Final = 10_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPoses:
-    """Poses of the tip of the selected station's tool at both ends of n moves; NaN if unknown."""
+    """Poses of the tip of the selected station's tool at the starts and ends of n moves; NaN if
+    unknown.
+    """
 
     start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
     end: F64  #: (n, 4)
@@ -104,12 +106,12 @@ def tip_paths(
 ) -> TipPaths:
     """Return the paths of the tip in the board, in the order of the program.
 
-    A plunge gives a path without length at its lower end, unless a level move follows it.
+    A plunge gives a path of length 0 at its lower end, unless a move at constant height follows it.
 
     Parameters
     ----------
     usable : (n,)
-        Mask of the moves that are used.  The moves left out have findings from other checks.
+        Mask of the moves that are used.  The other moves have findings from other checks.
     """
     with np.errstate(invalid="ignore"):
         drop = tip.end[:, 2] - tip.start[:, 2]
@@ -153,13 +155,13 @@ def _path_pieces(
     ----------
     rows
         Indices of the moves.
-    point : (n,)
-        Mask of the moves whose path is only the point where they end.
+    point
+        Mask of the moves that give only a point, the end of the move.
 
     Returns
     -------
-    Index of the move (k,), curve (k, 6), and start and end of the curve as fractions of the move
-    (k, 2).
+    Index of the move of each curve (k,), the curves (k, 6), and the start and end of each curve as
+    fractions of the move (k, 2).
     """
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
@@ -210,7 +212,8 @@ def _flatten_paths(
 
     Returns
     -------
-    Index into ``rows`` (k,), curve (k, 6), and start and end as fractions of the move (k, 2).
+    Index into ``rows`` of each chord (k,), the chords as curves (k, 6), and the start and end of
+    each chord as fractions of the move (k, 2).
     """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])

@@ -1,7 +1,5 @@
 """The properties that the verifier expects of each kind of tool.
 
-    Tool -> ExpectedTool
-
 The values are derived from the tools' drawings and the machines' manuals, independently of the
 stages that make programs.  Only the dimensions in the tools' records are shared.  To add a kind of
 tool, add a row to ``_EXPECTED``.
@@ -27,7 +25,7 @@ _ENTRY_RATIO: Final = 1.5
 
 
 class OperationKind(IntEnum):
-    """What a tool does to the board at its depth: cut, half-cut, crease, groove or mill."""
+    """The kinds of operation: cut, half-cut, crease, groove or mill."""
 
     CUT = 0  #: knife, through the board
     HALF_CUT = 1  #: knife, part of the way
@@ -37,7 +35,7 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """The name of the tool in messages, a key of ``english.TOOLS``."""
+        """The name of the tool in messages, which is a key of ``english.TOOLS``."""
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
 
 

@@ -1,10 +1,8 @@
 """Verify that a program makes the drawn edges.
 
-    program bytes, Dieline, placement, Machine, Board -> Verdict
-
-A reader converts the bytes to moves of the joints, kinematics computes the paths of the tool tip,
-and the checks compare the paths with each edge.  No code is shared with the stages that make
-programs, so programs from any source can be verified.
+A reader converts the program's bytes to moves of the machine's joints, kinematics computes the
+paths of the tool tip, and the checks compare the paths with each edge.  No code is shared with the
+stages that make programs, so programs from any source can be verified.
 """
 
 from __future__ import annotations
@@ -113,7 +111,9 @@ def verify(
 
 
 def _samples(context: CheckContext) -> Samples:
-    """Return the deviations sampled along edges, thinned evenly to at most ``MAX_SAMPLES`` rows."""
+    """Return the deviations measured at points of the edges, thinned evenly to at most
+    ``MAX_SAMPLES``.
+    """
     columns = [np.concatenate(column) for column in zip(*context.samples, strict=True)]
     if not columns:
         return Samples()

@@ -1,10 +1,9 @@
 """Check the bridges that hold a part in the sheet.
 
-    EdgePaths, overlaps of the tip paths with their edges -> Bridges -> findings
-
-Widths are measured in the top face.  A slanted blade cuts the top face ahead of its tip by its
-lead.  So if the tip stops before a bridge, the gap in its path is wider than the bridge by the
-lead.  Where the tip enters the board after a bridge, the cuts in both faces begin at one point.
+Bridges are the gaps that the tip paths leave in closed paths of edges.  Their widths are measured
+in the top face of the board.  A slanted blade cuts the top face ahead of its tip by its lead.  If
+the tip stops before a bridge, the gap in its path is therefore wider than the bridge by the lead.
+If the tip enters the board after a bridge, the cuts in the top and bottom faces begin at one point.
 """
 
 from __future__ import annotations
@@ -35,16 +34,16 @@ class Bridges:
     path: I64  #: (k,)
     middle: F64  #: (k,) mm along the path
     width: F64  #: (k,) mm in the top face
-    bare: F64  #: (k,) mm, length of the gap that the tip has left
+    bare: F64  #: (k,) mm, length of the gap in the path of the tip
     need: F64  #: (k,) mm, length that must be clear of corners
-    spacing: F64  #: (k,) mm between its middle and that of the next bridge of the path
-    gap_without: F64  #: (k,) mm between the middles of the previous and the next bridge
+    spacing: F64  #: (k,) mm between the middles of this bridge and the next bridge of the path
+    gap_without: F64  #: (k,) mm between the middles of the bridges before and after this bridge
 
 
 def find_bridges(
     overlaps: Overlaps, paths: EdgePaths, held: Bool, edges: Edges, lead: float
 ) -> Bridges:
-    """Return the gaps in the work on closed paths.
+    """Return the bridges of closed paths: the gaps between the stretches that the knife has cut.
 
     Parameters
     ----------
@@ -90,12 +89,13 @@ def find_bridges(
 
 
 def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
-    """Return bridges sorted by path and position, with their spacings.
+    """Return k bridges sorted by path and position, with their spacings.
 
     Parameters
     ----------
     path, middle, width, bare, need : (k,)
-        Columns of ``Bridges``, in any order.
+        Columns of ``Bridges``, in any order: index of the path, position of the middle on it,
+        width, length of the gap in the tip's path, and length that must be clear of corners (mm).
     length : (c,) mm
         Length of each path.
     """
@@ -114,16 +114,16 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 
 
 def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
-    """Return 1 for each position on a path at which a worked stretch ends, else 0, shape (k,).
+    """Return 1 for each of k positions on paths at which a cut stretch ends, else 0, (k,).
 
     Parameters
     ----------
     path, at : (n,)
-        Path of each stretch, and the position of its end along the path (mm).
+        Path of each cut stretch, and the position of its end along that path (mm).
     which, place : (k,)
-        Paths and positions that are looked up.
+        Path of each position to test, and the position along that path (mm).
     length : (k,) mm
-        Length of each looked-up path.
+        Length of the path of each position to test.
     """
     result = np.zeros(len(which))
     for k in range(len(which)):
@@ -135,7 +135,7 @@ def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F6
 def check_bridges(
     found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
-    """Yield the faults of bridges: kind of finding, edge, message, measure (mm).
+    """Yield the faults of bridges: kind of finding, index of the edge, message, and measure (mm).
 
     Parameters
     ----------
@@ -145,8 +145,10 @@ def check_bridges(
         Paths, and the edges that form them.
     held : (c,)
         Mask of the paths that must have bridges.
+    board
+        Contains the required width and spacing of bridges.
     slack : mm
-        Smaller differences are ignored.
+        Deviations up to this length are ignored.
     """
     edge, short = _corner_shortfall(found, paths, edges)
     wide = found.width - board.bridge_width
@@ -188,9 +190,10 @@ def check_bridges(
 
 
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
-    """Return the edge of each bridge, and by how much it is too near to a sharp corner (mm).
+    """Return the edge of each of k bridges (k,), and the length by which it is too near to a corner
+    (k,).
 
-    Both arrays have one row per bridge; the second is 0 if the bridge is far enough from corners.
+    Only sharp corners count.  The length (mm) is 0 if the bridge is far enough from all of them.
     """
     size = edges.curve[:, 5]
     edge, place = paths.locate(found.path, found.middle, edges.curve)

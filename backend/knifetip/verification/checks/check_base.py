@@ -1,13 +1,14 @@
-"""Checks for every kind of operation with a tip: position, depth, heading, completeness.
+"""Base class of the checks that compare the path of a tool's tip with the edges.
 
-    CheckContext, TipPaths, Edges -> findings and figures of the edges
+It checks position, depth and heading of the tip, and whether each edge is cut or creased
+completely.  A tip path within the tolerance of a drawn edge counts as cutting or creasing that
+edge.
 
-Work within the tolerance of a drawn edge counts as work on that edge.
-
-Heading: a tool that reaches ρ from its tip (the blade's width, half the wheel's contact, a
-V-cutter's cutting edge) swings by 2 ρ sin(ΔC / 2) when its heading differs by ΔC from the direction
-of the edge.  The swing must not exceed the tolerance.  ΔC is taken modulo 180° for a wheel, which
-has no front, and modulo 360° for other tools.
+Heading: let ρ be the distance from the tip to the farthest point of the tool (the blade's width,
+half the wheel's contact length, or a V-cutter's cutting edge).  If the heading differs by ΔC from
+the direction of the edge, that point swings by 2 ρ sin(ΔC / 2).  The swing must not exceed the
+tolerance.  ΔC is taken modulo 180° for a wheel, which has no front, and modulo 360° for other
+tools.
 """
 
 from __future__ import annotations
@@ -38,7 +39,9 @@ ToolKind = TypeVar("ToolKind", Knife, CreaseWheel, VCutter)
 
 
 class StationCheck(ABC):
-    """Base class of checks: compares one station's work in one kind of operation with its edges."""
+    """Base class of checks that compare one station's tip paths, for one kind of operation, with
+    the edges.
+    """
 
     def __init__(
         self,
@@ -67,7 +70,7 @@ class StationCheck(ABC):
         self.set_edges(edges)
 
     def set_edges(self, edges: Edges) -> None:
-        """Set the edges that must be worked, each over its entire length."""
+        """Set the edges that must be cut or creased, each over its entire length."""
         self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
@@ -87,9 +90,9 @@ class StationCheck(ABC):
         """Compare the tip paths with the edges; add findings and figures."""
 
     def tool(self, kind: type[ToolKind]) -> ToolKind | None:
-        """Return the tool of the checked station, or None if that tool is of another kind.
+        """Return the tool of the checked station, or None if that tool is not of this kind.
 
-        If the station has not worked, return the machine's first tool of this kind, or None.
+        If the station has no tip paths, return the machine's first tool of this kind, or None.
         """
         stations = self.context.machine.stations
         if len(self.station):
@@ -106,9 +109,10 @@ class StationCheck(ABC):
         work: int = -1,
         line: int = -1,
     ) -> None:
-        """Add a finding about an edge; ``edge`` is -1 if it concerns no edge.
+        """Add a finding with a kind, a message and a measure.
 
-        The program line is that of the tip path ``work``, or ``line`` if ``work`` is -1.
+        ``edge`` is the index of the edge that it concerns, -1 for none.  The finding gets the
+        program line of the tip path with index ``work``, or ``line`` if ``work`` is -1.
         """
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
@@ -133,9 +137,9 @@ class StationCheck(ABC):
         overlaps
             Overlaps of the tip paths with the edges.
         final
-            Mask of the overlaps whose depth is checked; all if None.
+            Mask of the overlaps whose depth is checked; None for all.
         wide : (n,) mm
-            Tolerance of each edge; the tolerance of the verdict if None.
+            Tolerance of each edge; None for the tolerance of the verdict.
         """
         limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
         best = np.flatnonzero(overlaps.best)
@@ -195,9 +199,10 @@ class StationCheck(ABC):
         reach : mm
             Distance from the tip to the farthest point of the tool, for each tip path.
         turn : degrees
-            Turn after which the tool has the same shape again: 180 or 360.
+            Rotation after which the tool has the same shape again: 180 or 360.
         chorded : (n,)
-            Mask of the edges that are worked in chords, each in its own direction.
+            Mask of the edges that are cut in chords, where the heading is that of the chord; None
+            for no edge.
         """
         best = np.flatnonzero(overlaps.best)
         work, edge = overlaps.curve[best], overlaps.edge[best]
@@ -245,11 +250,12 @@ class StationCheck(ABC):
         Parameters
         ----------
         off, slack : (k,) degrees
-            Difference of the heading from the edge's direction, and the part of it that is ignored.
+            Difference between the heading and the planned direction, and the part of it that is
+            ignored.
         reach : (k,) mm
             Distance from the tip to the farthest point of the tool.
         work, edge : (k,)
-            Index of the tip path and of the edge, -1 for no edge.
+            Index of the tip path, and index of the edge, -1 for no edge.
         """
         if "C" not in self.context.programmed:
             return
@@ -272,7 +278,7 @@ class StationCheck(ABC):
     def check_uncut(
         self, overlaps: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
-        """Check that tip paths cover these edges between their limits; record the uncut length.
+        """Check that tip paths cover edges between their limits; record the uncut length.
 
         Parameters
         ----------
@@ -281,9 +287,10 @@ class StationCheck(ABC):
         which
             Indices of the edges to check.
         only
-            Mask of the overlaps that count; all if None.
+            Mask of the overlaps that count; None for all.
         forward
-            Direction of the counted work along the edges, for messages; None for either.
+            Whether the counted tip paths run from start to end of the edges, for messages; None for
+            either direction.
         """
         size = self.size
         wanted = np.zeros(len(self.edges), np.bool_)
@@ -315,7 +322,11 @@ class StationCheck(ABC):
             self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
     def _work_phrase(self, forward: bool | None) -> Message:
-        """Return the phrase for what the tool does: cut, creased, or grooved (from which end)."""
+        """Return the phrase for the tool's effect, for messages: cut, creased or grooved.
+
+        For grooves, ``forward`` adds the end of the edge from which the tool starts, unless it is
+        None.
+        """
         if self.operation == OperationKind.CREASE:
             return Message("verify.work-creased")
         if self.operation != OperationKind.GROOVE:
@@ -327,21 +338,22 @@ class StationCheck(ABC):
         )
 
     def edge_gaps(self, overlaps: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
-        """Return the gaps between the worked stretches of edges.
+        """Return the gaps between the stretches of edges that tip paths overlap.
 
         There is one gap before each stretch and one after the last stretch of each edge; many have
-        length 0.  A stretch that overlaps earlier ones has a gap of negative length before it.
+        length 0.  A stretch that overlaps earlier stretches has a gap of negative length before it.
 
         Parameters
         ----------
         overlaps, keep
-            Overlaps of the tip paths with the edges, and the indices of those that count.
+            Overlaps of the tip paths with the edges, and the indices of the overlaps that count.
         wanted
             Indices of the edges that are searched.
 
         Returns
         -------
-        Length (mm), index of the edge, start on the edge (mm), and line of the program, (k,) each.
+        Length (mm), index of the edge, start on the edge (mm), and program line of each gap, (k,)
+        each.
         """
         edge = overlaps.edge[keep].astype(np.int64)
         low, high = overlaps.place[keep].min(axis=1), overlaps.place[keep].max(axis=1)

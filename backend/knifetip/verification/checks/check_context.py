@@ -26,7 +26,7 @@ PRINT_TURN: Final = 1.5e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeFigures:
-    """Columns of the verdict: one row for each edge of the dieline, all in mm."""
+    """Columns of figures in the verdict, in mm; one row for each edge of the dieline."""
 
     deviation: F64
     overcut: F64
@@ -46,7 +46,7 @@ class EdgeFigures:
 
     @classmethod
     def zeros(cls, count: int) -> EdgeFigures:
-        """Return figures for ``count`` edges, all 0."""
+        """Return a record with ``count`` rows in which all figures are 0."""
         return cls(*(np.zeros(count) for _ in range(10)))
 
 
@@ -62,7 +62,7 @@ class CheckContext:
     findings: Findings
     programmed: str = "XYZC"  #: the axes that the program moves
     resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
-    #: rows of the dieline, positions (share of the edge), distances to the left of it (mm)
+    #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[Unreached] = field(
         default_factory=list

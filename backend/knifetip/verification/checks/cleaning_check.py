@@ -1,10 +1,8 @@
 """Check that the cleaned edges, which a program is verified against, match the drawn edges.
 
-    Dieline as drawn, Cleaned -> findings where cleaning lost, added or moved work
-
-Each drawn stretch must lie on a cleaned edge with its line type or one that replaces it.  Each
-cleaned edge must lie on drawn edges.  Only debris may be dropped.  Cleaning records the cleaned
-edge of each stretch; the distances are measured here without the functions of cleaning.
+Each drawn stretch must lie on a cleaned edge with its line type or a line type that replaces it.
+Each cleaned edge must lie on drawn edges.  Only debris may be dropped.  The cleaning stage records
+the cleaned edge of each stretch; the distances are measured here without its functions.
 """
 
 from __future__ import annotations
@@ -111,10 +109,10 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
 
 
 def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
-    """Return a point on each line or arc, (n, 2) mm.
+    """Return one point on each of n lines and arcs, (n, 2) mm.
 
-    ``ends`` is (n, 2, 2) mm, ``bulge`` (n,), and ``share`` the position as a fraction of the
-    length.
+    ``ends`` is (n, 2, 2) mm and ``bulge`` (n,); ``share`` is the position of each point as a
+    fraction of the length, (n,).
     """
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
@@ -143,8 +141,8 @@ def _measure_stretches(
 
     Returns
     -------
-    Greatest distance (q,) mm, and the stretch's start and end on the cleaned edge (q, 2), as
-    fractions of that edge's length.
+    Greatest distance (q,) mm; start and end of each stretch on its cleaned edge, as fractions of
+    that edge's length (q, 2).
     """
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))

@@ -1,9 +1,8 @@
-"""The faces that cuts enclose, with small gaps in contours closed.
-
-    cuts -> CutFaces: pieces of cuts, links over gaps, and the face on either side of each
+"""Find the faces that cuts enclose, with small gaps in contours closed.
 
 Cuts are split where they meet.  If an end of a cut lies within ``GAP_LENGTH`` of another cut, a
-link closes the contour there.
+straight link closes the contour there.  The results are the pieces of cuts, the links, and the
+faces on the two sides of each.
 """
 
 from __future__ import annotations
@@ -47,7 +46,10 @@ _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
-    """The f faces that p pieces enclose, cuts first, then links over gaps; face 0 is outside."""
+    """The f faces that p pieces enclose; face 0 is outside.
+
+    The pieces are pieces of cuts, followed by links that close gaps.
+    """
 
     curve: F64  #: (p, 6)
     edge: I64  #: (p,) the cut, -1 for a link
@@ -69,7 +71,7 @@ class CutFaces:
 
 
 def find_cut_faces(cuts: Edges) -> CutFaces:
-    """Return the faces that cuts enclose, with small gaps closed."""
+    """Return the faces that cuts enclose; small gaps in contours are closed by links."""
     links = _gap_links(cuts)
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split_curves(curve)
@@ -91,10 +93,11 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return lines, as curves, that close gaps from dangling ends to the nearest cut or end.
+    """Return straight links, as curves, from dangling ends of cuts to nearby cuts and dangling
+    ends.
 
-    Two dangling ends are not linked to each other if a third dangling end is nearer to both of
-    them; then each of them is linked to the third end.
+    Two dangling ends are not linked to each other if a third dangling end is nearer to both than
+    they are to each other.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -146,13 +149,17 @@ def _gap_links(cuts: Edges) -> F64:
 
 @kernel
 def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
-    """Return the mask of the pairs of points that have no third point nearer to both points.
+    """Return the mask of the pairs of points that are relative neighbours, (k,).
+
+    Two points are relative neighbours if no third point is nearer to both than they are to each
+    other.
 
     Parameters
     ----------
     one, other : (k,)
-        The pairs, as indices into ``points``, sorted by ``one``.
+        The two points of each pair, as indices into ``points``, sorted by ``one``.
     points : (n, 2) mm
+        The points.
     first : (n + 1,)
         Index of the first pair of each point.
     """
@@ -209,9 +216,9 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     Parameters
     ----------
     curve : (p, 6)
-        The pieces.
+        The pieces, as curves.
     cycle : (p, 2)
-        Cycle of half-edges on the left and right of each piece.
+        Index of the cycle of half-edges on the left and right of each piece.
     outside : (w,)
         Mask of the cycles that run round the outside of a component.
     component : (p,)
@@ -230,50 +237,54 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     met, rising = _first_curve_left(probe, np.arange(count), curve, component)
     beside = np.where(met < 0, -1, cycle[met, np.where(rising, 1, 0)])
     # The curve to the left belongs to a component farther left, whose face is already assigned.
-    name = np.where(outside, 0, np.cumsum(~outside))
+    face_of = np.where(outside, 0, np.cumsum(~outside))
     component_of = np.zeros(len(outside), np.int64)
     component_of[cycle] = component[:, None]
     around = _enclosing_faces(
-        np.argsort(probe[:, 0], kind="stable"), beside, outside, component_of, name
+        np.argsort(probe[:, 0], kind="stable"), beside, outside, component_of, face_of
     )
-    face: I64 = np.where(outside, around[component_of], name)[cycle]
+    face: I64 = np.where(outside, around[component_of], face_of)[cycle]
     return face, int((~outside).sum()) + 1
 
 
 @kernel
 def _enclosing_faces(
-    order: I64_1, beside: I64_1, outside: Bool_1, component_of: I64_1, name: I64_1
+    order: I64_1, beside: I64_1, outside: Bool_1, component_of: I64_1, face_of: I64_1
 ) -> Any:
-    """Return the face that encloses each connected component of pieces, 0 for none, (c,).
+    """Return the face that encloses each connected component of pieces, (c,); 0 if none does.
 
     Parameters
     ----------
     order : (c,)
-        Components from left to right.
+        Components sorted from left to right.
     beside : (c,)
-        The cycle of half-edges to the left of each component, or -1.
-    outside, component_of, name : (w,)
-        Of each cycle: whether it runs round the outside of a component, its component, its face.
+        The cycle of half-edges to the left of each component, -1 for none.
+    outside, component_of, face_of : (w,)
+        Whether each cycle runs round the outside of a component, its component, and its face.
     """
     around = np.zeros(len(order), np.int64)
     for c in order:
-        walk = beside[c]
-        if walk >= 0:
-            around[c] = around[component_of[walk]] if outside[walk] else name[walk]
+        beside_cycle = beside[c]
+        if beside_cycle >= 0:
+            around[c] = (
+                around[component_of[beside_cycle]]
+                if outside[beside_cycle]
+                else face_of[beside_cycle]
+            )
     return around
 
 
 def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
-    """Find the first curve to the left of each point.
+    """Find the first curve to the left of each of m points.
 
     Parameters
     ----------
     points : (m, 2) mm
+        The points.
     own : (m,)
-        Owner whose curves are ignored for each point, or -1.
-    curve : (n, 6)
-    owner : (n,)
-        Owner of each curve.
+        Owner whose curves are ignored in the search from each point, -1 for none.
+    curve, owner : (n, 6) and (n,)
+        The curves, and the owner of each, such as its connected component.
 
     Returns
     -------

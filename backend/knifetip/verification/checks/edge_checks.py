@@ -1,9 +1,7 @@
 """Compare all tip paths with all edges, one kind of operation and one station at a time.
 
-    CheckContext, TipPaths -> findings and figures of every edge
-
-Each stretch of work must lie on an edge of the right line type, between the points at which the
-tip may start and stop.  Each edge must be worked between those points.
+Each tip path must lie on an edge of the right line type, between the points at which the tip may
+start and stop.  Each edge must be cut or creased between these points.
 """
 
 from __future__ import annotations
@@ -51,14 +49,16 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the station that works the greatest length of each edge, shape (n,).
+    """Return the station that cuts or creases the greatest length of each edge, shape (n,).
 
-    An edge that no station works gets the first station, or -1 if there are no tip paths.
+    An edge without tip paths gets the first station, or -1 if there are no tip paths at all.
 
     Parameters
     ----------
-    rows
-        Indices of the tip paths that count.
+    work, rows
+        Tip paths, and the indices of the tip paths that count.
+    edges
+        The n edges.
     tolerance : mm
         Greatest distance of a tip path from the edge.
     """

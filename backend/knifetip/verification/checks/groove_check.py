@@ -28,7 +28,9 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class GrooveCheck(StationCheck):
-    """Compares the grooves of a V-cutter, in one or more passes per direction, with the edges."""
+    """Compares the V-grooves that a V-cutter makes, in one or more passes per direction, with the
+    edges.
+    """
 
     def check(self) -> None:
         self.depth[:] = self.context.board.groove_depth
@@ -83,7 +85,7 @@ class GrooveCheck(StationCheck):
     def _add_run_outs(self, blade: VCutter) -> Bool:
         """Lengthen the edges of grooves by their required run-outs past the board's edge.
 
-        The tip must go no farther than necessary: the space past the board may be occupied.
+        The tip must not go farther than required, because there may be an obstacle past the board.
         Returns the mask of the ends at which a groove leaves the board, shape (n, 2).
         """
         half = self.context.board.groove_depth * blade.slope
@@ -107,7 +109,8 @@ class GrooveCheck(StationCheck):
         return boundary
 
     def _deepest_passes(self, overlaps: Overlaps) -> Bool:
-        """Return the mask of the overlaps in the deepest pass of their edge and direction.
+        """Return the mask of the overlaps that belong to the deepest pass on their edge in their
+        direction.
 
         Adds a finding for each pass that is shallower than the pass before it.
         """
@@ -165,8 +168,12 @@ class GrooveCheck(StationCheck):
 
         Parameters
         ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
         final
             Mask of the overlaps of the deepest passes.
+        blade
+            The V-cutter.
         limit : (n,) mm
             Tolerance of each edge.
         """

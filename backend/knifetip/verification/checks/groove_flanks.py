@@ -1,10 +1,8 @@
 """Find cuts so near to a V-groove that a flank of the groove damages their edge.
 
-    Edges (grooves), Edges (cuts), reach of a flank -> DamagedCuts
-
 In the top face a groove is a strip on both sides of its line, as wide as the flanks reach.  A cut
-inside the strip loses its edge.  Exceptions: the groove ends on that cut or runs out over it, or
-the cut crosses the groove.
+inside the strip loses its edge.  There are two exceptions: a cut on which the groove ends or over
+which it runs out, and a cut that crosses the groove.
 """
 
 from __future__ import annotations
@@ -40,13 +38,13 @@ class DamagedCuts:
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
     """Return the cuts that lie inside the strips of grooves.
 
-    Near an end that lies within twice the reach of a cut, the strip is shortened by twice the
-    reach, or by the run-out if that is longer.
+    If a cut lies within twice the reach of a groove's end, the strip is shortened at that end by
+    twice the reach, or by the run-out if that is longer.
 
     Parameters
     ----------
     grooves, cuts
-        Edges as drawn.
+        V-grooves and cuts, as drawn.
     reach : mm
         Distance from a groove's line to its flanks in the top face.
     out : (n, 2) mm
@@ -73,13 +71,15 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
     if len(overlaps.curve) == 0:
         none = np.zeros(0, np.int64)
         return DamagedCuts(none, none, np.zeros(0), np.zeros(0))
-    return _nearest_places(overlaps, pieces, strip, owner, before)
+    return _nearest_points(overlaps, pieces, strip, owner, before)
 
 
-def _nearest_places(
+def _nearest_points(
     overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
-    """Return for each pair of groove and cut the nearest point; cuts that cross are left out.
+    """Return the nearest point of the cut for each pair of a groove and a cut inside its strip.
+
+    Pairs in which the cut crosses the groove are left out.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def _nearest_places(
     pieces, owner : (p, 6), (p,)
         Chords of the cuts, and the cut of each chord.
     strip, before : (n, 6), (n,)
-        Grooves lengthened at both ends, and the added length at the start (mm).
+        Grooves lengthened at both ends, and the length added at the start of each (mm).
     """
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(
@@ -122,9 +122,9 @@ def _nearest_places(
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
-    """Return the least and the greatest value of each group, (count,) each.
+    """Return the least and the greatest value of each of ``count`` groups, (count,) each.
 
-    ``values`` is (k, j) and ``group`` is the group of each of its k rows.
+    ``values`` is (k, j), and ``group`` is the group of each of its k rows, (k,).
     """
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))
@@ -133,9 +133,9 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 
 
 def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
-    """Return curves extended by a length at both ends (mm), and the actual extension of each (mm).
+    """Return n curves lengthened at both ends, and the length added at each end, (n,) mm.
 
-    An arc is extended to less than a full circle.
+    The added length is ``extra``, but an arc remains shorter than a full circle.
     """
     result = curve.copy()
     straight = curve[:, 0] == 0.0

@@ -1,7 +1,7 @@
-"""Check cuts, half-cuts, perforations and bridges that a knife makes.
+"""Check the cuts, half-cuts, perforations and bridges that a knife makes.
 
 A slanted blade cuts the top face of the board ahead of its tip by the lead, depth × tan(slant).
-So figures are recorded for both faces of the board.
+Figures are therefore recorded for the top face and for the bottom face.
 """
 
 from __future__ import annotations
@@ -56,9 +56,10 @@ class KnifeCheck(StationCheck):
         Parameters
         ----------
         leads : mm
-            Depth over which the blade's slant puts the top of the cut ahead of the tip.
+            Depth of the tip below the top face.  Multiplied by tan(slant), it is the blade's lead.
         runs : mm
-            Depth whose lead is the planned overrun past an end that meets another cut.
+            Depth that, multiplied by tan(slant), is the planned overrun past an end that meets a
+            cut.
         """
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
@@ -98,10 +99,16 @@ class KnifeCheck(StationCheck):
             self._record_faces(overlaps, over, leads * slant, (leads - runs) * slant)
 
     def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:
-        """Record uncut length in the bottom face and overcut in the top face.
+        """Record the uncut length in the bottom face and the overcut in the top face.
 
-        Where a track ends, the cut extends ahead of the tip by ``top`` mm in the top face and by
-        ``bottom`` mm in the bottom face.  ``over`` is the overrun of each track, mm.
+        Parameters
+        ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
+        over : mm
+            Overrun of each track.
+        top, bottom : mm
+            Length by which the cut extends ahead of the tip at the end of a track, in each face.
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
@@ -131,7 +138,7 @@ class KnifeCheck(StationCheck):
 
     @property
     def _needs_bridges(self) -> bool:
-        """True if the board's settings require bridges in cuts."""
+        """Whether the check is of cuts and the board's settings require bridges in them."""
         board = self.context.board
         return (
             self.operation == OperationKind.CUT
@@ -142,7 +149,7 @@ class KnifeCheck(StationCheck):
     def _paths_with_bridges(self, whole: Edges, paths: EdgePaths) -> Bool:
         """Return the mask of the closed paths whose parts must be held by bridges, shape (c,).
 
-        ``whole`` are the edges that form the paths.
+        ``paths`` are c paths, and ``whole`` are the edges that form them.
         """
         result = np.zeros(len(paths.length), np.bool_)
         if self._needs_bridges:
@@ -152,9 +159,11 @@ class KnifeCheck(StationCheck):
         return result
 
     def _tracks_along(self, overlaps: Overlaps, some: Bool) -> Bool:
-        """Return the mask of the tracks of which over half the length follows edges of a mask.
+        """Return the mask of the tracks that follow given edges over more than half of their
+        length.
 
-        ``some`` is the mask of the edges, (n,).
+        ``some`` is the mask of these edges, (n,); ``overlaps`` are those of the tip paths with all
+        edges.
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
@@ -173,12 +182,16 @@ class KnifeCheck(StationCheck):
         rounds: Bool,
         lead: float,
     ) -> None:
-        """Check width, number and spacing of bridges, and their distance from corners.
+        """Check the width, number and spacing of bridges, and their distance from corners.
 
         Parameters
         ----------
-        whole, solid, paths
-            Edges that may have bridges, their indices in the edges of the check, and their paths.
+        overlaps
+            Overlaps of the tip paths with the edges of the check.
+        whole, solid
+            Edges that may have bridges, and the index of each in the edges of the check.
+        paths
+            The c paths that the edges ``whole`` form.
         rounds : (c,)
             Mask of the paths that must have bridges.
         lead : mm
@@ -251,9 +264,10 @@ class KnifeCheck(StationCheck):
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
     def _check_lead_headings(self, which: I64, blade: Knife) -> None:
-        """Check the heading along lead-ins and lead-outs; ``which`` are the indices of tip paths.
+        """Check the heading along lead-ins and lead-outs, because a blade turned across its path
+        tears board.
 
-        A blade that is turned across its path tears the board.
+        ``which`` are the indices of the tip paths of lead-ins and lead-outs.
         """
         off = np.zeros(len(which))
         for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
@@ -265,10 +279,13 @@ class KnifeCheck(StationCheck):
     def _check_perforations(
         self, overlaps: Overlaps, which: I64, dashed: Bool, lead: float
     ) -> None:
-        """Check perforations: the lengths of their cuts, less the blade's lead, and of their gaps.
+        """Check the lengths of the cuts of perforations, less the blade's lead, and of the gaps
+        between them.
 
         Parameters
         ----------
+        overlaps
+            Overlaps of the tip paths with the edges.
         which
             Indices of the perforated edges.
         dashed

@@ -1,17 +1,15 @@
 """Check cuts that a router bit or a laser makes by removing a disc of radius r.
 
-    Edges (closed cuts), CentrePaths, Station -> findings and figures of the edges
-
 The disc must touch each edge from the waste side without cutting into the part.  Its centre must
-follow the offset of the edge by r wherever the offset is at least r from all other edges.  In a
-concave corner or a narrow slot it is nearer to other edges; that length of the edge is recorded as
-``unreached``.  Convex corners may be rounded or square.
+follow the offset of the edge by r, except where the offset is nearer than r to another edge.  That
+is the case in a concave corner or a narrow slot; the length of the edge that the disc cannot touch
+there is recorded as ``unreached``.  Convex corners may be rounded or square.
 
-A cutter that deflects by δx, δy under load is moved that much nearer to the edge: the centre is at
-P + ((r - δx) n_x, (r - δy) n_y) with the point P on the edge and the normal n towards the waste.
+A cutter that deflects by δx, δy under load is moved that much nearer to the edge.  Its centre is at
+P + ((r - δx) n_x, (r - δy) n_y), with the point P on the edge and the normal n towards the waste.
 Round a convex corner the centre moves on an ellipse.
 
-Source: the radius paper, equations 1-9; the corner's reach is our derivation.
+Source: the radius paper, equations 1-9; the reach into corners is our derivation.
 """
 
 from __future__ import annotations
@@ -46,7 +44,7 @@ PRINT_ROUNDING: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CentrePaths:
-    """n paths of the cutter's centre in the board, with columns as in ``kinematics.TipPaths``."""
+    """n paths of the cutter's centre in the board, with the columns of ``kinematics.TipPaths``."""
 
     curve: F64
     z: F64
@@ -55,7 +53,7 @@ class CentrePaths:
     blend: F64
 
     def select(self, rows: I64 | Bool) -> CentrePaths:
-        """Return the paths with these indices, or of this mask."""
+        """Return the paths that ``rows``, an array of indices or a mask, selects."""
         return CentrePaths(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )
@@ -64,10 +62,12 @@ class CentrePaths:
 def check_milling(
     context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
 ) -> None:
-    """Check the board that a cutter removes against the cuts.
+    """Check that a cutter removes the board beside its cuts, and no other board.
 
     Parameters
     ----------
+    context
+        Inputs and results of the verification; findings and figures are added to it.
     edges
         Cuts that the cutter must make.
     centres
@@ -162,9 +162,10 @@ class _MillingCheck:
     # -- the edges -------------------------------------------------------------------------------
 
     def _untouched_stretches(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges that the disc has not touched: edge, start, end (mm).
+        """Return the k stretches of edges that the disc has not touched: edge, start, end (mm),
+        (k,) each.
 
-        Also records deviations of the centre.
+        Also records deviations of the centre from its expected path.
 
         Parameters
         ----------
@@ -214,9 +215,15 @@ class _MillingCheck:
         return uncovered_edges(edge, low, high, self.size)
 
     def _record_untouched(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
-        """Divide untouched stretches into unreachable ones, bridges and uncut ones; record them.
+        """Divide untouched stretches into unreachable stretches, bridges and uncut stretches;
+        record them.
 
-        ``edge``, ``begin`` and ``end`` are the stretches as ``_untouched_stretches`` returns them.
+        Parameters
+        ----------
+        pieces
+            Expected paths of the centre.
+        edge, begin, end : (k,)
+            The stretches, as ``_untouched_stretches`` returns them.
         """
         blocked_edge, low, high = self._blocked_stretches(pieces)
         # Gaps that remain after the blocked stretches are subtracted.
@@ -259,9 +266,11 @@ class _MillingCheck:
             )
 
     def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
-        """Check the bridges among untouched stretches; return the mask of those that are bridges.
+        """Check the bridges among untouched stretches; return the mask of the stretches that are
+        bridges.
 
-        The width of a bridge is the gap in the path of the centre less the disc's diameter.
+        ``edge``, ``begin`` and ``end`` are the edge, start and end (mm) of each stretch.  The width
+        of a bridge is the length of the gap in the centre's path less the disc's diameter.
         """
         board = self.context.board
         if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
@@ -293,7 +302,8 @@ class _MillingCheck:
     def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
         """Return the stretches of edges beside which the disc would cut another edge or a corner.
 
-        Returns the edge of each stretch (k,), and its start and end along the edge, (k,) mm each.
+        ``pieces`` are the expected paths of the centre.  Returns the edge of each stretch (k,), and
+        its start and end along the edge, (k,) mm each.
         """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
@@ -436,7 +446,7 @@ class _MillingCheck:
             )
 
     def _check_stray_work(self) -> None:
-        """Check for work inside a part, and for work far from every edge."""
+        """Check that the cutter does not cut inside a part or far from every edge."""
         centres = self.centres
         first = np.unique(centres.track, return_index=True)[1]
         middle = 0.5 * centres.curve[first, 5]

@@ -1,7 +1,5 @@
 """Distances between the path of a disc and points or edges, in closed form where possible.
 
-    curves, edges, reach of the disc along X and Y -> positions along the curves, depths (mm)
-
 If a cutter deflects by different amounts along X and Y, its disc becomes an ellipse.
 """
 
@@ -16,15 +14,17 @@ from knifetip.verification.curves.intervals import EPSILON
 
 
 def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
-    """Return start and end (mm) of the stretch of each curve within a distance of its point.
+    """Return start and end of the stretch of each curve near a point, (n,) mm each.
 
-    Start is greater than end if there is none.  Only one stretch is returned; an arc of more than
-    half a turn may have a second one.
+    The stretch is within ``limit`` mm of the point; start is greater than end if there is none.
+    Only one stretch is returned, although an arc of more than half a turn may have two.
 
     Parameters
     ----------
     curve, point : (n, 6), (n, 2) mm
+        Curves, and the point that each is compared with.
     limit : mm
+        Greatest distance from the point.
     """
     to = point - curve[:, 1:3]
     straight = curve[:, 0] == 0.0
@@ -47,16 +47,16 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
 
 
 def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
-    """Yield positions on stretches of curves at which these may be nearest to edges, (n,) mm each.
+    """Yield positions on curves at which a curve may be nearest to its edge, (n,) mm at a time.
 
     Parameters
     ----------
     curve, edge : (n, 6)
         Curves, and the edge that each is compared with.
     along : (n, 2) mm
-        Start and end of the stretch of each curve.
+        Start and end of the stretch of each curve that is searched.
     round_
-        The removed area is a circle; if False, more positions are yielded.
+        Whether the removed area is a circle; if not, more positions are yielded.
     """
     low, high = along.T
     yield low
@@ -75,9 +75,10 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 
 
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
-    """Return the position on each curve that is nearest to its point, (n,) mm.
+    """Return the position on each curve that is nearest to a point, (n,) mm.
 
-    Distances are measured in units of the half-axes ``reach``, (2,) mm.
+    ``point`` contains one point for each curve.  Distances are measured in units of the disc's
+    half-axes ``reach``, (2,) mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]
@@ -95,9 +96,10 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
 
 
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
-    """Return how far a disc (or ellipse) centred at each point extends past its edge, (n,) mm.
+    """Return how far a disc (or ellipse) centred at each point extends past an edge, (n,) mm.
 
-    The result is negative if it does not reach the edge.  ``reach`` are its half-axes, (2,) mm.
+    The result is negative if the disc does not reach the edge.  ``edge`` contains one edge for each
+    point; ``reach`` are the half-axes of the disc along X and Y, (2,) mm.
     """
     to = points - edge[:, 1:3]
     straight = edge[:, 0] == 0.0

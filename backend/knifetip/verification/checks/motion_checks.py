@@ -1,7 +1,4 @@
-"""Check feeds, outputs, travel and turns of the moves, and compute the machine time.
-
-Moves, TipPoses, Machine, Board -> findings, nominal time
-"""
+"""Check the feeds, outputs, travel and turns of the moves, and compute the nominal machine time."""
 
 from __future__ import annotations
 
@@ -43,9 +40,9 @@ def move_lengths(moves: Moves) -> F64:
 
 
 def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
-    """Return the mask of the moves within the machine's travel, shape (n,).
+    """Return the mask of the moves within the limits of the machine's axes, shape (n,).
 
-    Adds a finding for each move that leaves the travel, or moves outside of it.
+    Adds a finding for each move that leaves these limits or is outside them.
     """
     good = np.ones(len(moves.line), np.bool_)
     # Report the move that leaves the travel, not those that start or stay outside.
@@ -84,10 +81,10 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 
 
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check that level moves have the tool's feed and other moves its plunge feed.
+    """Check that moves at constant height have the tool's feed, and other moves its plunge feed.
 
     A turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must
-    be that of its travel or of its turn, whichever is longer.
+    be the duration of its travel or of its turn, whichever is longer.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -145,10 +142,10 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
 
 
 def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check the outputs while a tool works.
+    """Check the outputs while a tool is in the board.
 
-    Its station must be lowered and all other stations raised; the spindle and the outputs that the
-    tool needs must be on, and the spindle off if the tool does not need it.
+    The station of the tool must be lowered and all other stations raised.  The outputs that the
+    tool needs must be on, and the spindle must be on if and only if the tool needs it.
     """
     wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
@@ -201,7 +198,7 @@ def check_board_moves(
     tolerance: float,
     findings: Findings,
 ) -> None:
-    """Check moves in the board: no rapids, unknown positions, slanted plunges or wide turns.
+    """Add a finding for each rapid, unknown position, slanted plunge and wide turn in the board.
 
     ``tolerance`` is the greatest sideways deviation of a plunge or lift (mm).
     """
@@ -256,15 +253,16 @@ def _check_turns(
 ) -> None:
     """Check that C turns by the same angle as the direction of travel in the board.
 
-    Along a line or an arc C and the direction of travel turn at constant rates, so comparing the
-    two angles covers the entire move.  Comparing the headings at the ends of the move would miss
+    On a line or an arc, C and the direction of travel turn at constant rates, so comparing their
+    angles covers the entire move.  A comparison of the headings at the ends of the move would miss
     full turns.  A tool that turns in place, or while it plunges or lifts, has no direction of
     travel; only the size of its turn is limited.
 
     Parameters
     ----------
     stay, slanted : (n,)
-        Masks of the feed moves in the board, and of those that change the height.
+        Mask of the feed moves in the board, and mask of the moves among these that change the
+        height.
     """
     held = [expected_tool(station.tool) for station in machine.stations]
     widest = np.array([tool.swivel for tool in held])

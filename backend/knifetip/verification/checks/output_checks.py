@@ -1,12 +1,10 @@
 """Check that programs set all outputs before they move, and switch them only at travel height.
 
-    Moves, Machine, Board -> findings
-
-A cancelled job may have left a station lowered, its tool in the board and the spindle on.  So the
-state of every output and of the spindle is unknown until a line of the program sets it.  Until then
-the program may only lift straight up, to a height at which every station clears the board.  It may
-switch outputs, spindle and station only while the head is at the travel height of the station that
-moved last.  At most one station may be lowered at a time.
+After a cancelled job a station may be lowered, its tool in the board and the spindle on.  The state
+of every output and of the spindle is therefore unknown until a program line sets it.  Until then
+the program may only lift the head straight up, to a height at which every station clears the board.
+It may switch outputs, spindle and station only while the head is at the travel height of the
+station that moved last.  At most one station may be lowered at a time.
 """
 
 from __future__ import annotations
@@ -28,7 +26,11 @@ PRINT_ROUNDING: Final = 5e-5
 
 
 def check_switching(moves: Moves, machine: Machine, board: Board, findings: Findings) -> None:
-    """Check states before the first move, heights of switching, and stations lowered together."""
+    """Check when the program switches outputs and the spindle; add findings.
+
+    It must set all of them before the first move, switch them at a safe height, and never lower two
+    stations together.
+    """
     datum = np.array([station.z for station in machine.stations])
     # While the states are unknown any station may be lowered: clear the board with each.
     highest = min(machine.travel_z + float(datum.max()), machine.z.high)
@@ -81,7 +83,9 @@ def _is_upright(moves: Moves) -> Bool:
 def _check_heights(
     moves: Moves, machine: Machine, board: Board, highest: float, datum: F64, findings: Findings
 ) -> None:
-    """Check the height of the head where the program switches; one finding for each move.
+    """Check the height of the head at each program line that switches an output or the spindle.
+
+    Adds at most one finding for each move.
 
     Parameters
     ----------
@@ -116,7 +120,7 @@ def _check_heights(
 
 
 def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> None:
-    """Check that a station is lowered only while all others are raised."""
+    """Check that a station is lowered only while all other stations are raised."""
     switches = moves.switches
     output = np.array([station.output for station in machine.stations])
     beside = switches.beside & (output != output[switches.lowers][:, None])

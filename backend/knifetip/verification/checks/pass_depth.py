@@ -1,7 +1,4 @@
-"""Find work that goes deeper in one pass than a tool may.
-
-tip paths in order, their depths, deepest step -> stretches that exceed the step
-"""
+"""Find stretches at which a tool cuts deeper in one pass than it may."""
 
 from __future__ import annotations
 
@@ -29,15 +26,16 @@ def too_deep_spans(
     deep : (n,) mm
         Depth of each tip path below the top of the board.
     step : mm
-        Deepest cut in one pass.
+        Greatest permitted depth of one pass.
     near : mm
-        Greatest distance of an earlier pass over the same line.
+        Greatest distance of an earlier pass that counts as a pass over the same line.
     one_way
-        Count only earlier passes in the same direction.
+        Whether only earlier passes in the same direction count.
 
     Returns
     -------
-    Index of the tip path (k,), and start and end of the stretch along it (k, 2) mm.
+    Index of the tip path of each stretch (k,), and the start and end of the stretch along it (k, 2)
+    mm.
     """
     late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
     if len(late) == 0:

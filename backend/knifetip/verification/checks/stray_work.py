@@ -1,6 +1,6 @@
-"""Find work that lies on no edge: past an end, beside an edge, or elsewhere on the sheet.
+"""Find stretches of tip paths that lie on no edge: past an end, beside an edge, or elsewhere.
 
-StationCheck, its overlaps -> findings, and overcut or deviation of the edge concerned
+Each becomes a finding, and an overcut or a deviation of the edge concerned.
 """
 
 from __future__ import annotations
@@ -24,16 +24,18 @@ from knifetip.verification.tools import OperationKind
 def check_stray_work(
     check: StationCheck, overlaps: Overlaps, until: F64, past: float = 0.0
 ) -> None:
-    """Add findings for work that lies on no edge or outside the limits of its edge.
+    """Add findings for stretches of tip paths on no edge, or outside the limits of their edge.
 
     Parameters
     ----------
+    check
+        The check of one station, to which the findings are added.
     overlaps
         Overlaps of the tip paths with the edges.
     until : (n,) mm
         Length of each tip path that is checked; the rest is a planned overrun.
     past : mm
-        Greatest length of work off the board that is allowed.
+        Greatest length of a stretch outside the board that is permitted.
     """
     which, spans = uncovered_curves(overlaps, check.curve)
     spans[:, 1] = np.minimum(spans[:, 1], until[which])
@@ -66,12 +68,14 @@ def check_stray_work(
 def _report_stray(
     check: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
-    """Add a finding for each stretch on no edge: past an end, beside an edge, or stray.
+    """Add a finding for each group of stretches on no edge: past an end, beside an edge, or stray.
 
     Parameters
     ----------
+    check
+        The check of one station, to which the findings are added.
     which, spans : (k,), (k, 2) mm
-        Tip path of each stretch, and its start and end along the path.
+        Tip path of each stretch, and its start and end along that path.
     first, total : (g,), (g,) mm
         First stretch of each group of consecutive stretches, and the group's length.
     bad
@@ -126,10 +130,10 @@ def _report_stray(
 
 
 def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
-    """Return the overlaps of one curve with edges, restricted to a span (start, end) of the curve.
+    """Return how much of each overlap of one curve lies in a span (start, end) of that curve.
 
-    Returns the slice of the curve's overlaps in ``overlaps``, the length of each overlap inside the
-    span (mm, negative outside), and the mask of the overlaps that run along their edge.
+    Returns the slice of the curve's overlaps in ``overlaps``, the length of each of them inside the
+    span (mm, negative if outside), and the mask of the overlaps that run along their edge.
     """
     mine = slice(*np.searchsorted(overlaps.curve, [curve, curve + 1]))
     along, place = overlaps.along[mine], overlaps.place[mine]
@@ -158,7 +162,7 @@ def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]
 
 
 def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return an edge that a curve leaves or reaches at an end of its span (start, end), or -1."""
+    """Return an edge that a curve leaves or reaches at an end of a span (start, end), or -1."""
     mine, _, _ = _shared_lengths(overlaps, curve, span)
     along = overlaps.along[mine]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)

@@ -1,7 +1,4 @@
-"""Check where a knife enters the board and leaves it, against the ends of the edges.
-
-StationCheck of a knife, KnifeEnds -> findings, and the overrun of every track
-"""
+"""Check that a knife enters and leaves the board at the planned points at the ends of edges."""
 
 from __future__ import annotations
 
@@ -26,14 +23,17 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class _RunStops(NamedTuple):
-    """Stops of k runs, and which of them are wrong; a run is a chain of tracks."""
+    """Points at which k runs leave the board, and which of them are wrong.
+
+    A run is a chain of tracks, each of which begins where the previous track ended.
+    """
 
     wrong: I64  #: indices of the runs to report
     work: I64  #: (k,) last tip path
     stop: F64  #: (k, 2) mm, where the knife leaves the board
-    ahead: F64  #: (k,) degrees, heading there
+    ahead: F64  #: (k,) degrees, direction of travel at the stop
     ring: F64  #: (k, 2) mm, planned stop of a closed run
-    gap: F64  #: (k,) mm between both
+    gap: F64  #: (k,) mm between ``stop`` and ``ring``
     planned: I64  #: (k,) nearest end of an edge, -1 for none
     distance: F64  #: (k,) mm to the planned stop of that end
 
@@ -50,17 +50,19 @@ def check_track_ends(
     """Check where the knife enters and leaves the board; return the overrun of each track (mm).
 
     A track that begins where the previous track ended, as at a corner turned above the board,
-    continues its run.  An open run must begin at an end of an edge and stop at a planned stop of an
-    end.  A closed run must stop on its own path, ``overrun`` mm after its start.
+    continues its run.  An open run must begin at an end of an edge and stop at a planned stop.  A
+    closed run must stop on its own path, ``overrun`` mm after its start.
 
     Parameters
     ----------
+    check
+        The check of the knife's station, to which findings and figures are added.
     whole
         Cuts and half-cuts, without perforations.
     solid
         Index of each edge of ``whole`` in the edges of the check.
     ends
-        Planned stops of ``whole``.
+        Planned stops at the ends of ``whole``.
     dashed
         Mask of the tracks that are dashes of perforations or cuts between bridges.
     lead, overrun : mm
@@ -139,9 +141,10 @@ def check_track_ends(
 
 
 def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: _RunStops) -> None:
-    """Add a finding for each run that stops neither at a planned stop nor at its own start.
+    """Add a finding for each of the runs ``runs.wrong``.
 
-    ``solid`` is the index of each edge of ``ends`` in the edges of the check.
+    Such a run stops neither at a planned stop of ``ends`` nor at its own start.  ``solid`` is the
+    index of each edge of ``ends`` in the edges of the check.
     """
     for k in runs.wrong[:MAX_FINDINGS]:
         work = int(runs.work[k])
@@ -177,7 +180,8 @@ def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: 
 def overrun_starts(check: StationCheck, over: F64) -> F64:
     """Return the position along each tip path at which the overrun of its track begins, (n,) mm.
 
-    ``over`` is the overrun of each track, mm.  A path without overrun has its full length.
+    ``over`` is the overrun of each track (mm).  For a path outside the overrun, the position is the
+    path's end.
     """
     until = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
@@ -193,9 +197,10 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
 
 
 def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64) -> F64:
-    """Return the point at a distance from the start of each run, (k, 2) mm.
+    """Return one point of each run, at the given distance from the start of the run, (k, 2) mm.
 
-    ``first`` and ``last`` are the first and last tip path of each run, ``distance`` is (k,) mm.
+    ``first`` and ``last`` are the first and last tip path of each run, (k,); ``distance`` is (k,)
+    mm.
     """
     at, left = first.copy(), distance
     while True:
@@ -210,15 +215,16 @@ def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64
 def _record_setback(
     check: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
 ) -> None:
-    """Shorten the edges by the lead at these free ends, and record that length as setback.
+    """Shorten edges by the blade's lead at free ends, and record that length as setback.
 
     Parameters
     ----------
-    whole, solid, ends
+    check, whole, solid, ends
         As for ``check_track_ends``.
     which
-        Indices of the ends.
+        Indices of the free ends.
     lead : mm
+        Lead of the blade.
     """
     paths = ends.paths
     path = paths.path[which // 2]

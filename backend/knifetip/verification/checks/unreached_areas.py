@@ -1,11 +1,10 @@
-"""Areas of waste that a cutter's disc cannot reach.
+"""Find the areas of waste that a cutter's disc cannot reach.
 
-    untouched stretches of edges, CutOutlines, radius r -> loops of lines and arcs, their areas
-
-A loop follows an untouched stretch with the waste on its left.  At the end of the stretch the disc
-touches the edge, or rests between two corners.  From there the loop follows the disc clockwise to
-the start of the next stretch.  In a concave corner that turns by φ the loop encloses
-r² (tan φ/2 - φ/2).
+Each area is bounded by a loop of lines and arcs.  The loop follows a stretch of an edge that the
+disc has not touched, with the waste on its left.  At the end of that stretch the disc touches the
+edge, or is stopped between two corners.  From there the loop follows the disc's rim clockwise to
+the start of the next stretch.  In a concave corner that turns by φ, a disc of radius r leaves the
+area r² (tan φ/2 - φ/2).
 
 Source: our derivation.
 """
@@ -28,7 +27,7 @@ from knifetip.verification.expectation.outline import CutOutlines
 MIN_AREA: Final = 1e-3
 #: Tolerance added to the disc's diameter in the search for the next stretch (mm).
 _EXTRA_DISTANCE: Final = 0.05
-#: A point within this share of the radius from the disc's rim is on the rim.
+#: A point within this fraction of the radius from the disc's rim is on the rim.
 _RIM_TOLERANCE: Final = 0.1
 
 
@@ -85,7 +84,8 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
 
 
 def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
-    """Return for each end of a chain of stretches the chain that starts on the same disc, or -1.
+    """Return, for each chain of stretches, the chain that starts on the disc at its end, (t,), or
+    -1.
 
     Parameters
     ----------
@@ -94,9 +94,9 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
     inward : (t, 2) mm
         Vector from the end of the chain to the centre of the disc that touches the edge there.
     start : (h, 2) mm
-        Starts of the chains.
+        Starts of the chains that may follow.
     reach : (2,) mm
-        Half-axes of the disc.
+        Half-axes of the disc along X and Y.
     """
     result = np.full(len(stop), -1)
     widest = 2.0 * float(reach.max()) + _EXTRA_DISTANCE
@@ -123,9 +123,10 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
 
 @kernel
 def _trace_loops(onward: I64_1) -> Any:
-    """Return the pieces of all closed loops, loop by loop, and the first index of each loop.
+    """Return the pieces of all closed loops, loop by loop, and the index of each loop's first
+    piece.
 
-    ``onward`` is the piece that follows each piece, or -1.
+    ``onward`` is the piece that follows each piece, -1 for none.
     """
     count = len(onward)
     order = np.empty(count, np.int64)
@@ -179,7 +180,10 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
-    """Return the areas of several cutters as one set, moved from sheet to drawing coordinates."""
+    """Return the areas of several cutters as one set, in drawing coordinates.
+
+    ``parts`` are in sheet coordinates; ``placement`` is the offset (x, y) from drawing to sheet.
+    """
     if not parts:
         return Unreached()
     pieces = np.cumsum([0] + [len(part.bulge) for part in parts])

@@ -1,16 +1,14 @@
-"""Check that nothing is worked on a piece of board that earlier cuts have released.
+"""Check that no tool works on a piece of board that earlier cuts have released.
 
-    CheckContext, TipPaths -> findings
-
-``cut_faces`` divides the sheet into faces.  Each piece of a cut is complete at the line of the
-program that finishes it.  The two faces beside a piece are connected until then.  So the line that
-releases a face from the sheet is
+``cut_faces`` divides the sheet into faces.  A piece of a cut is complete at the program line that
+finishes it; until then the two faces beside it are connected.  A face is released from the sheet at
+the last line at which a path of connected faces still leads from it to the outside::
 
     free(face) = max over all paths from the face to the outside of
                  min over the pieces that the path crosses of complete(piece)
 
-Joining the faces with a union-find in descending order of ``complete`` gives this for all faces.
-Work in a face after that line is work on a loose piece.
+Joining the faces with a union-find in descending order of ``complete`` gives this line for all
+faces.  A tip path in a face after that line is a finding.
 """
 
 from __future__ import annotations
@@ -41,7 +39,7 @@ from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind, expected_tool
 
-#: Line types that are not worked.
+#: Line types that no tool makes.
 _NO_WORK: Final = (LineType.UNCLASSIFIED, LineType.IGNORED)
 
 
@@ -53,13 +51,13 @@ _MIN_LENGTH: Final = 0.1
 _CORNER_RATIO: Final = 4.0
 
 
-#: Sampled positions on other work, as shares of its length.
+#: Sampled positions on other tip paths, as fractions of their length.
 _PROBES: Final = (0.1, 0.5, 0.9)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _WorkedSpans:
-    """k worked stretches of cuts, sorted by edge and program line."""
+    """k stretches of cuts that tip paths have cut, sorted by edge and program line."""
 
     edge: I64  #: (k,)
     low: F64  #: (k,) mm along the edge
@@ -71,7 +69,9 @@ class _WorkedSpans:
 
 
 def check_work_order(context: CheckContext, work: TipPaths) -> None:
-    """Check that all work inside a contour comes before the line that completes the contour."""
+    """Check that every tip path inside a contour comes before the program line that completes the
+    contour.
+    """
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
         return
@@ -91,11 +91,12 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
 def _check_cuts(
     context: CheckContext, cuts: Edges, faces: CutFaces, worked: _WorkedSpans, free: F64
 ) -> None:
-    """Check that no cut is worked on loose board.
+    """Check that no cut is made on loose board.
 
-    A stretch of a long cut may lie partly in held and partly in loose board; it counts as held
-    until the last of its pieces is released.  Pieces shorter than ``GAP_LENGTH`` are ignored.
-    ``free`` is the program line that releases each face of ``faces``.
+    A stretch of a long cut may lie partly in held and partly in loose board.  It counts as held
+    until the last of its pieces is released.  Pieces shorter than ``GAP_LENGTH`` are ignored if the
+    stretch also lies on a longer one.  ``worked`` are the stretches that are cut; ``free`` is the
+    program line that releases each face of ``faces``.
     """
     pieces = np.flatnonzero(faces.edge >= 0)
     first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
@@ -125,9 +126,10 @@ def _check_other_edges(
     worked: _WorkedSpans,
     free: F64,
 ) -> None:
-    """Check that no crease, groove, half-cut or perforation is worked on loose board.
+    """Check that no crease, groove, half-cut or perforation is made on loose board.
 
-    ``free`` is the program line that releases each face of ``faces``.
+    ``worked`` are the stretches of cuts, which are skipped here; ``free`` is the program line that
+    releases each face of ``faces``.
     """
     some = work.line > free.min()
     some[worked.path] = False
@@ -176,7 +178,10 @@ def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed
 
 
 def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
-    """Return the worked stretches of cuts: a knife cuts on the edge, a cutter beside it."""
+    """Return the stretches of cuts that the tip paths cut.
+
+    The tip path of a knife lies on the cut, and the centre path of a cutter beside it.
+    """
     size = cuts.curve[:, 5]
     knife = np.flatnonzero(work.operation == OperationKind.CUT)
     near = find_overlaps(
@@ -225,17 +230,19 @@ def _completing_lines(
     owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
     line: I64_1, count: int, reach: float,
 ) -> Any:  # fmt: skip
-    """Return the program line that completes each piece of a cut: infinite if none, -1 for links.
+    """Return the program line that completes each of p pieces, (p,).
 
-    A cutter cannot reach all of a piece beside an inner corner, nor a short piece at all.  The rest
-    that it leaves there does not hold the part.
+    The line is -1 for a link, and infinite for a piece that is cut incompletely.  A piece that is
+    not cut at all gets 0 if there is a cutter, else infinity.  The rest that a cutter cannot reach,
+    beside an inner corner or on a short piece, does not hold the part.
 
     Parameters
     ----------
     owner, begin, end : (p,)
         Cut of each piece (-1 for a link), and the piece's start and end along the cut (mm).
     edge, low, high, line : (k,)
-        Worked stretches: cut, start, end (mm), and program line, -1 if not through the board.
+        Cut, start and end (mm) of each worked stretch, and its program line, -1 if it is not cut
+        through the board.
     count
         Number of cuts.
     reach : mm
@@ -271,9 +278,10 @@ def _completing_lines(
 
 @kernel
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return the mask of the stretches of which at least half was not worked before, shape (k,).
+    """Return the mask of the stretches of which at least half was not cut before, shape (k,).
 
-    ``edge``, ``low`` and ``high`` are the stretches in order of work on each edge.
+    ``edge``, ``low`` and ``high`` are the edge, start and end (mm) of each stretch, sorted by edge
+    and then by program line.
     """
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
@@ -294,18 +302,19 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 def _held_until(
     edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
 ) -> Any:
-    """Return the program line at which the board under each worked stretch becomes loose, (k,).
+    """Return the program line at which the board under each stretch of a cut becomes loose, (k,).
 
-    A stretch lies on one or more pieces of its cut; the last piece to be released decides.  Pieces
-    shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
+    A stretch lies on one or more pieces of its cut, and the piece that is released last determines
+    the line.  Pieces shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
 
     Parameters
     ----------
     edge, low, high : (k,)
-        Worked stretches: cut, start and end (mm).
-    first, begin, end, held
-        First piece of each cut; start and end of each piece along its cut (mm), and the line that
-        releases the piece.
+        Cut, start and end (mm) of each stretch.
+    first
+        Index of the first piece of each cut.
+    begin, end, held : (p,)
+        Start and end of each piece along its cut (mm), and the program line that releases it.
     """
     until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
@@ -326,7 +335,7 @@ def _held_until(
 
 @kernel
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
-    """Return the program line that releases each face from the sheet, (f,), or infinity.
+    """Return the program line that releases each face from the sheet, (count,).
 
     The line is infinite for a face that remains connected to the outside, face 0.
 
@@ -337,9 +346,9 @@ def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> An
     complete : (p,)
         Program line that completes each piece.
     face : (p, 2)
-        Faces on both sides of each piece.
+        Faces on the two sides of each piece.
     count
-        Number of faces, f.
+        Number of faces.
     """
     free = np.full(count, math.inf)
     parent = np.arange(count)

@@ -1,8 +1,9 @@
 """Lines and arcs as rows of numbers, and points and directions on them.
 
-A curve is a row of six numbers: kind (0 line, 1 arc to the left, -1 arc to the right); for a line
-its start (x, y) and unit direction (x, y), for an arc its centre (x, y), radius and start angle
-(radians); last its length.  Lengths are mm.
+A curve is a row of six numbers.  The first is the kind: 0 for a line, 1 for an arc to the left, -1
+for an arc to the right.  The next four are, for a line, its start (x, y) and unit direction (x, y),
+and for an arc, its centre (x, y), radius and start angle (radians).  The last is the length.
+Lengths are mm.
 """
 
 from __future__ import annotations
@@ -41,9 +42,10 @@ def azimuth_at(curve: F64, along: F64) -> F64:
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:
-    """Return the signed distance of a point on each curve from an edge, positive to the left.
+    """Return the signed distance of one point on each curve from an edge, (n,) mm.
 
-    Distances are measured from the edge's infinite line or full circle, (n,) mm.
+    It is positive to the left of the edge.  Distances are measured from the edge's infinite line or
+    full circle.
 
     Parameters
     ----------
@@ -60,9 +62,10 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
 
 
 def line_curves(start: F64, end: F64) -> F64:
-    """Return the lines from start to end points, (n, 2) mm each, as curves (n, 6).
+    """Return the n lines from the points ``start`` to the points ``end`` as curves, (n, 6).
 
-    A line between equal points has length 0 and the direction of the X axis.
+    The points are (n, 2) mm.  A line between equal points has length 0 and the direction of the X
+    axis.
     """
     vector = end - start
     length = np.hypot(vector[:, 0], vector[:, 1])
@@ -72,9 +75,10 @@ def line_curves(start: F64, end: F64) -> F64:
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return the arcs with these centres and start points, (n, 2) mm each, as curves (n, 6).
+    """Return n arcs with the given centres and start points as curves, (n, 6).
 
-    ``sweep`` is in radians, positive for an anticlockwise arc.
+    ``centre`` and ``start`` are (n, 2) mm.  ``sweep`` is (n,) radians, positive for an
+    anticlockwise arc.
     """
     out = start - centre
     radius = np.hypot(out[:, 0], out[:, 1])

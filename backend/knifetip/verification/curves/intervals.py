@@ -1,6 +1,4 @@
-"""Overlaps of curves with edges: which of them count, and which stretches remain uncovered.
-
-    unsorted overlaps -> Overlaps -> uncovered stretches of curves and of edges
+"""Overlaps of curves with edges, and the stretches of curves and edges that no overlap covers.
 
 If a curve overlaps several edges at once, only the overlap with the nearest edge counts.
 """
@@ -29,20 +27,23 @@ class Overlaps:
     curve: I32  #: (k,) index of the curve
     edge: I32  #: (k,) index of the edge
     along: F64  #: (k, 2) mm along the curve, ascending
-    place: F64  #: (k, 2) mm along the edge at the same two points
+    place: F64  #: (k, 2) mm along the edge, at the two points of ``along``
     distance: F64  #: (k,) mm, greatest distance within the overlap
-    best: Bool  #: (k,) part of the overlap is on no nearer edge
+    best: Bool  #: (k,) a part of the overlap is on no nearer edge, so it counts
 
 
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
-    """Return the overlaps sorted by curve and distance, with those that count marked in ``best``.
+    """Return overlaps sorted by curve and distance.
+
+    ``best`` of the result marks the overlaps that count.
 
     Parameters
     ----------
     pairs : (k, 2)
-        Indices of curve and edge.
+        Indices of curve and edge of each overlap.
     spans : (k, 5) mm
-        Start and end along the curve, positions of start and end on the edge, greatest distance.
+        For each overlap, its start and end along the curve, the positions of start and end on the
+        edge, and its greatest distance from the edge.
     curves : (n, 6)
         All curves.
     """
@@ -55,7 +56,7 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(overlaps: Overlaps, curves: F64, until: F64) -> Overlaps:
-    """Return the overlaps with ``best`` computed anew for the first part of each curve.
+    """Return the overlaps with a new ``best``, in which only the first part of each curve counts.
 
     ``until`` is the length of that part, (n,) mm.
     """
@@ -64,9 +65,9 @@ def mark_nearest(overlaps: Overlaps, curves: F64, until: F64) -> Overlaps:
 
 
 def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
-    """Return the overlaps within the limit of their edge, with ``best`` computed anew.
+    """Return the overlaps whose distance is within the limit of their edge, with a new ``best``.
 
-    ``limit`` is the greatest distance for each edge, (m,) mm.
+    ``limit`` is the greatest permitted distance for each edge, (m,) mm; ``curves`` are all curves.
     """
     keep = overlaps.distance <= limit[overlaps.edge]
     kept = Overlaps(
@@ -81,21 +82,21 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
 
 
 def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
-    """Return the stretches of curves that overlap no edge: curve (k,), start and end (k, 2) mm.
+    """Return the k stretches of curves that overlap no edge: curve (k,), start and end (k, 2) mm.
 
-    A curve without length that overlaps no edge gives a stretch without length.
+    A curve of length 0 that overlaps no edge gives a stretch of length 0.
     """
     which, spans, count = _uncovered_spans(overlaps.curve, overlaps.along, curves[:, 5].copy())
     return which[:count], spans[:count]
 
 
 def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
-    """Return the stretches of edges that no interval covers: edge (k,), start (k,), end (k,) mm.
+    """Return the k stretches of edges that no interval covers: edge, start and end (mm), (k,) each.
 
     Parameters
     ----------
     edge, low, high : (n,)
-        Edge index, start and end (mm) of each interval, in any order.
+        Edge, start and end (mm) of each interval, in any order.
     size : (m,) mm
         Length of each edge.
     """
@@ -117,10 +118,16 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
-    """Return the mask of the overlaps that cover length which no nearer overlap covers, (k,).
+    """Return the mask of the overlaps that cover a length which no nearer overlap covers, (k,).
 
-    The overlaps of each curve are sorted by distance.  ``until`` is the length of each curve that
-    is considered, (n,) mm.
+    Parameters
+    ----------
+    curve_of : (k,)
+        Curve of each overlap.  The overlaps are sorted by curve and distance.
+    spans : (k, 5) mm
+        As in ``sort_overlaps``.
+    length, until : (n,) mm
+        Length of each curve, and the length that is considered.
     """
     best = np.zeros(len(curve_of), np.bool_)
     begin = 0
@@ -145,37 +152,39 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
 
 
 @kernel
-def add_interval(covered: OutF64_2, many: int, left: float, right: float) -> Any:
-    """Merge an interval into ``covered``, sorted disjoint intervals, of which ``many`` are used.
+def add_interval(covered: OutF64_2, used: int, left: float, right: float) -> Any:
+    """Merge an interval into a list of sorted, disjoint intervals, in place.
 
-    Returns the new number of intervals, and the length that was not covered before.
+    The list is the first ``used`` rows of ``covered``, (start, end) each; ``left`` and ``right``
+    are the ends of the new interval.  Returns the new number of rows in use, and the length of the
+    new interval that was not covered before.
     """
     first = 0
-    while first < many and covered[first, 1] < left:
+    while first < used and covered[first, 1] < left:
         first += 1
     last = first
     old = 0.0
     low = left
     high = right
-    while last < many and covered[last, 0] <= right:
+    while last < used and covered[last, 0] <= right:
         old += min(covered[last, 1], right) - max(covered[last, 0], left)
         low = min(low, covered[last, 0])
         high = max(high, covered[last, 1])
         last += 1
     merged = last - first
     if merged == 0:
-        for k in range(many, first, -1):
+        for k in range(used, first, -1):
             covered[k, 0] = covered[k - 1, 0]
             covered[k, 1] = covered[k - 1, 1]
-        many += 1
+        used += 1
     elif merged > 1:
-        for k in range(last, many):
+        for k in range(last, used):
             covered[k - merged + 1, 0] = covered[k, 0]
             covered[k - merged + 1, 1] = covered[k, 1]
-        many -= merged - 1
+        used -= merged - 1
     covered[first, 0] = low
     covered[first, 1] = high
-    return many, (right - left) - old
+    return used, (right - left) - old
 
 
 @kernel

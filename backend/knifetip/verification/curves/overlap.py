@@ -1,9 +1,8 @@
 """Find the stretches of curves that lie within a distance of edges.
 
-    curves (n, 6), edges (m, 6), limit -> Overlaps
-
-Rows are as in ``curves.curve``.  The ends of a stretch have a closed form for lines and arcs; only
-the greatest distance within it is sampled.  A grid over the edges finds the candidates.
+Curves and edges are rows as in ``curves.curve``.  The ends of a stretch are computed in closed form
+for lines and arcs; only the greatest distance within it is sampled.  A grid over the edges finds
+the pairs of a curve and an edge that may be near each other.
 """
 
 from __future__ import annotations
@@ -52,9 +51,10 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
 
 
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
-    """Return the layout of a grid of square cells over edges, extended by ``limit`` (mm).
+    """Return a grid of square cells over edges and their surroundings within ``limit`` mm.
 
-    That is its lower left corner (2,) mm, the cell size in mm, and its numbers of columns and rows.
+    Returns the lower left corner of the grid (2,) mm, the size of its cells (mm), and its numbers
+    of columns and rows.
     """
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
@@ -78,8 +78,9 @@ def cells_near_curve(
 ) -> Any:
     """Write the indices of the grid cells within ``margin`` mm of a curve to ``out``.
 
-    A cell may occur repeatedly.  Returns ``out``, or a larger copy if it was full, and the number
-    of indices.
+    ``corner``, ``size``, ``wide`` and ``high`` are the grid's lower left corner (mm), cell size
+    (mm), and numbers of columns and rows.  A cell may occur repeatedly.  Returns ``out``, or a
+    larger copy of it if it was full, and the number of indices.
     """
     count = 0
     length = curve[5]
@@ -206,7 +207,10 @@ def _search_grid(
 
 @kernel(checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
-    """Return a point's position along an edge's line or circle, and its signed distance (mm)."""
+    """Return the position of a point along the line or circle of an edge, and its signed distance.
+
+    Both are in mm; ``x`` and ``y`` are the coordinates of the point.
+    """
     dx = x - edge[1]
     dy = y - edge[2]
     if edge[0] == 0.0:
@@ -232,7 +236,8 @@ def _overlap_pair(
 ) -> int:
     """Write the overlaps of one curve with one edge to the rows of ``hits``; return their number.
 
-    A row is as in ``spans`` of ``intervals.sort_overlaps``.
+    ``low`` and ``high`` are the start and end of the searched part of the edge, and ``limit`` is
+    the greatest distance (mm).  The columns of a row are those of ``spans`` in ``sort_overlaps``.
     """
     near = np.empty((8, 2))
     if curve[0] == 0.0:
@@ -379,11 +384,11 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 
 @kernel
-def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pieces: int) -> int:
-    """Find the stretches of an arc between two angles (radians), in every turn of the circle.
+def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, used: int) -> int:
+    """Find the stretches of an arc between two angles (radians) of its circle.
 
-    Appends start and end along the arc (mm) to the rows of ``near``, of which ``pieces`` are used;
-    returns the new number of rows in use.
+    Appends the start and end of each stretch along the arc (mm) to the rows of ``near``, of which
+    ``used`` are in use.  Returns the new number of rows in use.
     """
     if curve[0] < 0.0:
         begin, end = -end, -begin
@@ -392,5 +397,5 @@ def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, pi
     a = a % (2.0 * math.pi)
     for turn in range(-1, 1):
         at = a + 2.0 * math.pi * turn
-        pieces = _append_clipped(at * curve[3], (at + span) * curve[3], curve[5], near, pieces)
-    return pieces
+        used = _append_clipped(at * curve[3], (at + span) * curve[3], curve[5], near, used)
+    return used

@@ -1,1 +1,1 @@
-"""The work that the drawn edges require of the tools, and the limits of that work."""
+"""The paths and depths that the drawn edges require of the tools, and their limits."""

@@ -1,11 +1,9 @@
 """The crease lines that the wheel must make, derived from the drawn creases.
 
-    Edges (creases), Edges (cuts), Board, paths of the wheel -> Edges
-
-A cut through a crease splits it, and the wheel keeps its clearance on both sides.  Three or more
-collinear dashes may be made as one crease; the wheel's work in their gaps shows whether they were.
-On a board with double creases each drawn line becomes two, at half of the board's crease distance
-to either side.
+A cut through a crease splits it, and the wheel keeps its clearance on both sides of the cut.  Three
+or more collinear dashes may be made as one crease; a path of the wheel in one of their gaps shows
+that they were.  On a board with double creases each drawn line becomes two lines, one on each side,
+at half of the board's crease distance.
 """
 
 from __future__ import annotations
@@ -58,8 +56,8 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
 def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
     """Return where cuts cross curves: index of the curve (k,), position along the curve (k,) mm.
 
-    A curve is crossed by a cut between the cut's ends, or at a point where cuts end that leave the
-    curve on both sides.
+    A cut crosses a curve if it meets the curve between its own ends.  Cuts also cross a curve at a
+    point at which they end, if they leave the curve on both sides.
     """
     overlaps = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
     at, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
@@ -108,18 +106,17 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 
 
 def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
-    """Return the gaps between dashes that were made as one crease, each with the row of a dash.
+    """Return the gaps between dashes that were made as one crease, as edges with the row of a dash.
 
-    Dashes were made as one crease if the wheel has worked in one of their gaps, or on only one
-    dash.
+    Dashes were made as one crease if the wheel has creased one of their gaps, or only one dash.
 
     Parameters
     ----------
     edges
         The creases.
     cuts
-        A dash that touches a cut bounds a slot, not a gap.  A cut through a gap separates the
-        dashes on both sides.
+        The cuts.  A dash that touches a cut bounds a slot, not a gap.  A cut through a gap
+        separates the dashes on its two sides.
     wheel_paths : (n, 6)
         Paths of the wheel.
     limit : mm
@@ -177,9 +174,9 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
 
 
 def _facing_ends(dash: Edges) -> tuple[I64, I64]:
-    """Return pairs of ends of dashes that face each other across a gap: two arrays of end indices.
+    """Return the pairs of ends of dashes that face each other across a gap.
 
-    Each pair occurs once.
+    Returns two arrays of indices of ends; each pair occurs once.
     """
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
@@ -212,7 +209,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
-    """Return two sets of edges as one, in this order."""
+    """Return two sets of edges as one set: first ``edges``, then ``more``."""
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])
@@ -222,7 +219,10 @@ def concatenate_edges(edges: Edges, more: Edges) -> Edges:
 
 
 def double_lines(edges: Edges, distance: float) -> Edges:
-    """Return two parallels of each edge, ``distance`` mm apart: first all left ones."""
+    """Return the two parallels of each edge, ``distance`` mm apart, on its left and right.
+
+    All left parallels come first.
+    """
     sides = []
     for half in (0.5 * distance, -0.5 * distance):
         curve = edges.curve.copy()
@@ -241,7 +241,10 @@ def double_lines(edges: Edges, distance: float) -> Edges:
 
 
 def ends_at(edges: Edges, places: F64) -> Bool:
-    """Return the mask of the ends of edges, (2n,), that touch one of the points, (k, 2) mm."""
+    """Return the mask of the 2n ends of edges that touch one of the points ``places``, (2n,).
+
+    ``places`` is (k, 2) mm.
+    """
     result = np.zeros(len(edges.ends), np.bool_)
     result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True
     return result

@@ -1,6 +1,4 @@
-"""Expected paths of a cutter's centre: the offset of each edge.
-
-    CutOutlines, reach -> CutterPaths: lines and arcs, each beside a stretch of one edge
+"""Expected paths of a cutter's centre: the offset of each edge, as lines and arcs.
 
 Source: the radius paper, equations 1-9.
 """
@@ -91,9 +89,10 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 
 
 def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
-    """Return chords for the offset of an arc if the disc's half-axes along X and Y differ.
+    """Return chords for the offset of one arc, for a disc with different half-axes along X and Y.
 
-    ``grows`` is 1 if the offset lies outside the arc's circle and -1 if it lies inside.
+    ``row`` is the index of the arc; ``grows`` is 1 if the offset lies outside the arc's circle and
+    -1 if it lies inside.  ``reach`` are the half-axes (2,) mm.
     """
     curve = edges.curve[row]
     axes = curve[3] + grows * reach

@@ -1,6 +1,6 @@
 """Paths of edges that follow each other end to end.
 
-Edges -> links between ends -> EdgePaths
+Ends of edges are linked where a path continues; linked edges form a path.
 """
 
 from __future__ import annotations
@@ -27,11 +27,12 @@ _COINCIDENT_PROBE: Final = 2.0
 
 
 def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
-    """Link the ends of edges where a path continues from one edge to the next.
+    """Link the ends of edges at which a path continues from one edge to the next.
 
-    Two ends that meet alone are linked if they turn by at most ``kink`` degrees.  Where more ends
-    meet, two collinear ones are linked if neither has a second candidate.  Two edges of a closed
-    contour, given by the mask ``ring``, (n,), are always linked.
+    Two ends that meet no third end are linked if the path turns by at most ``kink`` degrees there.
+    If more ends meet, two collinear ends are linked, unless one of them could also be linked to a
+    third end.  Two edges of a closed contour are always linked; ``ring``, (n,), is the mask of such
+    edges.
 
     Returns
     -------
@@ -67,13 +68,16 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
     return link, goes_on
 
 
-def _are_coincident(edges: Edges, a: I64, b: I64) -> Bool:
-    """Return the mask of pairs of ends at one point whose edges lie on each other, (k,)."""
-    size = np.minimum(edges.curve[a // 2, 5], edges.curve[b // 2, 5])
+def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:
+    """Return the mask of the pairs of ends whose edges coincide near these ends, (k,).
+
+    ``one`` and ``other`` are the two ends of each pair, which lie at one point.
+    """
+    size = np.minimum(edges.curve[one // 2, 5], edges.curve[other // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
     points = [
         point_at(curve, np.where(end % 2 == 0, inward, curve[:, 5] - inward))
-        for end, curve in ((a, edges.curve[a // 2]), (b, edges.curve[b // 2]))
+        for end, curve in ((one, edges.curve[one // 2]), (other, edges.curve[other // 2]))
     ]
     result: Bool = np.hypot(*(points[0] - points[1]).T) <= JOIN_DISTANCE
     return result
@@ -135,7 +139,7 @@ class EdgePaths:
 
 
 def joined_ends(edges: Edges) -> I64:
-    """Return the end that each end is linked to, at any angle between the edges, (2n,), or -1."""
+    """Return the end to which each of the 2n ends is linked, at any angle, (2n,); -1 for none."""
     return link_ends(edges, 180.0)[0]
 
 
@@ -145,12 +149,12 @@ def continues_straight(edges: Edges) -> Bool:
 
 
 def edge_paths(edges: Edges, link: I64) -> EdgePaths:
-    """Return the paths that edges with linked ends form.
+    """Return the paths that n edges with linked ends form.
 
     Parameters
     ----------
     link : (2n,)
-        Index of the end linked to each end, or -1.
+        Index of the end linked to each end, -1 for none.
     """
     path, begin, flipped, length, first, last, count = _trace_paths(link, edges.curve[:, 5].copy())
     return EdgePaths(path, begin, flipped, length[:count], first[:count], last[:count])

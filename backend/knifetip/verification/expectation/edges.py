@@ -1,7 +1,4 @@
-"""The drawn edges as curves on the sheet, and which of their ends meet.
-
-Dieline, placement -> Edges
-"""
+"""The drawn edges as curves on the sheet, and functions that find which of their ends meet."""
 
 from __future__ import annotations
 
@@ -37,7 +34,7 @@ _BULGE: Final = 1e-9
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Edges:
-    """n edges in sheet coordinates."""
+    """n edges in sheet coordinates, as curves, with their line types, ends and directions."""
 
     row: I32  #: (n,) row in Dieline
     curve: F64  #: (n, 6) rows as in ``curves.curve``
@@ -103,12 +100,12 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
 
 
 def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
-    """Return the edges without those that coincide with an earlier edge of the same line type.
+    """Return the edges that do not coincide with an earlier edge of the same line type.
 
     Returns
     -------
-    The remaining edges; the dieline row of each duplicate (k,); and the dieline row of the
-    remaining edge that coincides with the duplicate (k,).
+    The remaining edges; the dieline row of each of k duplicates (k,); and the dieline row of the
+    remaining edge with which it coincides (k,).
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)
@@ -132,11 +129,14 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
 
 
 def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
-    """Return the index pairs of a point and an other point that lie within a distance (mm).
+    """Return the pairs of a point of ``points`` and a point of ``others`` within a distance (mm).
 
     Parameters
     ----------
     points, others : (n, 2) and (m, 2) mm
+        The points to pair.
+    distance : mm
+        Greatest distance of a pair.
 
     Returns
     -------
@@ -174,7 +174,11 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
-    """Return the smaller angle between directions modulo ``turn`` (degrees), at most turn / 2."""
+    """Return the smaller angle between two directions, in degrees, from 0 to ``turn`` / 2.
+
+    Directions that differ by a multiple of ``turn`` degrees are equal.  ``one`` and ``other`` are
+    arrays of directions (degrees).
+    """
     half = turn / 2.0
     result: F64 = np.abs((one - other + half) % turn - half)
     return result

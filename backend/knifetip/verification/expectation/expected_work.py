@@ -1,15 +1,13 @@
-"""Expected work on creases, cuts and grooves: depths, and where the tip starts and stops.
-
-    Edges, Board, tools -> ExpectedCreases, KnifeEnds, mask of ends at which grooves continue
+"""Expected depths of creases, cuts and grooves, and the points at which the tip starts and stops.
 
 The rules are derived from the records of board and tools:
 
-* A wheel of radius R at depth δ touches the board over ± s, s² = δ(2R − δ).  At an end where no
-  other crease continues, it stops before the end by s and the board's end clearance.  A crease that
-  is too short for that is pressed at one point, at the depth whose contact fits.
+* A wheel of radius R at depth δ touches the board over ± s, s² = δ(2R − δ).  At an end at which
+  no other crease continues, it stops before the end by s and the board's end clearance.  A crease
+  that is too short for that is pressed at one point, at the depth whose contact fits.
 * A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
   inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
-  cut, or on its own start, overruns its end.
+  cut, or at its own start, runs past its end.
 """
 
 from __future__ import annotations
@@ -56,7 +54,7 @@ WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExpectedCreases:
-    """Expected depth and limits of the wheel's work on n creases."""
+    """Expected depth of n creases, and the limits between which the wheel must make them."""
 
     edges: Edges
     depth: F64  #: (n,) mm, depth of the tip below the top face
@@ -73,17 +71,19 @@ def expected_creases(
     around: Edges | None = None,
     parts: Bool | None = None,
 ) -> ExpectedCreases:
-    """Return the expected depth of the wheel's lowest point and its limits along each crease.
+    """Return the expected depth of the wheel's lowest point and its limits along each of n creases.
 
     Parameters
     ----------
     edges
         Creases and combi lines of one wheel.
+    board, wheel
+        Board and wheel, whose records determine depth and limits.
     around
-        All creases, including those of other wheels; an end that one of them continues is not
-        free.  None for ``edges`` alone.
+        All creases, including those of other wheels; None for ``edges`` alone.  An end at which one
+        of them continues is not free.
     parts : (2n,)
-        Mask of the ends at which a cut splits a crease; they are free.
+        Mask of the ends at which a cut splits a crease; they are free.  None for no end.
     """
     across = np.radians(edges.chord - board.grain)
     depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
@@ -125,7 +125,7 @@ def expected_creases(
 
 
 def _continued_ends(edges: Edges, around: Edges) -> Bool:
-    """Return the mask of the ends of edges, (2n,), at which an edge of ``around`` continues."""
+    """Return the mask of the 2n ends of edges at which an edge of ``around`` continues, (2n,)."""
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
@@ -216,7 +216,7 @@ def knife_ends(
 
 
 def groove_continues(edges: Edges) -> Bool:
-    """Return the mask of the ends of V-grooves, (2n,), at which a collinear groove continues."""
+    """Return the mask of the 2n ends of V-grooves at which a collinear groove continues, (2n,)."""
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     on = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE

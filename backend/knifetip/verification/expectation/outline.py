@@ -1,10 +1,9 @@
 """The outlines of blanks and holes, and the side of each cut on which the board lies.
 
-    Edges (cuts) -> CutOutlines
-
 Cuts with common ends enclose faces.  A cycle of half-edges with its face on the left runs
-anticlockwise round a bounded face and clockwise round a component as a whole, so the sign of its
-area identifies the outside.  A component inside another one is a hole or a part in a hole.
+anticlockwise round a bounded face, and clockwise round the outside of a component.  The sign of its
+area therefore identifies the outside.  A component inside another component is a hole, or a part in
+a hole.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ _MIN_AREA: Final = 1e-6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutOutlines:
-    """The outlines that n cuts form."""
+    """The outlines that n cuts form, and the side of each cut on which the part lies."""
 
     edges: Edges
     closing: Bool  #: (n,) the edge separates a face from the outside of its component
@@ -62,13 +61,13 @@ def find_outlines(edges: Edges) -> CutOutlines:
 
 
 def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
-    """Return the cycles of half-edges round the faces between edges.
+    """Return the cycles of half-edges round the faces between n edges.
 
     Returns
     -------
     cycle : (2n,)
-        Index of the cycle of each half-edge: for each edge first the half-edge from start to end,
-        then the half-edge back.  The face is on the left.
+        Index of the cycle of each half-edge.  Each edge has two entries: the half-edge from its
+        start to its end, then the half-edge back.  The face is on the left.
     swept : (w,)
         Twice the signed area of each cycle (mm²); not positive for the outside of a component.
     component : (n,)
@@ -93,13 +92,16 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     return cycle, swept, np.unique(component, return_inverse=True)[1].ravel().astype(np.int64)
 
 
-def _lowest_connected(a: I64, b: I64, count: int) -> I64:
-    """Return the lowest index connected with each of ``count`` indices by the pairs (a, b)."""
+def _lowest_connected(one: I64, other: I64, count: int) -> I64:
+    """Return the lowest index to which each of ``count`` indices is connected, (count,).
+
+    ``one`` and ``other`` are pairs of connected indices, (k,) each.
+    """
     name = np.arange(count)
     while True:
         least = name.copy()
-        np.minimum.at(least, a, name[b])
-        np.minimum.at(least, b, name[a])
+        np.minimum.at(least, one, name[other])
+        np.minimum.at(least, other, name[one])
         least = least[least]
         if np.array_equal(least, name):
             return name
@@ -107,7 +109,10 @@ def _lowest_connected(a: I64, b: I64, count: int) -> I64:
 
 
 def _swept_areas(edges: Edges) -> F64:
-    """Return twice the signed area that each edge sweeps about the first end of all edges (mm²)."""
+    """Return twice the signed area that each edge sweeps about a common origin, (n,) mm².
+
+    The origin is the start of the first edge.
+    """
     curve = edges.curve
     origin = edges.ends[0]
     start, end = edges.ends[::2] - origin, edges.ends[1::2] - origin
@@ -158,7 +163,14 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
 
 
 def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
-    """Return the number of other components that enclose each component."""
+    """Return the number of other components that enclose each component, (c,).
+
+    Parameters
+    ----------
+    curve, closing, component : (n, 6), (n,) and (n,)
+        Cuts as curves, mask of the cuts on the outside of their component, and component of each
+        cut.
+    """
     rows = np.flatnonzero(closing)
     rows = rows[np.argsort(component[rows], kind="stable")]
     count = int(component.max()) + 1
@@ -171,7 +183,7 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
-    """Return the number of components whose outlines enclose each point, (n,).
+    """Return the number of components of ``outlined`` whose outlines enclose each point, (n,).
 
     ``points`` is (n, 2) mm.
     """
@@ -200,18 +212,20 @@ def _bounding_boxes(around: F64, first: I64) -> F64:
 
 @kernel
 def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
-    """Return the number of outlines that contain each point, shape (n,).
+    """Return the number of outlines that contain each of n points, shape (n,).
 
     A point is inside if a ray along +X crosses the outline an odd number of times.
 
     Parameters
     ----------
+    points : (n, 2) mm
+        The points.
     around, first
         Curves of all outlines, and the index of each outline's first curve.
     boxes : (c, 4) mm
-        Bounding box of each outline: least x, y, greatest x, y.
+        Bounding box of each outline: least x, least y, greatest x, greatest y.
     own
-        Point i belongs to outline i, which is not counted.
+        Whether point i belongs to outline i, which then is not counted.
     """
     depth = np.zeros(len(points), np.int64)
     for i in range(len(points)):
@@ -233,7 +247,8 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
     """Return the number of crossings of a curve with the ray from (x, y) along +X.
 
-    A crossing counts if one end of the piece is above y and the other is not (half-open rule).
+    The curve is divided into pieces that only rise or only fall.  A piece crosses the ray's line if
+    one of its ends is above y and the other is not (half-open rule).
     """
     if curve[0] == 0.0:
         y0 = curve[2]

@@ -1,12 +1,11 @@
-"""How far V-grooves that end on the board's edge must run out past it.
-
-    grooves, cuts, half the groove's width -> RunOuts
+"""The distances by which V-grooves that end on the board's edge must run out past it.
 
 A groove of width W has two sides in the top face, W/2 to the left and right of its line.  It has
-left the board when both sides have.  With the groove's direction u, its normal n and the outward
-normal m of the board's edge, one side leaves (W/2) |n·m| / (u·m) later than the line does.
+left the board when both sides have left it.  Let u be the groove's direction, n its normal, and m
+the outward normal of the board's edge.  The groove's line leaves the board at its end, and one of
+its sides leaves (W/2) |n·m| / (u·m) later.
 
-Source of the run-out: the turning paper, 1, on a flat board.
+Source of the run-out: the turning paper, section 1, on a flat board.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     Parameters
     ----------
     grooves
-        V-grooves; those that are arcs need no run-out.
+        V-grooves.  Grooves that are arcs get no run-out.
     cuts
         Cuts, whose outer contours are the board's edge.
     half : mm
@@ -96,17 +95,17 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
 
 def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
-    """Return how far a side of a groove must go to pass an edge (mm).
+    """Return how far a side of a groove must go to pass an edge, (n,) mm.
 
-    For an arc that is the distance to its circle, if that is less than ``straight``, the distance
-    to its tangent.  For a line it is ``straight``.
+    For a line this is ``straight``.  For an arc it is the distance to its circle or ``straight``,
+    whichever is less.
 
     Parameters
     ----------
     curve : (n, 6)
-        The edges.
+        The edge that each groove must pass.
     end, u : (n, 2)
-        End of each groove (mm) and its direction there.
+        End of each groove (mm) and its unit direction there.
     aside : (n, 2) mm
         Vector from the groove's line to its side.
     straight : (n,) mm
@@ -123,9 +122,10 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
 
 
 def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count: int) -> Bool:
-    """Return the mask of groove ends, (count,), that lie on a convex corner of the outline.
+    """Return the mask of the ends of grooves that lie on a convex corner of the outline, (count,).
 
-    ``end`` and ``edge`` are pairs of a groove end and an edge of ``outer`` that it touches.
+    ``end`` and ``edge`` are pairs of an end of a groove and an edge that it touches; ``edge`` is an
+    index into ``outer``, the edges of ``bounds`` on outer contours.
     """
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")

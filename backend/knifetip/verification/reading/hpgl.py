@@ -1,7 +1,5 @@
 """Reader of HPGL programs for plotters and flat cutters.
 
-    program bytes, Machine, Board -> Moves, faults of program lines
-
 The reader accepts the instructions that such a program needs: IN, PA, PU, PD, SP, VS, FS and
 comments (CO).  All other instructions are faults.  HPGL moves X and Y; the device sets the depth of
 each pen and turns the tool along the path.  Heights therefore only distinguish tool up and tool
@@ -46,7 +44,7 @@ _Faults = list[tuple[int, Message]]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Instructions:
-    """The k instructions of an HPGL program, with their numbers."""
+    """The k instructions of an HPGL program, with their numeric arguments."""
 
     code: I64  #: (k,) index into ``_KNOWN``
     line: I64  #: (k,) 1-based
@@ -71,7 +69,7 @@ class _Track:
 
 
 class HpglReader:
-    """Reader of HPGL programs for the device that the machine's file names."""
+    """Reader of HPGL programs for the device (plotter or flat cutter) in the machine's file."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
         """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
@@ -84,7 +82,7 @@ class HpglReader:
         Raises
         ------
         ProgramUnreadable
-            The machine's file has no device, or the text is too large or has too many moves.
+            The machine's file describes no device, or the text is too large or has too many moves.
         """
         plotter = machine.controller
         if not isinstance(plotter, Plotter):
@@ -108,7 +106,9 @@ def _add_faults(faults: _Faults, lines: I64, message: Message) -> None:
 
 
 def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions:
-    """Return the instructions of a program; append faults for bytes that belong to none."""
+    """Return the instructions of a program; append faults for bytes that are part of no
+    instruction.
+    """
     if device.comments:
         text = _COMMENT.sub(lambda match: b" " * len(match[0]), bytes(text))
     raw = np.frombuffer(text, np.uint8)
@@ -192,10 +192,10 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 
 
 def _value_in_force(values: I64, where: Bool, before: int) -> I64:
-    """Return the value in force after each instruction.
+    """Return the value in force after each of k instructions, (k,).
 
-    That is the value of the last instruction in the mask ``where``, or ``before`` if there is none
-    yet.
+    It is the value of the last instruction up to there that the mask ``where`` contains, or
+    ``before`` if there is none yet.
     """
     if len(where) == 0:
         return np.zeros(0, np.int64)
@@ -385,8 +385,9 @@ def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
 def _headings(track: _Track, working: Bool) -> F64:
     """Return the heading of the tool in each move, (n,) degrees.
 
-    A move with the tool down has the direction of its path.  A lift has the direction of the last
-    such move before it, and every other move has the direction of the next one.
+    A move with the tool down, in the mask ``working``, has the direction of its path.  A lift has
+    the direction of the last such move before the lift.  Every other move has the direction of the
+    next such move.
     """
     if not working.any():
         return np.zeros(len(working))
@@ -407,10 +408,18 @@ def _check_corners(
     machine: Machine,
     faults: _Faults,
 ) -> None:
-    """Append a fault where the tool turns in the board by more than its swivel angle.
+    """Append a fault for each corner at which the tool turns in the board by more than its swivel
+    angle.
 
-    The ends of moves are rounded, so the limit is widened by the uncertain direction of short
-    moves.
+    The ends of moves are rounded to plotter units, so the direction of a short move is uncertain;
+    the limit is widened by this uncertainty.  Also appends a fault for each plunge without a move
+    before the lift.
+
+    Parameters
+    ----------
+    heading, working, station : (n,)
+        Heading of each move (degrees), mask of the moves with the tool down, and index of the
+        station.
     """
     swivel = np.array([*(expected_tool(held.tool).swivel for held in machine.stations), 360.0])
     length = np.hypot(np.diff(track.x), np.diff(track.y))

@@ -1,8 +1,7 @@
 """The moves of a program in a form that is independent of the controller language.
 
-    program bytes -> Moves, faults of program lines
-
-Each language has its own reader in this package.  A reader shares no code with the emitter.
+Each language has its own reader in this package, which converts the program's bytes to moves and
+faults.  A reader shares no code with the emitter of its language.
 """
 
 from __future__ import annotations

@@ -1,9 +1,7 @@
 """Convert the words of an RS274/NGC program to moves, each with the controller's modal state.
 
-    ProgramWords, Machine -> Moves, faults of program lines
-
-The controller is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that
-a sample-maker's program needs.  All other words are faults.
+The language is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that a
+sample-maker's program needs.  All other words are faults.
 
 Source: Kramer, Proctor & Messina, "The NIST RS274NGC interpreter", section 3 (modal groups, order
 of execution); grbl's own rules where they are stricter.
@@ -159,8 +157,8 @@ class _Blocks:
     def has_code(self, group: int, code: int | None = None) -> Bool:
         """Return the mask of the blocks with a word of a modal group, shape (count,).
 
-        With ``code`` (ten times the number of a G word, or the number of an M word), return the
-        mask of the blocks with that word.
+        With ``code``, only blocks with that word are in the mask.  The code of a G word is ten
+        times its number; the code of an M word is its number.
         """
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
@@ -168,15 +166,18 @@ class _Blocks:
 
 
 def _latest_block(where: Bool) -> I64:
-    """Return for each block the last block of the mask at or before it, -1 if there is none."""
+    """Return, for each block, the last block of the mask ``where`` at or before it, (count,); -1
+    for none.
+    """
     rows: I64 = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
     return rows
 
 
 def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
-    """Return the value in force at each block.
+    """Return the value in force at each block, (count,).
 
-    That is the value of the last block in the mask ``where``, or ``before`` if there is none yet.
+    It is the value of the last block at or before it that the mask ``where`` contains, or
+    ``before`` if there is none yet.
     """
     rows = _latest_block(where)
     if len(rows) == 0:
@@ -276,7 +277,7 @@ class _ModalState:
 
 
 def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None:
-    """Add the faults in words, values and modes of all blocks, and in the program's end."""
+    """Add the faults in the words, values and modes of all blocks, and at the program's end."""
     _check_words(blocks, state)
     settle = _settle_times(state, machine)
     _check_values(blocks, state, machine, settle)
@@ -285,7 +286,7 @@ def _check_blocks(blocks: _Blocks, state: _ModalState, machine: Machine) -> None
 
 
 def _check_words(blocks: _Blocks, state: _ModalState) -> None:
-    """Check that each block has only words that may occur together, and all that they require."""
+    """Add a fault for each block that lacks a required word or has incompatible words."""
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(_MOTION)
     any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
@@ -315,7 +316,11 @@ def _check_words(blocks: _Blocks, state: _ModalState) -> None:
 
 
 def _settle_times(state: _ModalState, machine: Machine) -> F64:
-    """Return the dwell (s) that each block needs after switching an output or the spindle."""
+    """Return the dwell that is required between the last switching and each block (s), (count,).
+
+    It is the settling time of the machine or of the selected tool.  A beam needs its piercing time
+    after it is switched on, and none after it is switched off.
+    """
     tools = [expected_tool(held.tool) for held in machine.stations]
     settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
     # A beam need not settle; it dwells until it has pierced the board.
@@ -329,7 +334,11 @@ def _settle_times(state: _ModalState, machine: Machine) -> F64:
 
 
 def _check_values(blocks: _Blocks, state: _ModalState, machine: Machine, settle: F64) -> None:
-    """Check the values of dwells, feeds, speeds, outputs, stations and line numbers."""
+    """Add faults for wrong values of dwells, feeds, speeds, outputs, stations and line numbers.
+
+    ``settle`` is the dwell that is required between the last switching and each block (s),
+    (count,).
+    """
     fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
     timed = has_code(_DWELL)
     # A dwell of 0 only ends blending; all others are for settling after switching.
@@ -366,7 +375,12 @@ def _check_values(blocks: _Blocks, state: _ModalState, machine: Machine, settle:
 
 
 def _check_modes(blocks: _Blocks, state: _ModalState, settle: F64) -> None:
-    """Check that moves come after the modes that they need, and after the dwell for settling."""
+    """Add a fault for each move before the modes that it needs are set, or before outputs have
+    settled.
+
+    ``settle`` is the dwell that is required between the last switching and each block (s),
+    (count,).
+    """
     fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
     moving = has_code(_MOTION)
     first_move = int(np.argmax(moving)) if moving.any() else blocks.count

@@ -1,8 +1,7 @@
 """Parse the bytes of a program into words, and list the faults of its lines.
 
-    bytes -> ProgramWords: program line, letter and number of every word
-
-The bytes may come from any source.  Text that is not a program gives faults, not exceptions.
+A word is a letter and a number, such as G1 or X20.  The bytes may come from any source.  Text that
+is not a program gives faults, not exceptions.
 """
 
 from __future__ import annotations
