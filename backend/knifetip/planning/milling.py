@@ -1,11 +1,11 @@
 """milling: plan the operations of a router bit or a laser beam, which cuts by removing a disc.
 
-There is one operation for each layer of cuts, with open cuts first.  The centre of the cutter runs
-beside the edge, in the waste: outside a part, inside a hole.  The waste is on the left of travel,
-so the cutter runs clockwise round a part and counter-clockwise round a hole.  With a spindle that
-turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut on its line,
-and each side loses the cutter's radius.  An edge between two parts is refused, since the disc would
-cut into one of them.
+Each layer of cuts gives up to two operations: first open cuts, then contours.  Beside a contour the
+centre of the cutter runs in the waste: outside a part, inside a hole.  The waste is on the left of
+travel, so the cutter runs clockwise round a part and counter-clockwise round a hole.  With a
+spindle that turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut
+on its line, and each side loses the cutter's radius.  An edge between two parts is refused, since
+the disc would cut into one of them.
 """
 
 from __future__ import annotations

@@ -70,12 +70,12 @@ class ExpectedTool:
     max_turn: float = 180.0  #: greatest turn of C that is ever needed (degrees)
     follows_path: bool = True  #: C follows the direction of the path
     speed: float = 1.0  #: S word of M3
-    needs_spindle: bool = False  #: M3 must be in force while it works; if False, it must not
+    needs_spindle: bool = False  #: the spindle is on while the tool cuts; if False, it is off
     stopped_code: str = ""  #: code of the message if M3 is not in force
     min_dwell: float = 0.0  #: dwell after switching, if longer than the machine's (s)
     disc: Disc | None = None
     beam: Beam | None = None
-    outputs: tuple[int, ...] = ()  #: outputs that must be on while it works, besides its station's
+    outputs: tuple[int, ...] = ()  #: outputs on while it cuts, besides its station's
 
     def through_depth(self, caliper: float, into_mat: float) -> float:
         """Return the depth of the tip below the board's top face in a cut through the board (mm).

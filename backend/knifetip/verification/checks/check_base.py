@@ -77,7 +77,7 @@ class StationCheck(ABC):
         self.depth = np.zeros(len(edges))
         #: (n,) mm of each curve before the start of the drawn edge
         self.before = np.zeros(len(edges))
-        #: (n, 2) mm at start and end where work is allowed but not required
+        #: (n, 2) mm at start and end where a tip path is allowed but not required
         self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
@@ -228,7 +228,7 @@ class StationCheck(ABC):
             worst = np.maximum(worst, np.where(follows | pressed, off, 0.0))
         self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
 
-        # Work past an edge has no edge to compare with, only the direction of its own path.
+        # A path past an edge has no edge to compare with, only its own direction.
         which, spans = uncovered_curves(overlaps, self.curve)
         long = np.flatnonzero(spans[:, 1] - spans[:, 0] > self.tolerance)
         which, spans = which[long], spans[long]
@@ -303,7 +303,7 @@ class StationCheck(ABC):
             overlaps, np.flatnonzero(keep), np.flatnonzero(wanted)
         )
         bare = wide > self.slack
-        # A pressed crease is a point, which has no length: it is worked or not.
+        # A pressed crease is a point without length: it is made or not.
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])

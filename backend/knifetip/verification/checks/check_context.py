@@ -16,7 +16,7 @@ from knifetip.verification.findings import Findings
 
 #: A depth that differs from the planned depth by more than this is wrong (mm).
 DEPTH_TOLERANCE: Final = 0.005
-#: Work farther than this from every edge is stray work; nearer work is a deviation (mm).
+#: A tip path farther than this from every edge is stray; a nearer one is a deviation (mm).
 NEAR_EDGE: Final = 2.0
 #: Smallest tolerance for a length that is computed from printed numbers (mm).
 MIN_SLACK: Final = 5e-4

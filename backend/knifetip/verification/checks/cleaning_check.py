@@ -23,7 +23,7 @@ from knifetip.verification.columns import F64, I64
 SAME: Final = 0.01
 #: Gap tolerance; shorter edges are debris (mm).
 GAP: Final = 0.05
-#: Positions at which a stretch is measured, as shares of its length.
+#: Positions at which a stretch is measured, as fractions of its length.
 _PROBES: Final = (0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0)
 _BULGE: Final = 1e-9
 #: Tolerance for rounding (mm).
@@ -67,7 +67,7 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
         if len(found) < _MAX_CLEANING_FINDINGS:
             found.append(Finding("uncut", message, measure, edge))
 
-    # The stretches of each edge that is worked must add up to its length.
+    # The stretches of each edge that is cut or creased must add up to its length.
     recorded = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
     for edge in np.flatnonzero(
         np.abs(np.where(worked, length, 0.0) - recorded) > _ROUNDING

@@ -44,7 +44,7 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
             _CHECKS[operation](
                 context, work, mine, operation, edges.select(np.flatnonzero(owner == station))
             ).run()
-        # An edge drawn twice is worked once; both rows get its figures.
+        # An edge that is drawn twice is cut or creased once; both rows get its figures.
         context.figures.copy_rows(first, twin)
 
 

@@ -79,7 +79,7 @@ class KnifeCheck(StationCheck):
         dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True
         dashed |= self._tracks_along(overlaps, held)
         over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
-        # An overrun crosses other edges, but it is not work on them.
+        # An overrun crosses other edges, but it does not cut along them.
         until = overrun_starts(self, over)
         overlaps = mark_nearest(overlaps, self.curve, until)
         self.check_position(overlaps)
