@@ -8,19 +8,19 @@
     │   └── NoSuchUnit            the given name is not a unit of length
     ├── ProfileError              a classification profile cannot be read
     ├── LibraryError              no such machine, board, tool or profile, or its file is invalid
-    ├── GeometryError             a shape without a valid result
-    │   ├── ZeroLengthEdge        an edge too short to have an azimuth
+    ├── GeometryError             a calculation has no valid result for a shape
+    │   ├── ZeroLengthEdge        an edge of zero length, which has no direction
     │   └── DegenerateArc         an arc whose radius or sweep is zero or not a number
     ├── PlanError                 the job cannot be made on this machine
-    │   ├── OpenQuestions         the user must decide the unit or line types first
+    │   ├── OpenQuestions         the user must answer questions first
     │   ├── NoToolForLineType     no station of the machine makes this line type
-    │   ├── FlankOutside          a V-groove so close to a cut that its flank leaves the board
+    │   ├── FlankOutside          a V-groove whose flank would leave the board
     │   ├── NoRoomForBridges      a contour has no room for the bridges of the board
     │   └── TravelExceeded        a path exceeds the machine's travel
     ├── CompensationError         an edge cannot be compensated
-    │   ├── CurvedGroove          a V-groove along an arc
+    │   ├── CurvedGroove          a V-groove along an arc that cannot be cut
     │   ├── EdgeTooShort          an edge shorter than its tool
-    │   └── GrooveTooDeep         a V-groove deeper than the board, or a blade too wide for it
+    │   └── GrooveTooDeep         a V-groove too deep for the board or its free ends
     ├── ProgramError              the emitted program is wrong
     │   ├── ProgramUnreadable     a line that the verifier cannot parse
     │   └── ProgramRefused        the verdict is outside tolerance
@@ -29,18 +29,18 @@
     │   ├── ControllerRejected    the controller reported an error for a line
     │   ├── ControllerReset       the controller was reset during a job
     │   └── ControllerSilent      the controller does not answer
-    ├── RequestError              a valid request that refers to nothing
+    ├── RequestError              a valid request that cannot be applied
     ├── ServerBusy                too many requests are waiting for a process
     ├── SettingsError             a server cannot be started with these settings
-    └── JobError                  the job is not in a state that allows this
-        ├── NoSuchJob             no job, drawing or other stored object with this name
-        ├── WrongState            this transition is not allowed from here
+    └── JobError                  the state of the job does not permit the action
+        ├── NoSuchJob             no stored object, such as a job, has the name
+        ├── WrongState            the state of the object does not permit the change
         ├── StaleEpoch            a gateway that no longer owns the job
         ├── StoreError            the database cannot be used
-        ├── KeyReused             an Idempotency-Key was used for another request
+        ├── KeyReused             an Idempotency-Key of another request
         ├── StaleVersion          the object was changed since the client read it
         │   └── StaleRevision         the drawing was changed since the client read it
-        └── MachineBusy           another job is on this machine's table
+        └── MachineBusy           another job is on the table of the machine
 
 Every error that a user can cause is one of these.  The API sends code, arguments and text as
 problem+json.
@@ -137,7 +137,7 @@ class LibraryError(KnifetipError):
 
 
 class GeometryError(KnifetipError):
-    """Raised for a shape for which there is no valid result."""
+    """Raised when a geometric calculation has no valid result for a shape."""
 
 
 class ZeroLengthEdge(GeometryError):
@@ -195,7 +195,7 @@ class CompensationError(KnifetipError):
 
 
 class CurvedGroove(CompensationError):
-    """Raised for a V-groove along an arc, which a straight blade cannot follow."""
+    """Raised for a V-groove along an arc if the board permits none or the arc is too tight."""
 
 
 class EdgeTooShort(CompensationError):
@@ -203,7 +203,7 @@ class EdgeTooShort(CompensationError):
 
 
 class GrooveTooDeep(CompensationError):
-    """Raised when a V-groove is deeper than the board."""
+    """Raised when a V-groove is deeper than the board, or its blade would cut past a free end."""
 
 
 class ProgramError(KnifetipError):
@@ -239,7 +239,7 @@ class ControllerSilent(ControllerError):
 
 
 class RequestError(KnifetipError):
-    """Raised when a valid request refers to something that does not exist, such as an edge."""
+    """Raised when a valid request cannot be applied, such as an override that selects no edge."""
 
 
 class ServerBusy(KnifetipError):

@@ -127,12 +127,18 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
-    """Return the edges of the drawing with line types from the user's profile and overrides."""
+    """Return the edges of a drawing with the line types that an interpretation gives them.
+
+    The interpretation contains the user's profile and overrides.
+    """
     return classify(drawing, rules_of(interpretation), interpretation.override_column)
 
 
 def rules_of(interpretation: Interpretation) -> LineRules:
-    """Return the profile of an interpretation: the customer's profile or one of the library."""
+    """Return the rules of the profile of an interpretation.
+
+    The profile is a customer's profile or a profile of the library.
+    """
     if interpretation.rules:
         return custom_profiles.parse_text(interpretation.profile, interpretation.rules)
     return load.profile(interpretation.profile, files=False)
@@ -161,13 +167,13 @@ def compile(
     Parameters
     ----------
     corners
-        Path of a cutter round outer corners; None: the fastest for the machine.
+        Types of the cutter's path round outer corners; None chooses the fastest on the machine.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
-        Further comments for the head of the program.
+        Comments that are added to the head of the program.
     progress
-        Called at the start of each stage with the completed share of the compile, 0 … 1.
+        Called at the start of each stage with the completed fraction of the compile, 0 … 1.
 
     Raises
     ------
@@ -262,7 +268,10 @@ def _verdict(
     board: Board,
     tolerance: float = TOLERANCE,
 ) -> Verdict:
-    """Verify a program against the cleaned edges, and the cleaned edges against the drawing."""
+    """Return the verdict on a program for the drawn edges.
+
+    The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
+    """
     verdict = verification.verify(text, cleaned.dieline, where, machine, board, tolerance=tolerance)
     mapped = map_to_drawn(verdict, cleaned, dieline)
     lost = check_cleaning(dieline, cleaned)
@@ -274,7 +283,15 @@ def _verdict(
 def _located(
     error: PlanError | CompensationError, drawing: Drawing, source: I32
 ) -> PlanError | CompensationError:
-    """Return the error with handles and layer of the drawing instead of rows of cleaned edges."""
+    """Return the error with handles and layer of the edges that it concerns.
+
+    The rows of cleaned edges in the error are replaced.
+
+    Parameters
+    ----------
+    source : (m,)
+        Row in the drawing of each cleaned edge.
+    """
     rows = [int(source[int(row)]) for row in error.source]
     if rows:
         layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles

@@ -1,11 +1,11 @@
-"""warming: which kernels have no machine code on disk yet, and compiling them.
+"""Find and compile the kernels of which no machine code is on disk.
 
-    groups of kernels -> parts that are missing -> machine code beside the source
+A kernel declares the types of its arguments, so it can be compiled before it is used.
+``GROUPS`` are in the order in which a server needs them.  Each kernel belongs to one group;
+a function that a kernel calls is compiled with the kernel, whatever its own group.
 
-A kernel declares its signature, so no drawing has to reach it.  The groups are in the order in
-which a server needs them.  Each kernel belongs to one of them; what it calls is compiled with it,
-whichever group that is in.  Compiling all takes minutes of processor time, loading them seconds,
-finding that none is missing one second.  ``jobs.warm_up`` does it in several processes.
+Compiling all kernels takes minutes of processor time, and loading their machine code takes seconds.
+Finding that none is missing takes one second.  ``jobs.warm_up`` compiles them in several processes.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.unique_rows",
         "knifetip.geometry.union_find",
     ),
-    # Make a program of it for a table with knives, wheels and V-cutters, and verify it.
+    # Compile the drawing for a machine with knives, crease wheels and V-cutters, and verify it.
     "jobs": (
         "knifetip.planning",
         "knifetip.compensation",
@@ -39,35 +39,35 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.points_on_segments",
         "knifetip.geometry.intersect",
     ),
-    # Offset contours by the radius of a router bit.
+    # Offset contours by the radius of a cutter.
     "offsets": ("knifetip.offset",),
 }
 
 
 class Part(NamedTuple):
-    """A module with kernels that have no machine code on disk."""
+    """A module that contains kernels without machine code on disk."""
 
-    group: str  #: name of its group
-    module: str  #: full name
+    group: str  #: name of the group
+    module: str  #: full name of the module
     kernels: int  #: number of kernels without machine code
 
 
 def missing_parts(*groups: str) -> list[Part]:
-    """Return what must be compiled, in the order in which it is needed.
+    """Return the modules whose kernels must be compiled, in the order in which they are needed.
 
     No machine code is loaded.
 
     Parameters
     ----------
     groups
-        Names from ``GROUPS``; all in their order if none is given.
+        Names from ``GROUPS``; without names all groups are searched.
 
     Raises
     ------
     KeyError
-        There is no group of that name.
+        No group has the name.
     """
-    from knifetip.kernels.walk import kernels_of  # numba: callers may only want the groups
+    from knifetip.kernels.walk import kernels_of  # imports numba, which ``GROUPS`` does not need
 
     parts = []
     for group in groups or tuple(GROUPS):
@@ -81,17 +81,17 @@ def missing_parts(*groups: str) -> list[Part]:
 
 
 def compile_module(module: str) -> Iterator[float]:
-    """Compile the kernels of a module that have no machine code on disk.
+    """Compile the kernels of a module of which no machine code is on disk.
 
     Yields
     ------
     float
-        Share of them that is compiled, after each.
+        After each kernel, the fraction of these kernels that is compiled, 0 … 1.
     """
     from knifetip.kernels.walk import kernels_of
 
     missing = [kernel for kernel in kernels_of(module) if not kernel.is_cached]
     for done, kernel in enumerate(missing, 1):
-        # It may have been compiled with one that calls it.
+        # A kernel that was compiled with one of its callers is not compiled again.
         kernel.compile()
         yield done / len(missing)

@@ -86,7 +86,7 @@ def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal
     Parameters
     ----------
     now
-        Current time in seconds since 1970, at which sessions may have expired.
+        Current time in seconds since 1970, to recognise expired sessions.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
@@ -148,7 +148,7 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Return a refusal if another computer sent the request without key or session, or None."""
+    """Return a refusal if a request of another computer has no key and no session, or None."""
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
     is_local = is_loopback(facts.peer or "")
@@ -285,7 +285,10 @@ class Access:
     async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None
     ) -> Response | None:
-        """Return the response to a browser that signs in or must do so; None to forward."""
+        """Return the response to a sign-in or a refused request; None to accept the request.
+
+        A browser that requests the page without a key receives the sign-in page.
+        """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)

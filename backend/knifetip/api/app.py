@@ -159,7 +159,7 @@ async def _status(service: ServiceDep) -> ServiceOut:
 
 
 def status_of(error: errors.KnifetipError) -> int:
-    """Return the HTTP status of an error."""
+    """Return the HTTP status of the response to an error."""
     return next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
 
 

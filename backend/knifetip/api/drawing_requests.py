@@ -102,7 +102,13 @@ def read_drawing(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> tasks.Reading:
-    """Read a drawing in a worker process, see ``tasks.read``.
+    """Read and classify a drawing in a worker process, and return the result of ``tasks.read``.
+
+    Parameters
+    ----------
+    handles : (n,)
+        Handles of the edges to which the overrides of the interpretation belong; None if the
+        drawing is new.
 
     Raises
     ------

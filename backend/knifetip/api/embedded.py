@@ -58,7 +58,7 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """What requests from other computers must contain."""
+    """Access settings of the service: key and host names for requests from other computers."""
 
     key: str = ""  #: without a key only this computer is served
     key_file: Path | None = None  #: created with a random key if it does not exist
@@ -211,7 +211,7 @@ class _SimulatedMachine(threading.Thread):
             )
 
     def leave(self) -> None:
-        """Stop the machine, report it to the server, and end the thread."""
+        """Stop the machine, report the stop to the server, and end the thread."""
         if self._loop is not None and self._work is not None and self.is_alive():
             with contextlib.suppress(RuntimeError):
                 self._loop.call_soon_threadsafe(self._work.cancel)
@@ -260,7 +260,10 @@ class _Server(uvicorn.Server):
             self.announce(line)
 
     async def main_loop(self) -> None:
-        """Update the Date header once a second until the server must exit (uvicorn: ten times)."""
+        """Update the Date header once a second until the server must exit.
+
+        The main loop of uvicorn does this ten times a second.
+        """
         self._loop = asyncio.get_running_loop()
         while not await self.on_tick(0):
             with contextlib.suppress(TimeoutError):
@@ -290,7 +293,7 @@ class _Server(uvicorn.Server):
         self._end_main_loop()
 
     def _end_main_loop(self) -> None:
-        """Let the main loop see at once that the server must exit; called from any thread."""
+        """Wake the main loop so that it ends without delay; may be called from any thread."""
         if self._loop is not None:
             with contextlib.suppress(RuntimeError):  # the loop is closed
                 self._loop.call_soon_threadsafe(self._exit.set)

@@ -116,6 +116,11 @@ class Stream:
 
         Changes of other jobs and new gateways change these fields without an event of the job
         itself.
+
+        Parameters
+        ----------
+        sent
+            Ids of jobs and drawings that have an event anyway.
         """
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
@@ -152,7 +157,10 @@ class Stream:
         return _message("drawing", drawing.model_dump_json(), number)
 
     async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
-        """Yield the changes after event ``after``, then new ones; None skips past changes."""
+        """Yield the changes after event number ``after``, and then each new change.
+
+        If ``after`` is None, only new changes are yielded.
+        """
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
         async with self._lock:

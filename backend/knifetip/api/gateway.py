@@ -110,7 +110,7 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
 
 
 def _cause(why: str | MessageIn) -> Message | None:
-    """Return the cause that a gateway reported as a message; None for an empty text."""
+    """Return the cause in a report of a gateway as a message; None if the report has no cause."""
     if isinstance(why, MessageIn):
         return why.message
     return Message(STORED, text=why, hint="") if why else None

@@ -196,7 +196,11 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
-    """Get the path of the head as binary columns: pose, bulge, motion, feed, source, tool, line."""
+    """Get the path of the head as binary columns.
+
+    The columns are ``pose`` (X, Y of the head's axis, Z of the tip, C), ``bulge``, ``motion``,
+    ``feed``, ``source`` (row of the edge), ``tool`` (station number) and ``line`` (program line).
+    """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
     return bytes_response(request, block, row.program_sha256, "application/octet-stream")

@@ -166,7 +166,10 @@ def fields_of(profile: ProfileIn) -> dict[str, Any]:
 
 
 def _version(match: str | None) -> tuple[int | None, bool]:
-    """Return the version in an If-Match header or None, and whether every version is accepted."""
+    """Return the version in an If-Match header, and whether the header is ``*`` (any version).
+
+    The version is None if the header is missing or ``*``.
+    """
     if match is None:
         return None, False
     if match.strip() == "*":
@@ -189,7 +192,7 @@ def _profile_in(body: bytes) -> ProfileIn:
 
 
 def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
-    """Return the path of a faulty field in a profile; rules are counted from 1."""
+    """Return the names and numbers that lead to a faulty field in a profile; rules count from 1."""
     match loc:
         case ("rules", int(number), field, *_):
             return (f"rule {number + 1}", str(field)[:80])

@@ -96,7 +96,10 @@ BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"t
 
 
 def fingerprint(*parts: str | bytes) -> str:
-    """Return a hash of a request, to detect different requests with one Idempotency-Key."""
+    """Return a SHA-256 hash of the parts of a request.
+
+    It shows whether an Idempotency-Key was used for two different requests.
+    """
     digest = hashlib.sha256()
     for part in parts:
         block = part.encode("utf-8", "replace") if isinstance(part, str) else part
@@ -105,7 +108,12 @@ def fingerprint(*parts: str | bytes) -> str:
 
 
 def check_library_name(shelf: str, name: str) -> str:
-    """Return the name of a library entry; paths of files are not accepted.
+    """Return the name of a library entry unchanged if it exists; paths of files are refused.
+
+    Parameters
+    ----------
+    shelf
+        Kind of entry: "machines", "boards" or "profiles".
 
     Raises
     ------

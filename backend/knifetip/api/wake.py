@@ -16,7 +16,10 @@ class Wake:
         self._event = asyncio.Event()
 
     async def wait(self, seconds: float) -> None:
-        """Wait for the next change since the previous call, at most ``seconds``."""
+        """Return at the next change in the store, or after ``seconds`` without a change.
+
+        A change since the previous call counts: the call then returns immediately.
+        """
         with suppress(TimeoutError):
             await asyncio.wait_for(self._event.wait(), seconds)
         self._event.clear()
@@ -24,7 +27,10 @@ class Wake:
 
 @contextmanager
 def wake_on_change(changes: Changes) -> Iterator[Wake]:
-    """Return a context with a ``Wake`` of the running event loop that misses no change."""
+    """Context manager that yields a ``Wake`` of the running event loop.
+
+    The ``Wake`` is set by every change in the store from the start of the context on.
+    """
     loop = asyncio.get_running_loop()
     wake = Wake()
 

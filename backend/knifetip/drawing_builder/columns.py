@@ -19,7 +19,7 @@ class Style(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Columns:
-    """n segments in file units."""
+    """Ends, bulges, report rows and styles of n segments, in file units."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)

@@ -38,11 +38,12 @@ _BLOCK: Final = 4096
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Table:
-    """n segments of several paths, in the order of the file."""
+    """n segments of several paths, in the order of the file and in coordinates of their paths."""
 
     kind: U8  #: (n,) LINE, CUBIC or ARC
-    #: (n, 8): x and y of both ends, then of a CUBIC both handles, of an ARC both radii, the turn of
-    #: the first in degrees, and 1 for the large one + 2 for the one of increasing angle
+    #: (n, 8) x and y of both ends; then for a CUBIC x and y of both inner control points; for an
+    #: ARC both radii, the angle of the first radius (degrees), and 1 for a sweep above 180° plus 2
+    #: for a sweep in the direction of increasing angles
     numbers: F64
     path: I64  #: (n,) path of each segment
 
@@ -59,14 +60,16 @@ class Paths:
 def columns(
     sheet: ReportWriter, table: Table, paths: Paths, scale: float, limits: Limits, what: str
 ) -> Columns:
-    """Return all paths of a file as segments; writes the reasons for dropped paths to ``sheet``.
+    """Return the segments of all paths of a file.
+
+    The reasons for paths that are dropped are written to ``sheet``.
 
     Parameters
     ----------
     scale
         Millimetres per file unit, 0 if unknown.
     what
-        Name of the format in an error: "SVG", "PDF".
+        Name of the format in error messages: "SVG" or "PDF".
 
     Raises
     ------
@@ -106,7 +109,9 @@ def too_many(limits: Limits, what: str) -> DrawingTooLarge:
 
 
 def boxes(table: Table, matrix: F64) -> F64:
-    """Return the bounding box of the ends and control points of each path, (p, 4), NaN for none.
+    """Return the bounding box of the ends and control points of each path, (p, 4).
+
+    A path without segments has NaN.
 
     Parameters
     ----------
@@ -130,7 +135,10 @@ def boxes(table: Table, matrix: F64) -> F64:
 
 
 def _farthest(table: Table, matrix: F64, paths: int) -> F64:
-    """Return an upper bound of the distance of each path from the origin, (p,); NaN for none."""
+    """Return an upper bound of the largest coordinate of each of p paths, (p,) (file units).
+
+    It is NaN or infinite if a coordinate of the path is.
+    """
     far = np.zeros(paths)
     if not len(table.kind):
         return far
@@ -141,7 +149,8 @@ def _farthest(table: Table, matrix: F64, paths: int) -> F64:
     for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
         at = np.abs(_linear(by, numbers[:, x : x + 2]) + by[:, 4:]).max(axis=1)
         reach = np.maximum(reach, np.where(drawn, at, 0.0))
-    # A large arc lies within its diameter of its ends, a small one within its chord if it is round.
+    # An arc of more than 180° lies within its diameter from its ends, a circular arc of less within
+    # its chord.
     size = np.abs(by[:, :4]).sum(axis=1)
     span = np.abs(numbers[:, 2:4] - numbers[:, :2]).sum(axis=1)
     least, most = np.sort(numbers[:, 4:6], axis=1).T
@@ -162,13 +171,13 @@ def _relative(start: F64, end: F64) -> float:
 
 
 def _linear(by: F64, vectors: F64) -> F64:
-    """Return vectors (n, 2) multiplied by matrices (n, 6), without translation."""
+    """Return n vectors (n, 2) multiplied by the linear parts of n matrices (n, 6)."""
     x, y = vectors[:, 0], vectors[:, 1]
     return np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
 
 
 class _Placed:
-    """The segments of a table in file units."""
+    """The segments of a Table in file units: ends, control points of curves, axes of arcs."""
 
     def __init__(self, table: Table, by: F64) -> None:
         numbers = table.numbers
@@ -187,7 +196,8 @@ class _Placed:
             ],
             axis=1,
         )
-        # An arc between a point and itself is left out, as the standard has it: a speck.
+        # SVG omits an arc between equal points; as a line without length it is dropped and
+        # reported.
         same = (numbers[:, 0] == numbers[:, 2]) & (numbers[:, 1] == numbers[:, 3])
         self.kind[(self.kind == ARC) & same] = LINE
         self.arc = np.flatnonzero(self.kind == ARC)
@@ -199,12 +209,17 @@ class _Placed:
 
 
 def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
-    """Return centre, u, v (n, 2) each, first angle and sweep (n,) each of arcs between points.
+    """Return centre, semi-axes u and v, first angle and sweep of n elliptic arcs.
 
     A point of an arc is centre + u cos t + v sin t, for t from the first angle to first angle +
-    sweep.
+    sweep (radians).  Centre, u and v have shape (n, 2), the angles shape (n,).
 
     Source: SVG 1.1, appendix F.6.5 and F.6.6.
+
+    Parameters
+    ----------
+    numbers : (n, 8)
+        Rows of ``Table.numbers`` that are arcs.
     """
     angle = np.radians(numbers[:, 6])
     cosine, sine = np.cos(angle), np.sin(angle)
@@ -213,7 +228,7 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     rising = numbers[:, 7] >= 2.0
     half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
     middle = (numbers[:, :2] + numbers[:, 2:4]) / 2.0
-    # Half the chord, in radii.
+    # Half the chord, divided by the radii.
     x = (cosine * half[:, 0] + sine * half[:, 1]) / rx
     y = (cosine * half[:, 1] - sine * half[:, 0]) / ry
     chord = x * x + y * y
@@ -224,7 +239,7 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     off = np.sqrt(np.maximum(1.0 / chord - 1.0, 0.0)) * np.where(large == rising, -1.0, 1.0)
     centre_x, centre_y = off * y, -off * x
     first = np.arctan2(y - centre_y, x - centre_x)
-    # By the chord, and not from angle to angle: that of a short arc would be lost.
+    # From the chord: the difference of two angles would lose the sweep of a short arc.
     turn = 2.0 * np.arcsin(np.sqrt(chord))
     turn = np.where(large, 2.0 * np.pi - turn, turn) * np.where(rising, 1.0, -1.0)
     u = np.stack([rx * cosine, rx * sine], axis=1)
@@ -235,13 +250,23 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
 def _segments(
     placed: _Placed, tolerance: float, limits: Limits, what: str
 ) -> tuple[F64, F64, I64, Bool]:
-    """Return ends (n, 2, 2), bulge (n,), the table row of each, and the mask of fitted rows."""
+    """Return the segments of a drawing as lines and arcs, in the order of the file.
+
+    Returns
+    -------
+    ends : (n, 2, 2)
+    bulge : (n,)
+    of : (n,)
+        Row in the Table of each line or arc.
+    curved : (m,)
+        Mask of the rows of the Table that were approximated by arcs.
+    """
     curved = np.zeros(len(placed.kind), bool)
     straight = np.flatnonzero(placed.kind == LINE)
     parts = [_lines(placed, straight)]
 
     chord = placed.control[:, 3] - placed.control[:, 0]
-    is_line = _chords(placed.control, chord, _ALIKE * tolerance)
+    is_line = _are_straight(placed.control, chord, _ALIKE * tolerance)
     parts.append(_lines(placed, placed.cubic[is_line]))
     bent = np.flatnonzero(~is_line)
     curved[placed.cubic[bent]] = True
@@ -281,8 +306,11 @@ def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
     return ends, np.zeros(len(rows)), rows
 
 
-def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
-    """Return the mask of curves that are straight, (n,): all control points are on the chord."""
+def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
+    """Return the mask of the curves that are straight, (n,).
+
+    All control points of a straight curve are within ``tolerance`` of its chord.
+    """
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
     straight: Bool = size > 0.0
@@ -291,12 +319,18 @@ def _chords(control: F64, chord: F64, tolerance: float) -> Bool:
         beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
         along = (ahead * away).sum(axis=1)
         straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
-    # Curves of no length are not fitted; ``assemble`` drops them.
+    # Curves without length count as straight, and ``assemble`` drops them.
     return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
 
 
 def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs as segments of at most 180°: ends, bulge and table row of each."""
+    """Return circular arcs as segments of at most 180°: ends, bulge and Table row of each segment.
+
+    Parameters
+    ----------
+    which
+        Indices of the circular arcs in ``placed.arc``.
+    """
     rows = placed.arc[which]
     u, v, first, turn = placed.u[which], placed.v[which], placed.first[which], placed.turn[which]
     side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
@@ -315,7 +349,9 @@ def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
 
 
 def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return functions for point and derivative of cubic Bézier curves.
+    """Return two functions that evaluate cubic Bézier curves: point and derivative.
+
+    Both take indices of curves (k,) and parameters 0 … 1 (k,), and return an array (k, 2).
 
     Parameters
     ----------
@@ -341,7 +377,10 @@ def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
 
 
 def _elliptic(placed: _Placed) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return functions for point and derivative of the elliptic arcs of a table."""
+    """Return two functions that evaluate elliptic arcs: point and derivative.
+
+    Both take indices into ``placed.arc`` (k,) and parameters 0 … 1 (k,) and return an array (k, 2).
+    """
 
     def point(k: I64, s: F64) -> F64:
         t = placed.first[k] + s * placed.turn[k]
@@ -365,9 +404,17 @@ def _fitted(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit arcs to curves; return ends, bulge and table row of each arc.
+    """Fit arcs to curves; return ends, bulge and Table row of each arc.
 
-    If a batch fails, it is bisected until the faulty curve is found, whose error is recorded.
+    If the fit of several curves fails, each half of them is fitted separately.  The error of
+    a single curve is written to ``placed.failed``.
+
+    Parameters
+    ----------
+    which
+        Indices of the curves, as ``point`` and ``tangent`` take them.
+    numbers
+        Table row of each index.
     """
     try:
         start, end, bulge, of = fit_many(

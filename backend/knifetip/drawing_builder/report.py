@@ -58,7 +58,7 @@ class ReportWriter(ReportRows):
         dropped: Message | None = None,
         notes: Iterable[Message] = (),
     ) -> int:
-        """Add a row to the report and return its number."""
+        """Add the row of an entity to the report and return the number of the row."""
         self.handle.append(handle)
         self.kind.append(kind)
         self.layer.append(layer)

@@ -63,7 +63,7 @@ class Beginning:
 
 
 def is_svg(file: Beginning) -> bool:
-    """Return whether a file is an SVG, which may be compressed with gzip (.svgz)."""
+    """Return whether a file is an SVG file, which may be compressed with gzip (.svgz)."""
     if file.head.startswith(_GZIP):
         return _unpacked(file.data).startswith(b"<")
     if not file.head.startswith(b"<"):
@@ -74,12 +74,12 @@ def is_svg(file: Beginning) -> bool:
 
 
 def is_pdf(file: Beginning) -> bool:
-    """Return whether a file is a PDF."""
+    """Return whether a file is a PDF file."""
     return file.head.startswith(b"%PDF")
 
 
 def is_cf2(file: Beginning) -> bool:
-    """Return whether a file is a CF2."""
+    """Return whether a file is a CF2 file."""
     return _CF2.match(file.head) is not None
 
 

@@ -29,7 +29,7 @@ class CleaningReason(IntEnum):
 
     @property
     def message(self) -> Message:
-        """Message that states the reason without positions and lengths."""
+        """Message with the reason in general, without the measured values of an edge."""
         return _MESSAGES[self]
 
 
@@ -112,9 +112,9 @@ class Cleaned:
         return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
 
     def into(self, row: int) -> int:
-        """Return the row of the drawn edge with which an edge was merged, or -1 if it was dropped.
+        """Return the row of the drawn edge with which the edge in a row was merged.
 
-        An edge that was kept returns its own row.
+        It is ``row`` itself if the edge was kept, and -1 if the edge was dropped.
         """
         cleaned = self.of[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])

@@ -1,4 +1,4 @@
-"""Interpretation: what a user decides about a drawing's file."""
+"""Record of an interpretation: a user's decisions about the drawing in a file."""
 
 from __future__ import annotations
 

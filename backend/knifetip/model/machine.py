@@ -90,8 +90,8 @@ class Machine:
         Parameters
         ----------
         caliper
-            Thickness of the board (mm): of several tools of one kind the tool that suits it is
-            chosen. None chooses the first tool.
+            Thickness of the board (mm).  If several tools of one kind make the line type, the tool
+            that suits this thickness is chosen; None chooses the first.
         """
         for kind in KINDS:
             held = [station for station in self.stations if type(station.tool) is kind.tool]

@@ -34,7 +34,7 @@ class Operation:
     tool: Tool
     station: int  #: number of the station in the T word
     depth: F64  #: (n, passes) depth of each pass below the top face of the board (mm)
-    caliper: float  #: of the board (mm)
+    caliper: float  #: thickness of the board (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     feed: float  #: mm/min
     plunge: float  #: mm/min
@@ -54,7 +54,7 @@ class Operation:
     k_at: F64 = field(default_factory=lambda: np.zeros(0))
     #: (n,) corner type at the start of each segment: index into ``corners.TYPES``, or ``AS_OTHERS``
     corner_at: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
-    acceleration: float = math.inf  #: of the slower of X and Y (mm/s²), for corner type auto
+    acceleration: float = math.inf  #: lower one of the X and Y axes (mm/s²), for corner type auto
     interference: str = "trim"  #: "trim": leave unreachable areas uncut; or "refuse" the job
     deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
     #: (k, 2) segment, and position along it (mm), of the middle of each bridge

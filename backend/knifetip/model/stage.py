@@ -27,5 +27,5 @@ class Stage(StrEnum):
 Progress: TypeAlias = Callable[[Stage, float], None]
 
 
-def no_progress(_stage: Stage, _share: float) -> None:
-    """Do nothing: a progress callback for callers that show no progress."""
+def no_progress(_stage: Stage, _fraction: float) -> None:
+    """Do nothing; the progress callback of callers that show no progress."""

@@ -25,7 +25,7 @@ DRAWN_IN: Final = ("mm", "cm", "m", "in", "ft")
 
 
 def factor(unit: str) -> float:
-    """Return the number of millimetres in a unit; 1 for the empty name, the unit of the file.
+    """Return the number of millimetres in a unit; 1 for "", the unknown unit of a drawing.
 
     Raises
     ------

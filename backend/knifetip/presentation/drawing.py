@@ -18,7 +18,7 @@ from knifetip.presentation.outcomes import EdgeOutcomes
 
 
 def drawing_json(drawing: Drawing) -> dict[str, Any]:
-    """Return unit, size and number of edges and entities of a drawing."""
+    """Return unit, size, number of edges and import outcomes of a drawing as JSON data."""
     min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
     return {
         "unit": drawing.unit or None,
@@ -41,7 +41,7 @@ def classified_json(
     questions: Sequence[Question],
     overrides: U8,
 ) -> dict[str, Any]:
-    """Return the data of ``drawing_json`` with line types, layers, questions and edge outcomes.
+    """Return the data of ``drawing_json`` with line types, layers, questions and outcomes.
 
     Parameters
     ----------
@@ -59,7 +59,10 @@ def classified_json(
 
 
 def _unit_finding(drawing: Drawing) -> dict[str, Any]:
-    """Return the stated unit, the units ranked by likelihood, and the evidence for each unit."""
+    """Return as JSON data the unit that the file states, and the evidence for each unit.
+
+    The units are ranked, the most likely first.
+    """
     from knifetip.units.evidence import find_unit
 
     found = find_unit(drawing)

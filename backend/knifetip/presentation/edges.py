@@ -32,7 +32,7 @@ class EdgeTable(NamedTuple):
 
     @classmethod
     def of(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
-        """Return the table of a classified drawing."""
+        """Return the table of a classified drawing and the outcomes of its edges."""
         return cls(
             {
                 "ends": dieline.ends,
@@ -67,7 +67,7 @@ class EdgeTable(NamedTuple):
 
     @classmethod
     def unpack(cls, block: bytes) -> EdgeTable:
-        """Return the table in a block of bytes.
+        """Return the table that ``pack`` wrote to a block of bytes.
 
         Tables stored by older versions have no outcomes; all their edges count as kept.
         """
@@ -125,7 +125,7 @@ class EdgeTable(NamedTuple):
 
 
 def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
-    """Return the drawing and the dieline of a packed table.
+    """Return the drawing and the dieline that a packed EdgeTable describes.
 
     The import report of the drawing has one row per edge; entities without edges and annotations
     are missing, because the table does not contain them.

@@ -58,11 +58,11 @@ def import_report_rows(drawing: Drawing) -> list[dict[str, Any]]:
 
 
 def annotations_by_row(drawing: Drawing) -> dict[int, Annotation]:
-    """Return the annotations of a drawing by the row of each in the import report.
+    """Return the annotations of a drawing by their rows in the import report.
 
-    Annotations have no handle, so they are matched with report rows of the same kind and layer in
-    the order of the file.  If the numbers of both differ for a kind and layer, none of them is
-    matched, because a wrong location is worse than a missing one.
+    Annotations have no handle.  They are matched with the report rows of the same kind and layer,
+    both in the order of the file.  If a kind and layer has more annotations than rows or fewer,
+    none of its annotations is matched, because a wrong location is worse than a missing one.
     """
     report = drawing.import_report
     annotations: dict[tuple[str, str], list[Annotation]] = defaultdict(list)

@@ -114,14 +114,14 @@ def _groups(
     length: F64,
     kinds: NDArray[np.object_],
 ) -> list[dict[str, Any]]:
-    """Return n edges or entities as groups with the same outcome and the same code of the reason.
+    """Return n edges or n entities as groups with the same outcome and the same code of the reason.
 
     Parameters
     ----------
     what
         "edges" or "entities".
     outcome, reason, length, kinds : (n,)
-        ImportOutcome, index into ``reasons``, length in mm and entity kind of each.
+        ImportOutcome, index into ``reasons``, length in mm and entity kind of each edge or entity.
     """
     numbers: dict[str, int] = {}
     code = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)

@@ -133,7 +133,15 @@ def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
 def pack_verdict(
     verdict: Verdict, findings: Sequence[Mapping[str, Any]], summary: Mapping[str, Any]
 ) -> bytes:
-    """Return a verdict as a block of columns with findings and figures as metadata."""
+    """Return a verdict as a block of columns, with findings and figures as metadata.
+
+    Parameters
+    ----------
+    findings
+        Result of ``findings_json``.
+    summary
+        Result of ``verdict_summary``, and further figures.
+    """
     return pack_columns(
         {
             **{name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS},

@@ -253,7 +253,10 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Get the path of the head as binary columns: pose, bulge, motion, feed, source, tool, line.
+         * @description Get the path of the head as binary columns.
+         *
+         *     The columns are ``pose`` (X, Y of the head's axis, Z of the tip, C), ``bulge``, ``motion``,
+         *     ``feed``, ``source`` (row of the edge), ``tool`` (station number) and ``line`` (program line).
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -857,17 +860,35 @@ export interface components {
             title: string;
             /** Material */
             material: string;
-            /** Caliper */
+            /**
+             * Caliper
+             * @description Thickness
+             */
             caliper: number;
-            /** Grain */
+            /**
+             * Grain
+             * @description Direction of flute or grain on the sheet
+             */
             grain: number;
-            /** Crease Along */
+            /**
+             * Crease Along
+             * @description Depth of a crease along flute or grain
+             */
             crease_along: number;
-            /** Crease Across */
+            /**
+             * Crease Across
+             * @description Depth of a crease across flute or grain
+             */
             crease_across: number;
-            /** Groove Depth */
+            /**
+             * Groove Depth
+             * @description Depth of a V-groove below the top face
+             */
             groove_depth: number;
-            /** Deflection */
+            /**
+             * Deflection
+             * @description Deflection of the cutters that were measured in this board
+             */
             deflection: components["schemas"]["DeflectionOut"][];
         };
         /** Body_upload_drawing */
@@ -930,7 +951,10 @@ export interface components {
              * @description Largest residual of a point (mm)
              */
             residual: number;
-            /** Toml */
+            /**
+             * Toml
+             * @description Text lines for the file of the board
+             */
             toml: string;
         };
         /**
@@ -940,15 +964,20 @@ export interface components {
         ChangeOut: {
             /**
              * Before
+             * @description Present line type
              * @enum {string}
              */
             before: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * After
+             * @description Line type that the profile would give
              * @enum {string}
              */
             after: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** Edges */
+            /**
+             * Edges
+             * @description Rows of the edges
+             */
             edges: number[];
         };
         /**
@@ -956,7 +985,10 @@ export interface components {
          * @description A job that is assigned to the gateway until the lease expires.
          */
         Claim: {
-            /** Job */
+            /**
+             * Job
+             * @description Id of the job
+             */
             job: string;
             /**
              * Epoch
@@ -973,11 +1005,20 @@ export interface components {
              * @description URL of the program
              */
             program: string;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of the program
+             */
             sha256: string;
-            /** Lines */
+            /**
+             * Lines
+             * @description Number of program lines
+             */
             lines: number;
-            /** Copies */
+            /**
+             * Copies
+             * @description Number of copies that remain
+             */
             copies: number;
             /**
              * Confirm
@@ -1016,22 +1057,46 @@ export interface components {
         };
         /**
          * CleaningLengths
-         * @description Total lengths of all edges (mm): drawn = kept + merged + dropped, worked = kept + added.
+         * @description Total lengths of all edges (mm).
+         *
+         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``; ``worked`` that of ``kept`` and
+         *     ``added``.
          */
         CleaningLengths: {
-            /** Drawn */
+            /**
+             * Drawn
+             * @description Length in the drawing
+             */
             drawn: number;
-            /** Kept */
+            /**
+             * Kept
+             * @description Length that is machined as drawn
+             */
             kept: number;
-            /** Merged */
+            /**
+             * Merged
+             * @description Length that lies on other edges, which are machined
+             */
             merged: number;
-            /** Dropped */
+            /**
+             * Dropped
+             * @description Length that is too short to be machined
+             */
             dropped: number;
-            /** Added */
+            /**
+             * Added
+             * @description Length added by closing gaps and fitting curves
+             */
             added: number;
-            /** Worked */
+            /**
+             * Worked
+             * @description Length that is machined
+             */
             worked: number;
-            /** No Work */
+            /**
+             * No Work
+             * @description Length of edges that are ignored or not classified
+             */
             no_work: number;
         };
         /**
@@ -1041,9 +1106,15 @@ export interface components {
         CleaningOut: {
             lengths: components["schemas"]["CleaningLengths"];
             edges: components["schemas"]["CleaningCounts"];
-            /** Moved */
+            /**
+             * Moved
+             * @description Maximum distance by which an end was moved (mm)
+             */
             moved: number;
-            /** Off */
+            /**
+             * Off
+             * @description Maximum distance of an edge from what is machined for it (mm)
+             */
             off: number;
             /** Rows */
             rows: components["schemas"]["CleaningRow"][];
@@ -1071,7 +1142,10 @@ export interface components {
              * @description Action for the user in English; empty if there is none
              */
             hint: string;
-            /** Row */
+            /**
+             * Row
+             * @description Row of the edge in the drawing
+             */
             row: number;
             /** Handle */
             handle: string;
@@ -1090,17 +1164,35 @@ export interface components {
              * @description Row of the edge that is machined instead; -1 for none
              */
             into: number;
-            /** Kept */
+            /**
+             * Kept
+             * @description Length that is machined for the edge (mm)
+             */
             kept: number;
-            /** Merged */
+            /**
+             * Merged
+             * @description Length that lies on other edges, which are machined (mm)
+             */
             merged: number;
-            /** Dropped */
+            /**
+             * Dropped
+             * @description Length that is too short to be machined (mm)
+             */
             dropped: number;
-            /** Added */
+            /**
+             * Added
+             * @description Length added by closing gaps and fitting curves (mm)
+             */
             added: number;
-            /** Moved */
+            /**
+             * Moved
+             * @description Maximum distance by which an end was moved (mm)
+             */
             moved: number;
-            /** Off */
+            /**
+             * Off
+             * @description Maximum distance of the edge from what is machined for it (mm)
+             */
             off: number;
         };
         /**
@@ -1130,7 +1222,10 @@ export interface components {
              * @description Position in the drawing (mm), within 0.5 mm of the corner
              */
             x: number;
-            /** Y */
+            /**
+             * Y
+             * @description Position in the drawing (mm)
+             */
             y: number;
             /**
              * Type
@@ -1173,6 +1268,7 @@ export interface components {
             interference: "trim" | "refuse";
             /**
              * At
+             * @description Corners with a type of their own
              * @default []
              */
             at: components["schemas"]["CornerAt"][];
@@ -1182,11 +1278,20 @@ export interface components {
          * @description Maximum deflection of a cutter under load in a board (mm).
          */
         DeflectionOut: {
-            /** Tool */
+            /**
+             * Tool
+             * @description Name of the cutter's station
+             */
             tool: string;
-            /** X */
+            /**
+             * X
+             * @description Deflection in X
+             */
             x: number;
-            /** Y */
+            /**
+             * Y
+             * @description Deflection in Y
+             */
             y: number;
         };
         /**
@@ -1201,13 +1306,22 @@ export interface components {
              * @description Increases with each change of the drawing; part of its ETag
              */
             revision: number;
-            /** Name */
+            /**
+             * Name
+             * @description Name of the uploaded file
+             */
             name: string;
             /** Created */
             created: number;
-            /** Sha256 */
+            /**
+             * Sha256
+             * @description SHA-256 of the uploaded file
+             */
             sha256: string;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of the file; null while it is not decided: lengths are then in file units
+             */
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Unit Given
@@ -1236,14 +1350,20 @@ export interface components {
              * @description Customer's profile of the classification (TOML); empty for a library profile
              */
             rules: string;
-            /** Segments */
+            /**
+             * Segments
+             * @description Number of edges
+             */
             segments: number;
             /**
              * Length
              * @description Null if the drawing was read by an older version
              */
             length?: number | null;
-            /** Bounds */
+            /**
+             * Bounds
+             * @description Bounding box of the edges: x min, y min, x max, y max (mm)
+             */
             bounds: [
                 number,
                 number,
@@ -1307,13 +1427,19 @@ export interface components {
             name: string;
             /** Created */
             created: number;
-            /** Unit */
+            /**
+             * Unit
+             * @description Unit of the file; null while it is not decided: lengths are then in file units
+             */
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /** Width */
             width: number;
             /** Height */
             height: number;
-            /** Segments */
+            /**
+             * Segments
+             * @description Number of edges
+             */
             segments: number;
             /**
              * Questions
@@ -1326,24 +1452,42 @@ export interface components {
          * @description One edge with its line type, the deciding rule, and the outcome of import or cleaning.
          */
         EdgeOut: {
-            /** Row */
+            /**
+             * Row
+             * @description Row of the edge in the drawing
+             */
             row: number;
-            /** Handle */
+            /**
+             * Handle
+             * @description Handle of the entity in the file
+             */
             handle: string;
             /** Layer */
             layer: string;
-            /** Colour */
+            /**
+             * Colour
+             * @description AutoCAD colour index
+             */
             colour: number;
-            /** Linetype */
+            /**
+             * Linetype
+             * @description Linetype in the file, such as DASHED
+             */
             linetype: string;
             /**
              * Type
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** Rule */
+            /**
+             * Rule
+             * @description Rule or evidence that decided the line type
+             */
             rule: string;
-            /** Confidence */
+            /**
+             * Confidence
+             * @description Confidence in the line type, 0 … 1
+             */
             confidence: number;
             /**
              * Alternatives
@@ -1362,17 +1506,26 @@ export interface components {
             reason: string;
             /** Length */
             length: number;
-            /** Start */
+            /**
+             * Start
+             * @description Start point X, Y (mm)
+             */
             start: [
                 number,
                 number
             ];
-            /** End */
+            /**
+             * End
+             * @description End point X, Y (mm)
+             */
             end: [
                 number,
                 number
             ];
-            /** Bulge */
+            /**
+             * Bulge
+             * @description tan(sweep / 4) of an arc, positive counter-clockwise; 0 for a line
+             */
             bulge: number;
         };
         /**
@@ -1414,7 +1567,10 @@ export interface components {
              * @description Action for the user in English; empty if there is none
              */
             hint: string;
-            /** Kind */
+            /**
+             * Kind
+             * @description Kind of the fault
+             */
             kind: string;
             /**
              * Measure
@@ -1426,7 +1582,10 @@ export interface components {
              * @description Row of the edge; -1 for none
              */
             edge: number;
-            /** Handle */
+            /**
+             * Handle
+             * @description Handle of the edge; empty for none
+             */
             handle: string;
             /**
              * Line
@@ -1441,7 +1600,10 @@ export interface components {
         FinishIn: {
             /** Job */
             job: string;
-            /** Epoch */
+            /**
+             * Epoch
+             * @description Epoch of the claim
+             */
             epoch: number;
             /**
              * Outcome
@@ -1470,9 +1632,9 @@ export interface components {
          * Footprint
          * @description Shape of the mark of a tool on the board, and position of its tip, which the page draws.
          *
-         *     The shape is one of four.  ``line``: a line without width.  ``disc``: a disc of ``radius`` about
-         *     the tip.  ``groove``: a flank that widens by ``slope`` per mm of depth along the edge ``blade``.
-         *     ``wheel``: a rim of ``width`` on a wheel of ``radius``.
+         *     The shape ``line`` has no width.  ``disc`` is a disc of ``radius`` about the tip.  ``groove`` is
+         *     a flank that widens by ``slope`` per mm of depth along the edge ``blade``.  ``wheel`` is a rim
+         *     of ``width`` on a wheel of ``radius``.
          */
         Footprint: {
             /**
@@ -1559,17 +1721,25 @@ export interface components {
         HeartbeatIn: {
             /** Job */
             job: string;
-            /** Epoch */
+            /**
+             * Epoch
+             * @description Epoch of the claim
+             */
             epoch: number;
-            /** Line */
+            /**
+             * Line
+             * @description Number of executed program lines of the present copy
+             */
             line: number;
             /**
              * Copies Done
+             * @description Copies completed since this claim
              * @default 0
              */
             copies_done: number;
             /**
              * Held
+             * @description Whether the machine holds
              * @default false
              */
             held: boolean;
@@ -1579,14 +1749,20 @@ export interface components {
              * @default false
              */
             waiting: boolean;
-            /** Position */
+            /**
+             * Position
+             * @description Position on the sheet: X, Y of the head axis, Z of the tip, C
+             */
             position?: [
                 number,
                 number,
                 number,
                 number
             ] | null;
-            /** Seconds Left */
+            /**
+             * Seconds Left
+             * @description Estimated time until the present copy ends (s)
+             */
             seconds_left?: number | null;
         };
         /**
@@ -1596,10 +1772,14 @@ export interface components {
         HeartbeatOut: {
             /**
              * Command
+             * @description Command for the machine
              * @enum {string}
              */
             command: "wait" | "start" | "continue" | "hold" | "resume" | "cancel";
-            /** Lease */
+            /**
+             * Lease
+             * @description Duration of the lease from now on (s)
+             */
             lease: number;
         };
         /**
@@ -1607,11 +1787,20 @@ export interface components {
          * @description Import report: the number of entities by outcome, and a row for each entity.
          */
         ImportReportOut: {
-            /** Kept */
+            /**
+             * Kept
+             * @description Number of entities that are kept
+             */
             kept: number;
-            /** Merged */
+            /**
+             * Merged
+             * @description Number of entities that equal other entities
+             */
             merged: number;
-            /** Dropped */
+            /**
+             * Dropped
+             * @description Number of entities that gave no edge
+             */
             dropped: number;
             /**
              * Rows
@@ -1624,9 +1813,15 @@ export interface components {
          * @description Import outcome of one entity of the file.
          */
         ImportReportRow: {
-            /** Handle */
+            /**
+             * Handle
+             * @description Handle of the entity in the file
+             */
             handle: string;
-            /** Kind */
+            /**
+             * Kind
+             * @description Type of the entity in the file
+             */
             kind: string;
             /** Layer */
             layer: string;
@@ -1636,7 +1831,10 @@ export interface components {
              */
             outcome: "kept" | "merged" | "dropped";
             reason: components["schemas"]["MessageOut"];
-            /** Length */
+            /**
+             * Length
+             * @description Length of the edges that the entity gave (mm)
+             */
             length: number;
             /**
              * Text
@@ -1662,16 +1860,26 @@ export interface components {
         JobEvent: {
             /** Id */
             id: number;
-            /** Job */
+            /**
+             * Job
+             * @description Id of the job
+             */
             job: string;
-            /** At */
+            /**
+             * At
+             * @description Time of the change
+             */
             at: number;
             /**
              * State
+             * @description State after the change
              * @enum {string}
              */
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
-            /** Who */
+            /**
+             * Who
+             * @description Author of the change
+             */
             who: string;
             /** @description Description of the change */
             message: components["schemas"]["MessageOut"] | null;
@@ -1700,20 +1908,26 @@ export interface components {
             machine: string;
             /** Board */
             board: string;
-            /** Profile */
+            /**
+             * Profile
+             * @description Classification profile. Default: the profile of the drawing
+             */
             profile?: string | null;
             /**
              * Copies
+             * @description Number of sheets to make
              * @default 1
              */
             copies: number;
             /**
              * Priority
+             * @description Jobs with a higher priority come first
              * @default 0
              */
             priority: number;
             /**
              * Overrides
+             * @description Line types of edges for this job only
              * @default []
              */
             overrides: components["schemas"]["Override"][];
@@ -1755,11 +1969,20 @@ export interface components {
              * @description Hint of `message` in English
              */
             hint: string;
-            /** Source */
+            /**
+             * Source
+             * @description Handles of the entities that `message` concerns
+             */
             source: string[];
-            /** Questions */
+            /**
+             * Questions
+             * @description Open questions for which the job was refused
+             */
             questions: components["schemas"]["QuestionOut"][];
-            /** Drawing */
+            /**
+             * Drawing
+             * @description Id of the drawing
+             */
             drawing: string;
             /** Drawing Name */
             drawing_name: string;
@@ -1814,7 +2037,10 @@ export interface components {
              * @description Number of executed lines of the program
              */
             line: number;
-            /** Lines */
+            /**
+             * Lines
+             * @description Number of program lines
+             */
             lines: number;
             /**
              * Position
@@ -1831,10 +2057,16 @@ export interface components {
              * @description Estimated machine time of one copy (s)
              */
             seconds: number;
-            /** Seconds Left */
+            /**
+             * Seconds Left
+             * @description Estimated time until the present copy ends (s); null if it is unknown
+             */
             seconds_left: number | null;
             corners: components["schemas"]["Corners"] | null;
-            /** Program Sha256 */
+            /**
+             * Program Sha256
+             * @description SHA-256 of the program; empty before the job is compiled
+             */
             program_sha256: string;
             verdict: components["schemas"]["VerdictSummary"] | null;
             /**
@@ -1856,11 +2088,20 @@ export interface components {
          * @description A station that the program of a job uses.
          */
         JobTool: {
-            /** Station */
+            /**
+             * Station
+             * @description Number of the station
+             */
             station: number;
-            /** Name */
+            /**
+             * Name
+             * @description Name of the station
+             */
             name: string;
-            /** Kind */
+            /**
+             * Kind
+             * @description Kind of the tool
+             */
             kind: string;
         };
         /**
@@ -1870,13 +2111,25 @@ export interface components {
         LayerOut: {
             /** Name */
             name: string;
-            /** Colour */
+            /**
+             * Colour
+             * @description AutoCAD colour index
+             */
             colour: number;
-            /** Edges */
+            /**
+             * Edges
+             * @description Number of edges
+             */
             edges: number;
-            /** Length */
+            /**
+             * Length
+             * @description Total length of the edges (mm)
+             */
             length: number;
-            /** Types */
+            /**
+             * Types
+             * @description Line types of the edges
+             */
             types: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
         };
         /**
@@ -1889,9 +2142,15 @@ export interface components {
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** Edges */
+            /**
+             * Edges
+             * @description Number of edges
+             */
             edges: number;
-            /** Length */
+            /**
+             * Length
+             * @description Total length of the edges (mm)
+             */
             length: number;
         };
         /**
@@ -1903,20 +2162,38 @@ export interface components {
             name: string;
             /** Title */
             title: string;
-            /** Width */
+            /**
+             * Width
+             * @description Width of the table along X (mm)
+             */
             width: number;
-            /** Height */
+            /**
+             * Height
+             * @description Height of the table along Y (mm)
+             */
             height: number;
-            /** Dialect */
+            /**
+             * Dialect
+             * @description Name of the controller language
+             */
             dialect: string;
-            /** Origin */
+            /**
+             * Origin
+             * @description Position of the lower left corner of a drawing on the table (mm)
+             */
             origin: [
                 number,
                 number
             ];
-            /** Travel Z */
+            /**
+             * Travel Z
+             * @description Height of the tip above the mat in air moves (mm)
+             */
             travel_z: number;
-            /** Into Mat */
+            /**
+             * Into Mat
+             * @description Depth of a through cut in the mat (mm)
+             */
             into_mat: number;
             /**
              * Offset Cuts
@@ -1929,7 +2206,10 @@ export interface components {
              * @enum {string}
              */
             feed: "manual" | "automatic";
-            /** Axes */
+            /**
+             * Axes
+             * @description Travel, velocity and acceleration by axis (mm or degrees, s)
+             */
             axes: {
                 [key: string]: {
                     [key: string]: number;
@@ -1939,6 +2219,7 @@ export interface components {
             stations: components["schemas"]["StationOut"][];
             /**
              * Gateway
+             * @description Whether a gateway for the machine is connected
              * @enum {string}
              */
             gateway: "connected" | "absent";
@@ -1963,7 +2244,10 @@ export interface components {
              * @description Measured minus drawn position (mm)
              */
             dx: number;
-            /** Dy */
+            /**
+             * Dy
+             * @description Measured minus drawn position (mm)
+             */
             dy: number;
         };
         /**
@@ -2030,13 +2314,22 @@ export interface components {
         Override: {
             /** Type */
             type: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi") | null;
-            /** Edges */
+            /**
+             * Edges
+             * @description Rows of edges
+             */
             edges?: number[] | null;
-            /** Handles */
+            /**
+             * Handles
+             * @description Handles of entities
+             */
             handles?: string[] | null;
             /** Layer */
             layer?: string | null;
-            /** Colour */
+            /**
+             * Colour
+             * @description AutoCAD colour index
+             */
             colour?: number | null;
         };
         /**
@@ -2097,9 +2390,15 @@ export interface components {
              * @default false
              */
             inherited: boolean;
-            /** Edges */
+            /**
+             * Edges
+             * @description Number of edges
+             */
             edges: number;
-            /** Length */
+            /**
+             * Length
+             * @description Total length of the edges (mm)
+             */
             length: number;
         };
         /**
@@ -2217,16 +2516,29 @@ export interface components {
             hint: string;
             /**
              * Kind
+             * @description Decision that the question concerns
              * @enum {string}
              */
             kind: "unit" | "line-type" | "tool";
-            /** Choices */
+            /**
+             * Choices
+             * @description Possible answers
+             */
             choices: string[];
-            /** Edges */
+            /**
+             * Edges
+             * @description Rows of the edges that the question concerns
+             */
             edges: number[];
-            /** Layer */
+            /**
+             * Layer
+             * @description Layer that the question concerns; empty for none
+             */
             layer: string;
-            /** Colour */
+            /**
+             * Colour
+             * @description AutoCAD colour index that the question concerns; 0 for none
+             */
             colour: number;
         };
         /**
@@ -2252,14 +2564,22 @@ export interface components {
              * @description Kinds of entities, most frequent first
              */
             kinds: string[];
-            /** Count */
+            /**
+             * Count
+             * @description Number of edges or entities
+             */
             count: number;
-            /** Length */
+            /**
+             * Length
+             * @description Total length (mm)
+             */
             length: number;
         };
         /**
          * ReportOut
-         * @description Summary of import and cleaning by reason (mm): drawn = kept + merged + dropped.
+         * @description Total lengths by outcome of import and cleaning (mm), and groups of edges and entities.
+         *
+         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.
          */
         ReportOut: {
             /** Drawn */
@@ -2358,7 +2678,7 @@ export interface components {
         };
         /**
          * ServiceOut
-         * @description The server, and the progress of its preparation after an installation.
+         * @description Version of the server, and progress of compiling its kernels after an installation.
          */
         ServiceOut: {
             /** Version */
@@ -2368,7 +2688,10 @@ export interface components {
              * @description Uploads and jobs may have to wait until the parts that they need are compiled
              */
             preparing: boolean;
-            /** Parts Compiled */
+            /**
+             * Parts Compiled
+             * @description Parts compiled since the server started
+             */
             parts_compiled: number;
             /**
              * Parts
@@ -2387,15 +2710,24 @@ export interface components {
          * @description A station of the head; its joint position is the programmed position plus the datum.
          */
         StationOut: {
-            /** Number */
+            /**
+             * Number
+             * @description Number in the T word of programs
+             */
             number: number;
             /** Name */
             name: string;
-            /** Datum */
+            /**
+             * Datum
+             * @description Offset of the tool by axis: x, y, z (mm) and c (degrees)
+             */
             datum: {
                 [key: string]: number;
             };
-            /** Output */
+            /**
+             * Output
+             * @description Digital output of the piston that lowers the station; -1 for none
+             */
             output: number;
             tool: components["schemas"]["ToolOut"];
         };
@@ -2404,19 +2736,34 @@ export interface components {
          * @description A tool with the names of its machine and station.
          */
         StationTool: {
-            /** Kind */
+            /**
+             * Kind
+             * @description Kind of the tool, such as knife or crease-wheel
+             */
             kind: string;
-            /** Dimensions */
+            /**
+             * Dimensions
+             * @description Dimensions by name
+             */
             dimensions: {
                 [key: string]: number | boolean;
             };
             /** @description Outline of the tool for drawing, and the position of its tip */
             footprint: components["schemas"]["Footprint"];
-            /** Machine */
+            /**
+             * Machine
+             * @description Name of the machine
+             */
             machine: string;
-            /** Station */
+            /**
+             * Station
+             * @description Number of the station
+             */
             station: number;
-            /** Name */
+            /**
+             * Name
+             * @description Name of the station
+             */
             name: string;
         };
         /**
@@ -2424,9 +2771,15 @@ export interface components {
          * @description A tool with its dimensions in mm and degrees.
          */
         ToolOut: {
-            /** Kind */
+            /**
+             * Kind
+             * @description Kind of the tool, such as knife or crease-wheel
+             */
             kind: string;
-            /** Dimensions */
+            /**
+             * Dimensions
+             * @description Dimensions by name
+             */
             dimensions: {
                 [key: string]: number | boolean;
             };
@@ -2539,9 +2892,15 @@ export interface components {
          *     ``area_bulge``, ``area_first`` and ``area_size``.
          */
         VerdictOut: {
-            /** Accepted */
+            /**
+             * Accepted
+             * @description Whether the program may be sent to the machine
+             */
             accepted: boolean;
-            /** Tolerance */
+            /**
+             * Tolerance
+             * @description Maximum permitted deviation (mm)
+             */
             tolerance: number;
             /**
              * Deviation
@@ -2599,13 +2958,25 @@ export interface components {
              * @description Areas that no cutter reaches, largest first
              */
             areas: components["schemas"]["UnreachedOut"][];
-            /** Edge Deviation */
+            /**
+             * Edge Deviation
+             * @description Maximum distance of the tip from the edge (mm)
+             */
             edge_deviation: number[];
-            /** Edge Overcut */
+            /**
+             * Edge Overcut
+             * @description Length cut beyond the ends of the edge (mm)
+             */
             edge_overcut: number[];
-            /** Edge Uncut */
+            /**
+             * Edge Uncut
+             * @description Length of the edge that is not machined by mistake (mm)
+             */
             edge_uncut: number[];
-            /** Edge Setback */
+            /**
+             * Edge Setback
+             * @description Length of the edge that is not machined by plan, such as crease ends (mm)
+             */
             edge_setback: number[];
             /**
              * Edge Width
@@ -2643,9 +3014,15 @@ export interface components {
          * @description Maximum and total measurements of a verdict (mm, mm², s).
          */
         VerdictSummary: {
-            /** Accepted */
+            /**
+             * Accepted
+             * @description Whether the program may be sent to the machine
+             */
             accepted: boolean;
-            /** Tolerance */
+            /**
+             * Tolerance
+             * @description Maximum permitted deviation (mm)
+             */
             tolerance: number;
             /**
              * Deviation
@@ -2725,9 +3102,15 @@ export interface components {
              * @default about:blank
              */
             type: string;
-            /** Title */
+            /**
+             * Title
+             * @description Name of the type of error
+             */
             title: string;
-            /** Status */
+            /**
+             * Status
+             * @description HTTP status
+             */
             status: number;
             /**
              * Detail

@@ -24,11 +24,13 @@ class Strict(BaseModel):
 class QuestionOut(MessageOut):
     """A question that the user must answer before the drawing can be compiled."""
 
-    kind: Literal["unit", "line-type", "tool"]
-    choices: list[str]
-    edges: list[int]
-    layer: str
-    colour: int
+    kind: Literal["unit", "line-type", "tool"] = Field(
+        description="Decision that the question concerns"
+    )
+    choices: list[str] = Field(description="Possible answers")
+    edges: list[int] = Field(description="Rows of the edges that the question concerns")
+    layer: str = Field(description="Layer that the question concerns; empty for none")
+    colour: int = Field(description="AutoCAD colour index that the question concerns; 0 for none")
 
 
 class Problem(MessageOut):
@@ -37,8 +39,8 @@ class Problem(MessageOut):
     text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
     type: str = "about:blank"
-    title: str
-    status: int
+    title: str = Field(description="Name of the type of error")
+    status: int = Field(description="HTTP status")
     detail: str = Field(description="Same value as `text`, under the name that RFC 9457 gives it")
     source: list[str] = Field(
         default=[], description="Entity handles or request fields that the error concerns"
@@ -50,13 +52,13 @@ class Problem(MessageOut):
 
 
 class ServiceOut(BaseModel):
-    """The server, and the progress of its preparation after an installation."""
+    """Version of the server, and progress of compiling its kernels after an installation."""
 
     version: str
     preparing: bool = Field(
         description="Uploads and jobs may have to wait until the parts that they need are compiled"
     )
-    parts_compiled: int
+    parts_compiled: int = Field(description="Parts compiled since the server started")
     parts: int = Field(description="Parts that had to be compiled when the server started")
 
 

@@ -17,12 +17,12 @@ Unit = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
 class ImportReportRow(BaseModel):
     """Import outcome of one entity of the file."""
 
-    handle: str
-    kind: str
+    handle: str = Field(description="Handle of the entity in the file")
+    kind: str = Field(description="Type of the entity in the file")
     layer: str
     outcome: OutcomeWord
     reason: MessageOut
-    length: float
+    length: float = Field(description="Length of the edges that the entity gave (mm)")
     text: str = Field(default="", description="Content of a text entity")
     place: list[float] | None = Field(
         default=None,
@@ -39,41 +39,45 @@ class LineTypeCount(BaseModel):
     """Number and total length of the edges of one line type."""
 
     type: LineTypeWord
-    edges: int
-    length: float
+    edges: int = Field(description="Number of edges")
+    length: float = Field(description="Total length of the edges (mm)")
 
 
 class LayerOut(BaseModel):
     """The edges of one layer that have the same colour."""
 
     name: str
-    colour: int
-    edges: int
-    length: float
-    types: list[LineTypeWord]
+    colour: int = Field(description="AutoCAD colour index")
+    edges: int = Field(description="Number of edges")
+    length: float = Field(description="Total length of the edges (mm)")
+    types: list[LineTypeWord] = Field(description="Line types of the edges")
 
 
 class ImportReportOut(BaseModel):
     """Import report: the number of entities by outcome, and a row for each entity."""
 
-    kept: int
-    merged: int
-    dropped: int
+    kept: int = Field(description="Number of entities that are kept")
+    merged: int = Field(description="Number of entities that equal other entities")
+    dropped: int = Field(description="Number of entities that gave no edge")
     rows: list[ImportReportRow] = Field(
         description="One row per entity; at most 2,000 in a drawing, all in …/import-report"
     )
 
 
 class CleaningLengths(BaseModel):
-    """Total lengths of all edges (mm): drawn = kept + merged + dropped, worked = kept + added."""
+    """Total lengths of all edges (mm).
 
-    drawn: float
-    kept: float
-    merged: float
-    dropped: float
-    added: float
-    worked: float
-    no_work: float
+    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``; ``worked`` that of ``kept`` and
+    ``added``.
+    """
+
+    drawn: float = Field(description="Length in the drawing")
+    kept: float = Field(description="Length that is machined as drawn")
+    merged: float = Field(description="Length that lies on other edges, which are machined")
+    dropped: float = Field(description="Length that is too short to be machined")
+    added: float = Field(description="Length added by closing gaps and fitting curves")
+    worked: float = Field(description="Length that is machined")
+    no_work: float = Field(description="Length of edges that are ignored or not classified")
 
 
 class CleaningCounts(BaseModel):
@@ -87,17 +91,17 @@ class CleaningCounts(BaseModel):
 class CleaningRow(MessageOut):
     """Outcome of cleaning for one edge that is not machined exactly as drawn."""
 
-    row: int
+    row: int = Field(description="Row of the edge in the drawing")
     handle: str
     outcome: OutcomeWord
     reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
     into: int = Field(description="Row of the edge that is machined instead; -1 for none")
-    kept: float
-    merged: float
-    dropped: float
-    added: float
-    moved: float
-    off: float
+    kept: float = Field(description="Length that is machined for the edge (mm)")
+    merged: float = Field(description="Length that lies on other edges, which are machined (mm)")
+    dropped: float = Field(description="Length that is too short to be machined (mm)")
+    added: float = Field(description="Length added by closing gaps and fitting curves (mm)")
+    moved: float = Field(description="Maximum distance by which an end was moved (mm)")
+    off: float = Field(description="Maximum distance of the edge from what is machined for it (mm)")
 
 
 class CleaningOut(BaseModel):
@@ -105,8 +109,8 @@ class CleaningOut(BaseModel):
 
     lengths: CleaningLengths
     edges: CleaningCounts
-    moved: float
-    off: float
+    moved: float = Field(description="Maximum distance by which an end was moved (mm)")
+    off: float = Field(description="Maximum distance of an edge from what is machined for it (mm)")
     rows: list[CleaningRow]
 
 
@@ -139,12 +143,15 @@ class ReportGroup(BaseModel):
         description="What is counted: edges of the drawing, or entities that gave no edge"
     )
     kinds: list[str] = Field(description="Kinds of entities, most frequent first")
-    count: int
-    length: float
+    count: int = Field(description="Number of edges or entities")
+    length: float = Field(description="Total length (mm)")
 
 
 class ReportOut(BaseModel):
-    """Summary of import and cleaning by reason (mm): drawn = kept + merged + dropped."""
+    """Total lengths by outcome of import and cleaning (mm), and groups of edges and entities.
+
+    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.
+    """
 
     drawn: float
     kept: float
@@ -163,10 +170,12 @@ class DrawingOut(BaseModel):
 
     id: str
     revision: Revision
-    name: str
+    name: str = Field(description="Name of the uploaded file")
     created: float
-    sha256: str
-    unit: Unit | None
+    sha256: str = Field(description="SHA-256 of the uploaded file")
+    unit: Unit | None = Field(
+        description="Unit of the file; null while it is not decided: lengths are then in file units"
+    )
     unit_given: Unit | None = Field(
         description="Unit set by the user; null for the unit of the file"
     )
@@ -182,11 +191,13 @@ class DrawingOut(BaseModel):
     rules: str = Field(
         description="Customer's profile of the classification (TOML); empty for a library profile"
     )
-    segments: int
+    segments: int = Field(description="Number of edges")
     length: float | None = Field(
         default=None, description="Null if the drawing was read by an older version"
     )
-    bounds: tuple[float, float, float, float]
+    bounds: tuple[float, float, float, float] = Field(
+        description="Bounding box of the edges: x min, y min, x max, y max (mm)"
+    )
     width: float
     height: float
     counts: list[LineTypeCount]
@@ -206,33 +217,37 @@ class DrawingSummary(BaseModel):
     revision: Revision
     name: str
     created: float
-    unit: Unit | None
+    unit: Unit | None = Field(
+        description="Unit of the file; null while it is not decided: lengths are then in file units"
+    )
     width: float
     height: float
-    segments: int
+    segments: int = Field(description="Number of edges")
     questions: int = Field(description="Number of open questions")
 
 
 class EdgeOut(BaseModel):
     """One edge with its line type, the deciding rule, and the outcome of import or cleaning."""
 
-    row: int
-    handle: str
+    row: int = Field(description="Row of the edge in the drawing")
+    handle: str = Field(description="Handle of the entity in the file")
     layer: str
-    colour: int
-    linetype: str
+    colour: int = Field(description="AutoCAD colour index")
+    linetype: str = Field(description="Linetype in the file, such as DASHED")
     type: LineTypeWord
-    rule: str
-    confidence: float
+    rule: str = Field(description="Rule or evidence that decided the line type")
+    confidence: float = Field(description="Confidence in the line type, 0 … 1")
     alternatives: list[LineTypeWord] = Field(
         description="Other possible line types, most likely first"
     )
     outcome: OutcomeWord
     reason: str = Field(description="Reason for the outcome of the edge; empty if it is kept")
     length: float
-    start: tuple[float, float]
-    end: tuple[float, float]
-    bulge: float
+    start: tuple[float, float] = Field(description="Start point X, Y (mm)")
+    end: tuple[float, float] = Field(description="End point X, Y (mm)")
+    bulge: float = Field(
+        description="tan(sweep / 4) of an arc, positive counter-clockwise; 0 for a line"
+    )
 
 
 class EdgesOut(BaseModel):
@@ -248,10 +263,12 @@ class Override(Strict):
     """
 
     type: LineTypeWord | None
-    edges: list[int] | None = Field(default=None, max_length=200_000)
-    handles: list[str] | None = Field(default=None, max_length=200_000)
+    edges: list[int] | None = Field(default=None, max_length=200_000, description="Rows of edges")
+    handles: list[str] | None = Field(
+        default=None, max_length=200_000, description="Handles of entities"
+    )
     layer: str | None = None
-    colour: int | None = None
+    colour: int | None = Field(default=None, description="AutoCAD colour index")
 
 
 class EdgesPatch(Strict):

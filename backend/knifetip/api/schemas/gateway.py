@@ -23,13 +23,13 @@ class ClaimIn(Strict):
 class Claim(BaseModel):
     """A job that is assigned to the gateway until the lease expires."""
 
-    job: str
+    job: str = Field(description="Id of the job")
     epoch: int = Field(description="Increases with each claim; to be sent with every report")
     lease: float = Field(description="Duration of the lease (s); renewed by each heartbeat")
     program: str = Field(description="URL of the program")
-    sha256: str
-    lines: int
-    copies: int
+    sha256: str = Field(description="SHA-256 of the program")
+    lines: int = Field(description="Number of program lines")
+    copies: int = Field(description="Number of copies that remain")
     confirm: bool = Field(
         default=False,
         description="Send nothing to the machine; send heartbeats with `waiting` until the reply "
@@ -41,30 +41,36 @@ class HeartbeatIn(Strict):
     """Report of a gateway on the progress of its job."""
 
     job: Name
-    epoch: Count
-    line: Count
-    copies_done: Count = 0
-    held: bool = False
+    epoch: Count = Field(description="Epoch of the claim")
+    line: Count = Field(description="Number of executed program lines of the present copy")
+    copies_done: Count = Field(default=0, description="Copies completed since this claim")
+    held: bool = Field(default=False, description="Whether the machine holds")
     waiting: bool = Field(
         default=False,
         description="Nothing has been sent to the machine; the gateway waits for `start`",
     )
-    position: tuple[float, float, float, float] | None = None
-    seconds_left: float | None = None
+    position: tuple[float, float, float, float] | None = Field(
+        default=None, description="Position on the sheet: X, Y of the head axis, Z of the tip, C"
+    )
+    seconds_left: float | None = Field(
+        default=None, description="Estimated time until the present copy ends (s)"
+    )
 
 
 class HeartbeatOut(BaseModel):
     """Response to a heartbeat: the command for the gateway."""
 
-    command: Literal["wait", "start", "continue", "hold", "resume", "cancel"]
-    lease: float
+    command: Literal["wait", "start", "continue", "hold", "resume", "cancel"] = Field(
+        description="Command for the machine"
+    )
+    lease: float = Field(description="Duration of the lease from now on (s)")
 
 
 class FinishIn(Strict):
     """Report of a gateway that a job has ended."""
 
     job: Name
-    epoch: Count
+    epoch: Count = Field(description="Epoch of the claim")
     outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
         description="returned: the job is released; nothing was sent to the machine"
     )

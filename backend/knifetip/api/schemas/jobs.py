@@ -35,7 +35,7 @@ class CornerAt(Strict):
     """Corner type of one corner, which is selected by its position."""
 
     x: float = Field(description="Position in the drawing (mm), within 0.5 mm of the corner")
-    y: float
+    y: float = Field(description="Position in the drawing (mm)")
     type: CornerType
     k: CornerParameter | None = Field(
         default=None, description="Parameter k of this corner. Default: k of the job"
@@ -56,7 +56,9 @@ class Corners(Strict):
         default="trim",
         description="Reaction if the cutter does not fit: leave the area uncut, or refuse the job",
     )
-    at: list[CornerAt] = Field(default=[], max_length=1000)
+    at: list[CornerAt] = Field(
+        default=[], max_length=1000, description="Corners with a type of their own"
+    )
 
 
 class JobIn(Strict):
@@ -68,10 +70,16 @@ class JobIn(Strict):
     )
     machine: Name = "demo-table"
     board: Name
-    profile: Name | None = None
-    copies: int = Field(default=1, ge=1, le=1000)
-    priority: int = Field(default=0, ge=-100, le=100)
-    overrides: list[Override] = Field(default=[], max_length=1000)
+    profile: Name | None = Field(
+        default=None, description="Classification profile. Default: the profile of the drawing"
+    )
+    copies: int = Field(default=1, ge=1, le=1000, description="Number of sheets to make")
+    priority: int = Field(
+        default=0, ge=-100, le=100, description="Jobs with a higher priority come first"
+    )
+    overrides: list[Override] = Field(
+        default=[], max_length=1000, description="Line types of edges for this job only"
+    )
     corners: Corners | None = Field(
         default=None,
         description="Corner types, for routers and lasers only; null: the fastest types",
@@ -91,16 +99,16 @@ class ConfirmIn(Strict):
 class JobTool(BaseModel):
     """A station that the program of a job uses."""
 
-    station: int
-    name: str
-    kind: str
+    station: int = Field(description="Number of the station")
+    name: str = Field(description="Name of the station")
+    kind: str = Field(description="Kind of the tool")
 
 
 class VerdictSummary(BaseModel):
     """Maximum and total measurements of a verdict (mm, mm², s)."""
 
-    accepted: bool
-    tolerance: float
+    accepted: bool = Field(description="Whether the program may be sent to the machine")
+    tolerance: float = Field(description="Maximum permitted deviation (mm)")
     deviation: float = Field(description="Maximum distance of the tip from an edge (mm)")
     overcut: float = Field(description="Maximum length cut beyond the end of an edge (mm)")
     uncut: float = Field(description="Maximum uncut length of one edge (mm)")
@@ -129,9 +137,9 @@ class JobOut(BaseModel):
     )
     reason: str = Field(description="Text of `message` in English; empty if it is null")
     hint: str = Field(description="Hint of `message` in English")
-    source: list[str]
-    questions: list[QuestionOut]
-    drawing: str
+    source: list[str] = Field(description="Handles of the entities that `message` concerns")
+    questions: list[QuestionOut] = Field(description="Open questions for which the job was refused")
+    drawing: str = Field(description="Id of the drawing")
     drawing_name: str
     machine: str
     board: str
@@ -162,14 +170,18 @@ class JobOut(BaseModel):
         description="Completed fraction of the compile or of the execution, 0 … 1"
     )
     line: int = Field(description="Number of executed lines of the program")
-    lines: int
+    lines: int = Field(description="Number of program lines")
     position: tuple[float, float, float, float] | None = Field(
         description="Position on the sheet while running: X, Y of the head axis, Z of the tip, C"
     )
     seconds: float = Field(description="Estimated machine time of one copy (s)")
-    seconds_left: float | None
+    seconds_left: float | None = Field(
+        description="Estimated time until the present copy ends (s); null if it is unknown"
+    )
     corners: Corners | None
-    program_sha256: str
+    program_sha256: str = Field(
+        description="SHA-256 of the program; empty before the job is compiled"
+    )
     verdict: VerdictSummary | None
 
     @computed_field(  # type: ignore[prop-decorator]
@@ -191,10 +203,10 @@ class JobEvent(BaseModel):
     """One state change of a job: its time, author and reason."""
 
     id: int
-    job: str
-    at: float
-    state: JobState
-    who: str
+    job: str = Field(description="Id of the job")
+    at: float = Field(description="Time of the change")
+    state: JobState = Field(description="State after the change")
+    who: str = Field(description="Author of the change")
     message: MessageOut | None = Field(description="Description of the change")
     why: str = Field(description="Text of `message` in English")
 
@@ -202,10 +214,10 @@ class JobEvent(BaseModel):
 class FindingOut(MessageOut):
     """One fault that the verifier found, with its edge and program line."""
 
-    kind: str
+    kind: str = Field(description="Kind of the fault")
     measure: float = Field(description="Measured value (mm; degrees for a heading)")
     edge: int = Field(description="Row of the edge; -1 for none")
-    handle: str
+    handle: str = Field(description="Handle of the edge; empty for none")
     line: int = Field(description="Program line, counted from 1; -1 for none")
 
 
@@ -235,10 +247,16 @@ class VerdictOut(VerdictSummary):
 
     findings: list[FindingOut]
     areas: list[UnreachedOut] = Field(description="Areas that no cutter reaches, largest first")
-    edge_deviation: list[float]
-    edge_overcut: list[float]
-    edge_uncut: list[float]
-    edge_setback: list[float]
+    edge_deviation: list[float] = Field(
+        description="Maximum distance of the tip from the edge (mm)"
+    )
+    edge_overcut: list[float] = Field(description="Length cut beyond the ends of the edge (mm)")
+    edge_uncut: list[float] = Field(
+        description="Length of the edge that is not machined by mistake (mm)"
+    )
+    edge_setback: list[float] = Field(
+        description="Length of the edge that is not machined by plan, such as crease ends (mm)"
+    )
     edge_width: list[float] = Field(
         description="Width of a V-groove at the top face (mm); 0 for other edges"
     )

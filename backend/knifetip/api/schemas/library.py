@@ -22,9 +22,9 @@ class FormatOut(BaseModel):
 class DeflectionOut(BaseModel):
     """Maximum deflection of a cutter under load in a board (mm)."""
 
-    tool: str
-    x: float
-    y: float
+    tool: str = Field(description="Name of the cutter's station")
+    x: float = Field(description="Deflection in X")
+    y: float = Field(description="Deflection in Y")
 
 
 class BoardOut(BaseModel):
@@ -33,12 +33,14 @@ class BoardOut(BaseModel):
     name: str
     title: str
     material: str
-    caliper: float
-    grain: float
-    crease_along: float
-    crease_across: float
-    groove_depth: float
-    deflection: list[DeflectionOut]
+    caliper: float = Field(description="Thickness")
+    grain: float = Field(description="Direction of flute or grain on the sheet")
+    crease_along: float = Field(description="Depth of a crease along flute or grain")
+    crease_across: float = Field(description="Depth of a crease across flute or grain")
+    groove_depth: float = Field(description="Depth of a V-groove below the top face")
+    deflection: list[DeflectionOut] = Field(
+        description="Deflection of the cutters that were measured in this board"
+    )
 
 
 class MeasuredPoint(Strict):
@@ -48,7 +50,7 @@ class MeasuredPoint(Strict):
         ge=-360.0, le=360.0, description="Direction of travel at the point (degrees)"
     )
     dx: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position (mm)")
-    dy: float = Field(ge=-100.0, le=100.0)
+    dy: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position (mm)")
 
 
 class CalibrationIn(Strict):
@@ -72,4 +74,4 @@ class CalibrationOut(BaseModel):
     x: float = Field(description="Deflection where the contour runs along Y (mm)")
     y: float = Field(description="Deflection where the contour runs along X (mm)")
     residual: float = Field(description="Largest residual of a point (mm)")
-    toml: str
+    toml: str = Field(description="Text lines for the file of the board")

@@ -12,8 +12,8 @@ from knifetip.model.tool import Footprint
 class ToolOut(BaseModel):
     """A tool with its dimensions in mm and degrees."""
 
-    kind: str
-    dimensions: dict[str, float | bool]
+    kind: str = Field(description="Kind of the tool, such as knife or crease-wheel")
+    dimensions: dict[str, float | bool] = Field(description="Dimensions by name")
     footprint: Footprint = Field(
         description="Outline of the tool for drawing, and the position of its tip"
     )
@@ -22,10 +22,14 @@ class ToolOut(BaseModel):
 class StationOut(BaseModel):
     """A station of the head; its joint position is the programmed position plus the datum."""
 
-    number: int
+    number: int = Field(description="Number in the T word of programs")
     name: str
-    datum: dict[str, float]
-    output: int
+    datum: dict[str, float] = Field(
+        description="Offset of the tool by axis: x, y, z (mm) and c (degrees)"
+    )
+    output: int = Field(
+        description="Digital output of the piston that lowers the station; -1 for none"
+    )
     tool: ToolOut
 
 
@@ -34,12 +38,14 @@ class MachineOut(BaseModel):
 
     name: str
     title: str
-    width: float
-    height: float
-    dialect: str
-    origin: tuple[float, float]
-    travel_z: float
-    into_mat: float
+    width: float = Field(description="Width of the table along X (mm)")
+    height: float = Field(description="Height of the table along Y (mm)")
+    dialect: str = Field(description="Name of the controller language")
+    origin: tuple[float, float] = Field(
+        description="Position of the lower left corner of a drawing on the table (mm)"
+    )
+    travel_z: float = Field(description="Height of the tip above the mat in air moves (mm)")
+    into_mat: float = Field(description="Depth of a through cut in the mat (mm)")
     offset_cuts: bool = Field(
         description="Whether cuts are offset from their edge, so that corner types can be chosen"
     )
@@ -47,15 +53,19 @@ class MachineOut(BaseModel):
         description="manual: every job and every copy waits until the operator confirms that the "
         "sheet is on the table"
     )
-    axes: dict[str, dict[str, float]]
+    axes: dict[str, dict[str, float]] = Field(
+        description="Travel, velocity and acceleration by axis (mm or degrees, s)"
+    )
     stations: list[StationOut]
-    gateway: Literal["connected", "absent"]
+    gateway: Literal["connected", "absent"] = Field(
+        description="Whether a gateway for the machine is connected"
+    )
     job: str | None = Field(description="Job on the machine's table")
 
 
 class StationTool(ToolOut):
     """A tool with the names of its machine and station."""
 
-    machine: str
-    station: int
-    name: str
+    machine: str = Field(description="Name of the machine")
+    station: int = Field(description="Number of the station")
+    name: str = Field(description="Name of the station")

@@ -81,16 +81,16 @@ class ProfileOut(BaseModel):
 class ChangeOut(BaseModel):
     """Edges whose line type a profile would change."""
 
-    before: LineTypeWord
-    after: LineTypeWord
-    edges: list[int]
+    before: LineTypeWord = Field(description="Present line type")
+    after: LineTypeWord = Field(description="Line type that the profile would give")
+    edges: list[int] = Field(description="Rows of the edges")
 
 
 class PreviewRule(RuleOut):
     """A rule with the number and total length of the edges that it matches."""
 
-    edges: int
-    length: float
+    edges: int = Field(description="Number of edges")
+    length: float = Field(description="Total length of the edges (mm)")
 
 
 class PreviewOut(BaseModel):

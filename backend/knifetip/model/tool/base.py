@@ -45,9 +45,9 @@ class TipCircle:
 class Footprint:
     """Shape of the mark of a tool on the board, and position of its tip, which the page draws.
 
-    The shape is one of four.  ``line``: a line without width.  ``disc``: a disc of ``radius`` about
-    the tip.  ``groove``: a flank that widens by ``slope`` per mm of depth along the edge ``blade``.
-    ``wheel``: a rim of ``width`` on a wheel of ``radius``.
+    The shape ``line`` has no width.  ``disc`` is a disc of ``radius`` about the tip.  ``groove`` is
+    a flank that widens by ``slope`` per mm of depth along the edge ``blade``.  ``wheel`` is a rim
+    of ``width`` on a wheel of ``radius``.
     """
 
     shape: Literal["line", "disc", "groove", "wheel"] = "line"
@@ -57,7 +57,7 @@ class Footprint:
     blade: float = 0.0  #: length of the cutting edge, from the tip forward along C (mm)
     left: float = 0.0  #: from the head's axis to the tip, to the left of C (mm)
     behind: float = 0.0  #: from the head's axis to the tip, backwards along C (mm)
-    any_height: bool = False  #: whether the tool cuts at any height, like a laser
+    any_height: bool = False  #: whether the mark is the same at every height of the tip
 
 
 class Tool(ABC):
@@ -91,7 +91,10 @@ class Tool(ABC):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start, and the change of C in reverse (degrees)."""
+        """The ends of a track at which the tool may start, and an angle (degrees).
+
+        The angle is added to C if the tool starts at the end of the track.
+        """
         return Reversal.ONE, 0.0
 
     @property

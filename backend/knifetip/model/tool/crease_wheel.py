@@ -35,7 +35,10 @@ class CreaseWheel(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start: both, because the wheel rolls both ways."""
+        """The ends at which a track may start, and the angle added to C at the end.
+
+        The wheel may start at both ends, because it rolls in both directions.
+        """
         return Reversal.EITHER, 0.0
 
     @property
@@ -45,7 +48,7 @@ class CreaseWheel(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The rim of the wheel on the length of its contact with the board."""
+        """The mark of the wheel: a rim as long as its contact with the board."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod

@@ -30,7 +30,7 @@ class Cutter(DiscTool):
     lead: NotNegative = 0.0  #: length of the straight lead-in (mm); 0: 1.5 r
     approach: float = 90.0  #: angle of the lead-in to the contour (degrees); 0: in line
     step: NotNegative = 0.0  #: maximum depth of one pass (mm); 0: one pass
-    dwell: NotNegative = 0.0  #: maximum contact with a corner before it burns (s); 0: no limit
+    dwell: NotNegative = 0.0  #: maximum time at a corner before the board burns (s); 0: no limit
 
     @property
     def spindle(self) -> int:
@@ -47,7 +47,10 @@ class Cutter(DiscTool):
         return max(usual, self.spin_up)
 
     def passes(self, through: float) -> F64:
-        """Return the depths of equal passes to ``through`` (mm); each adds at most ``step``."""
+        """Return the depths of the passes of a cut that is ``through`` mm deep, (k,) (mm).
+
+        All passes have the same increment, which is at most ``step``.
+        """
         count = 1 if self.step == 0.0 else min(_MOST, int(np.ceil(through / self.step - 1e-9)))
         depths: F64 = through * np.arange(1, count + 1) / count
         return depths

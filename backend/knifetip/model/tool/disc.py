@@ -29,11 +29,15 @@ class DiscTool(Tool):
 
         @property
         def approach(self) -> float:
-            """Angle of the lead-in to the contour (degrees): 0 in line, −90 round the outside."""
+            """Angle between lead-in and contour (degrees).
+
+            It is 90 for a lead-in from the tool's side, 0 for one in line with the contour, and
+            −90 for one from the other side.
+            """
 
         @property
         def dwell(self) -> float:
-            """Maximum contact with one corner before it burns (s); 0 for no limit."""
+            """Maximum time at one corner before the board burns (s); 0 for no limit."""
 
     @property
     def set_up(self) -> float:
@@ -48,7 +52,7 @@ class DiscTool(Tool):
         return None
 
     def passes(self, through: float) -> F64:
-        """Return the depth of each pass (mm); ``through`` is the depth of a through cut."""
+        """Return the depth of each pass of a cut that is ``through`` mm deep, (k,) (mm)."""
         return np.array([through])
 
     def tip_circle(self, depth: float) -> TipCircle:
@@ -63,5 +67,5 @@ class DiscTool(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The disc, as the shape of the tool's mark."""
+        """The mark of the tool: the disc."""
         return Footprint("disc", radius=self.radius)

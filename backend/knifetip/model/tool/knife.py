@@ -48,7 +48,10 @@ class Knife(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start: one for a slanted or trailing blade, or both."""
+        """The ends at which a track may start, and the angle added to C at the end.
+
+        A slanted or trailing blade starts only at the start of a track, other blades at both ends.
+        """
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0
         return Reversal.ONE, 0.0
@@ -60,5 +63,5 @@ class Knife(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """A line; the tip of a drag knife is behind the axis of the head."""
+        """The mark of the knife: a line; the tip of a drag knife is behind the axis of the head."""
         return Footprint(behind=self.trail)

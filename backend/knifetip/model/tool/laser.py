@@ -23,7 +23,7 @@ class Laser(DiscTool):
     focus: float = 0.0  #: height of the focus above the board's top face (mm)
     lead: NotNegative = 0.0  #: length of the lead-in from the pierced hole (mm); 0: 1.5 r
     approach: float = 90.0  #: angle of the lead-in to the contour (degrees); 0: in line
-    dwell: NotNegative = 0.0  #: maximum contact with a corner before it burns (s); 0: no limit
+    dwell: NotNegative = 0.0  #: maximum time at a corner before the board burns (s); 0: no limit
     air: int = -1  #: digital output of the air assist; -1 for none
 
     @property
@@ -33,7 +33,7 @@ class Laser(DiscTool):
 
     @property
     def plunge(self) -> float:
-        """The feed (mm/min); a laser does not plunge, its head stays at the height of the focus."""
+        """Feed of the laser while it changes its height (mm/min), which is its feed in cuts."""
         return self.feed
 
     @property
@@ -58,15 +58,15 @@ class Laser(DiscTool):
 
     @property
     def footprint(self) -> Footprint:
-        """A disc as wide as the kerf, at any height of the focus."""
+        """The mark of the laser: a disc as wide as the kerf."""
         return Footprint("disc", radius=self.radius, any_height=True)
 
     def clearance(self, usual: float) -> float:
-        """Return the height of the focus above the board, kept between cuts (mm)."""
+        """Return the height of the focus above the board between cuts (mm), the same as in cuts."""
         del usual
         return self.focus
 
     def passes(self, through: float) -> F64:
-        """Return the depth of the focus for the only pass (mm)."""
+        """Return the depth of the only pass, (1,) (mm): minus the height of the focus."""
         del through
         return np.array([-self.focus])

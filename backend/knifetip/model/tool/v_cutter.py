@@ -27,12 +27,12 @@ class VCutter(Tool):
 
     @property
     def length(self) -> float:
-        """Length L of the blade from pivot to tip (mm): d = L sin θ."""
+        """Length of the blade from pivot to tip (mm): ``back`` / sin(``tilt``)."""
         return self.back / math.sin(math.radians(self.tilt))
 
     @property
     def slope(self) -> float:
-        """Sideways distance of the flank per mm of depth, tan θ."""
+        """Horizontal distance of the flank per mm of depth: tan(``tilt``)."""
         return math.tan(math.radians(self.tilt))
 
     def tip_circle(self, depth: float) -> TipCircle:
@@ -42,12 +42,15 @@ class VCutter(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start: both, as the flanks have no fixed order."""
+        """The ends at which a track may start, and the angle added to C at the end.
+
+        The V-cutter may start at both ends, because either flank can be cut first.
+        """
         return Reversal.SIDES, 0.0
 
     @property
     def footprint(self) -> Footprint:
-        """One flank of the groove, as the shape of the tool's mark."""
+        """The mark of the V-cutter: one flank of the groove."""
         return Footprint(
             "groove",
             slope=self.slope,
@@ -58,5 +61,5 @@ class VCutter(Tool):
 
     @property
     def derived(self) -> dict[str, float]:
-        """The length of the blade (mm), by its name."""
+        """The calculated dimension ``length``: length of the blade (mm)."""
         return {"length": self.length}
