@@ -84,7 +84,7 @@ class Compiled:
     toolpath: Toolpath
     program: Program
     verdict: Verdict
-    placement: tuple[float, float]  #: added to the drawing's coordinates on the sheet (mm)
+    placement: tuple[float, float]  #: offset of the drawing on the sheet (mm)
     seconds: float  #: estimated machine time with accelerations (s)
     seconds_retracted: float  #: machine time if the tool retracted fully for every turn (s)
 

@@ -86,7 +86,7 @@ def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal
     Parameters
     ----------
     now
-        Current time in seconds since 1970, to recognise expired sessions.
+        Current time in seconds since 1970; sessions that end before it are refused.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)

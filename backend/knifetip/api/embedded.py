@@ -58,7 +58,7 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """Access settings of the service: key and host names for requests from other computers."""
+    """Access settings of the service: the key for other computers, and accepted host names."""
 
     key: str = ""  #: without a key only this computer is served
     key_file: Path | None = None  #: created with a random key if it does not exist

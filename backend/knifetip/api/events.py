@@ -120,7 +120,7 @@ class Stream:
         Parameters
         ----------
         sent
-            Ids of jobs and drawings that have an event anyway.
+            Ids of jobs and drawings that already have an event and get no second one.
         """
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)

@@ -24,4 +24,4 @@ class Columns:
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
     row: I32  #: (n,) row of the import report
-    style: I32  #: (n,) index of the style
+    style: I32  #: (n,) index into the styles of the file

@@ -30,7 +30,7 @@ CUBIC: Final = 1
 ARC: Final = 2
 
 _SHARE: Final = 1.0 / 250_000.0
-#: Fraction of the tolerance within which an arc is a circle, and a curve is its chord.
+#: Fraction of the tolerance within which an arc counts as circular and a curve as straight.
 _ALIKE: Final = 0.01
 #: Curves that are fitted between two checks of the time limit.
 _BLOCK: Final = 4096

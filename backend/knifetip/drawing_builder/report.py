@@ -37,8 +37,8 @@ class ReportRows:
     dropped: dict[int, Message] = field(default_factory=dict)  #: reason for dropping, by row
     #: changes made to the entity, by row
     notes: dict[int, list[Message]] = field(default_factory=dict)
-    shared: list[SharedOutcome] = field(default_factory=list)  #: each row is in at most one
-    #: in file units, NaN where the location is unknown
+    shared: list[SharedOutcome] = field(default_factory=list)  #: each row is in at most one item
+    #: boxes of entities without edges in file units, NaN if the location is unknown
     location_boxes: list[LocationBoxes] = field(default_factory=list)
 
 

@@ -24,7 +24,7 @@ class Board:
     name: str
     title: str
     material: str  #: "greyboard", "corrugated" or "folding boxboard"
-    caliper: float  #: T (mm)
+    caliper: float  #: thickness T (mm)
     grain: float  #: azimuth of flute or grain on the sheet (degrees)
     crease_along: float  #: depth of a crease that runs along flute or grain (mm)
     crease_across: float  #: depth of a crease across flute or grain (mm)
@@ -32,11 +32,11 @@ class Board:
     groove_depth: float  #: depth of a V-groove below the top face (mm)
     groove_overcut: float  #: maximum overcut of the blade at the ends of a V-groove (mm)
     half_cut_depth: float  #: depth of a half cut below the top face (mm)
-    perforation: tuple[float, float]  #: length of cut and of gap (mm)
+    perforation: tuple[float, float]  #: length of a cut and of a gap (mm)
     short_crease: str  #: "press" a too short crease in place, or "refuse" it
     bridge_width: float = 0.0  #: width of a bridge (nick) (mm); 0 for no bridges
     bridge_spacing: float = 0.0  #: maximum distance of bridges along an outer cut (mm)
     double_crease: float = 0.0  #: distance of the two parallel creases (mm); 0: single
     groove_pass: float = 0.0  #: maximum depth of one pass of a V-groove (mm); 0: no limit
     groove_curve: float = 0.0  #: maximum chord error of a curved groove (mm); 0: refused
-    deflection: tuple[Deflection, ...] = ()  #: of the cutters measured in this board
+    deflection: tuple[Deflection, ...] = ()  #: deflection of each cutter measured in this board

@@ -56,8 +56,8 @@ class Stretches:
     row: I32  #: (q,) row in the drawn dieline
     begin: F64  #: (q,) start of the stretch, 0 … 1 of the edge's length
     end: F64  #: (q,) end of the stretch, 0 … 1 of the edge's length
-    cleaned: I32  #: (q,) row of the cleaned edge that covers it; -1 if dropped
-    given: Bool  #: (q,) whether another drawn edge covers it, too
+    cleaned: I32  #: (q,) row of the cleaned edge that covers the stretch; -1 if dropped
+    given: Bool  #: (q,) whether the cleaned edge belongs to another drawn edge
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -86,7 +86,7 @@ class Cleaned:
     """
 
     dieline: Dieline
-    of: I32  #: (n,) row of the cleaned edge that covers most of it; -1 if dropped
+    of: I32  #: (n,) row of the cleaned edge that covers most of the drawn edge; -1 if dropped
     outcome: U8  #: (n,) ImportOutcome
     reason: U8  #: (n,) CleaningReason
     kept: F64  #: (n,) length that is machined for the edge (mm)
@@ -94,7 +94,7 @@ class Cleaned:
     dropped: F64  #: (n,) length that is too short to be machined (mm)
     added: F64  #: (n,) length added by closing gaps and fitting curves (mm)
     moved: F64  #: (n,) maximum distance by which an end was moved (mm)
-    off: F64  #: (n,) maximum distance from the cleaned edge that covers it (mm)
+    off: F64  #: (n,) maximum distance of the drawn edge from the cleaned edges that cover it (mm)
     stretches: Stretches
 
     def __post_init__(self) -> None:

@@ -21,7 +21,7 @@ class CornerAt:
     x: float  #: mm
     y: float  #: mm
     type: str  #: one of ``TYPES``
-    k: float | None = None  #: parameter of type D; None: as the operation
+    k: float | None = None  #: parameter of type D; None: the parameter of the job
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Corners:
     type: str = "auto"  #: one of ``TYPES``
     k: float = 0.5  #: parameter of type D, from 0 (like B) to 1 (like C)
     interference: str = "trim"  #: one of ``INTERFERENCES``
-    at: tuple[CornerAt, ...] = ()  #: corners whose type differs
+    at: tuple[CornerAt, ...] = ()  #: corners with a type of their own
     placement: tuple[float, float] = (0.0, 0.0)  #: offset of the drawing on the sheet (mm)
 
     def as_json(self) -> dict[str, Any]:

@@ -55,12 +55,12 @@ class Dieline:
     rule: I32  #: (n,) index into ``rules``; -1 for no rule
     confidence: F64  #: (n,) confidence in the line type, 0 … 1
     rules: tuple[Message, ...]  #: reasons for line types, such as ``layer "FOLDS"``
-    #: for each of ``rules`` the other possible line types, most likely first
+    #: for each item of ``rules`` the other possible line types, most likely first
     alternatives: tuple[tuple[LineType, ...], ...] = ()
     #: (n, 2) faces on the left and on the right of the longest piece of each edge, -1 for the
     #: outside of all contours; -1 on both sides if the edge is in no part or has no length
     face: I32 = field(default_factory=lambda: np.zeros((0, 2), np.int32))
-    #: (n,) number that is equal for the edges of one blank and all that lies in it, -1 for none
+    #: (n,) number that is equal for the edges of one blank and all edges inside it, -1 for none
     part: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:

@@ -52,9 +52,11 @@ class ImportReport:
     layer: Sequence[str]  #: (m,) layer name as in the file
     outcome: U8  #: (m,) ImportOutcome
     reason: Sequence[Message]  #: (m,) reason for the outcome
-    length: F64  #: (m,) length of its edges (mm; file units if the unit is unknown)
-    block: Sequence[str] = ()  #: (m,) name of its block, "" for none; () if unknown
-    location_boxes: LocationBoxes = NO_BOXES  #: of entities without edges
+    length: F64  #: (m,) length of the edges of the entity (mm; file units if the unit is unknown)
+    block: Sequence[
+        str
+    ] = ()  #: (m,) name of the block that contains the entity, "" for none; () if unknown
+    location_boxes: LocationBoxes = NO_BOXES  #: boxes of entities without edges
 
     def __post_init__(self) -> None:
         rows = len(self.handle)
@@ -105,7 +107,7 @@ class Drawing:
 
     ends: F64  #: (n, 2, 2) mm; in file units while ``unit`` is empty
     bulge: F64  #: (n,) tan(sweep / 4), |bulge| ≤ 1
-    entity: I32  #: (n,) row of its entity in ``import_report``
+    entity: I32  #: (n,) row of the entity of each edge in ``import_report``
     layer: I32  #: (n,) index into ``layers``
     colour: I32  #: (n,) AutoCAD colour index 1 … 255, BYLAYER and BYBLOCK resolved
     true_colour: I32  #: (n,) 0xRRGGBB, -1 if the entity has none

@@ -21,12 +21,12 @@ class Interpretation:
     All fields are plain values, so that it can be stored and sent to another process.
     """
 
-    unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" leaves it to the file
+    unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" for the unit of the file
     profile: str = "default"  #: name of the classification profile
     rules: str = ""  #: TOML text of a customer's profile; "" for a profile of the library
-    #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" where no edge is overridden
+    #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" if no edge is overridden
     overrides: bytes = b""
-    corners: Corners | None = None  #: how a cutter goes round corners; None: the machine's choice
+    corners: Corners | None = None  #: corner types; None: the fastest on the machine
 
     @property
     def override_column(self) -> U8 | None:

@@ -9,8 +9,8 @@ from typing import Final
 from knifetip.errors import NoSuchUnit
 from knifetip.messages import Message
 
-#: Millimetres in one unit: the five that headers state, then points and pixels, which programs for
-#: page layout write without stating it.
+#: Millimetres in one unit.  File headers state only the first five units; page layout programs
+#: write points or pixels without a statement.
 MILLIMETRES: Final[Mapping[str, float]] = {
     "mm": 1.0,
     "cm": 10.0,

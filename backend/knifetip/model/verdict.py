@@ -100,7 +100,9 @@ class Verdict:
     flank: F64 = field(default_factory=_none)  #: (n,) maximum deviation of the flanks (mm)
     unreached: F64 = field(default_factory=_none)  #: (n,) length no cutter can reach (mm)
     bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
-    top_overcut: F64 = field(default_factory=_none)  #: (n,) cut past the ends in the top face (mm)
+    top_overcut: F64 = field(
+        default_factory=_none
+    )  #: (n,) cut beyond the ends in the top face (mm)
     #: (n,) maximum distance by which cleaning moved the edge (mm)
     tidied: F64 = field(default_factory=_none)
     samples: Samples = field(default_factory=lambda: Samples())

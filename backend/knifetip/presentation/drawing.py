@@ -59,9 +59,9 @@ def classified_json(
 
 
 def _unit_finding(drawing: Drawing) -> dict[str, Any]:
-    """Return as JSON data the unit that the file states, and the evidence for each unit.
+    """Return the evidence for the unit of a drawing as JSON data.
 
-    The units are ranked, the most likely first.
+    It has the unit that the file states, all units ranked by likelihood, and the observations.
     """
     from knifetip.units.evidence import find_unit
 

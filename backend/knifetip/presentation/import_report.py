@@ -16,7 +16,7 @@ from knifetip.messages import Message, printable
 from knifetip.model.drawing import Annotation, Drawing, ImportOutcome
 
 _OUTCOMES = {outcome.value: outcome.name.lower() for outcome in ImportOutcome}
-#: Cached, because kinds, layers and reasons repeat.
+#: Cached, because the texts of kinds, layers and reasons repeat.
 _printable = lru_cache(maxsize=4096)(printable)
 _as_json = lru_cache(maxsize=4096)(Message.as_json)
 

@@ -107,8 +107,8 @@ def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
 def areas_json(areas: Unreached) -> list[dict[str, Any]]:
     """Return the areas that no cutter reaches as JSON data, largest first.
 
-    Each has its ``area`` (mm²), its centre ``x``, ``y`` (the mean of the vertices, mm) and its
-    ``outline``: a list of [start, end, bulge], one for each line or arc.
+    Each has its ``area`` (mm²), its centre ``x``, ``y`` (mean of the vertices, mm) and its
+    ``outline``: a list of [start, end, bulge] with one item for each line or arc.
     """
     ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
     rows = []

@@ -91,9 +91,9 @@ class Tool(ABC):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends of a track at which the tool may start, and an angle (degrees).
+        """The ends at which a track may start, and the angle added to C at the end (degrees).
 
-        The angle is added to C if the tool starts at the end of the track.
+        Which ends these are depends on whether the tool also processes a track in reverse.
         """
         return Reversal.ONE, 0.0
 
