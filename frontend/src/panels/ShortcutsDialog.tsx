@@ -43,7 +43,13 @@ export function ShortcutsDialog() {
       size="lg"
       centered
     >
-      <div style={{ display: "grid", gridTemplateColumns: "1fr 1fr", gap: 28 }}>
+      <div
+        style={{
+          display: "grid",
+          gridTemplateColumns: "repeat(auto-fit, minmax(min(260px, 100%), 1fr))",
+          gap: 28,
+        }}
+      >
         <Keys rows={KEYS} />
         <div style={{ display: "grid", gap: 20, alignContent: "start" }}>
           <Keys rows={MOUSE} />

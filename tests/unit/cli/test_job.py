@@ -29,7 +29,7 @@ JOB = {
         "code": "waiting.for-start",
         "arguments": {
             "machine": "Demo table",
-            "board": {"code": "board.not-in-library", "arguments": {"name": "e-flute"}},
+            "board": "E-flute 1.6 mm",
             "tools": None,
         },
         "text": "not used",
@@ -96,8 +96,8 @@ def test_list_prints_the_field_waiting_for_of_each_job(
 
 def test_show_prints_reason_hint_and_tools(knifetip: Command, fake_server: FakeServer) -> None:
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url + "/")
-    assert "table clear, board e-flute" in out
-    assert "Confirm to start." in out
+    assert "table clear, board 'E-flute 1.6 mm'" in out
+    assert "Check the table, then confirm to start." in out
     assert "actions: confirm, cancel" in out
     assert "Oscillating knife (station 1)" in out
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url, "--json")
