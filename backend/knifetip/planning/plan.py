@@ -69,7 +69,8 @@ def plan(
     machine, board
         Machine that makes the dieline, and the board on its table.
     corners
-        How a milling cutter goes round corners; None for the fastest way on this machine.
+        How a milling cutter goes round corners; None for the type of corner that is fastest on this
+        machine.
 
     Raises
     ------

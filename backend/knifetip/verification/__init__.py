@@ -1,23 +1,23 @@
-"""Verify a program: read its bytes back and compare the tool's work with the drawn edges.
+"""Verify a program: parse its bytes and compare the paths of the tools with the drawn edges.
 
 Sub-packages and modules, in the order in which they are used:
 
     reading       converts program bytes to moves of the machine's joints; one reader per language
     kinematics    computes the poses of the tool tip from the moves, and its paths in the board
-    expectation   derives from edges, board and tools what must be worked, how deep and how far
+    expectation   derives the required paths, depths and limits from edges, board and tools
     checks        compares the paths with the expectation; adds findings and figures
-    curves        lines, arcs and their overlaps, which all of the above use
+    curves        lines, arcs and their overlaps, used by all the other modules
 
 This package shares no calculation with the stages that make a program: it imports nothing from
-``geometry`` or from those stages, so that an error there is not repeated here.
+``geometry`` or from those stages, so that an error in them is not repeated here.
 
-Where each kind of finding is made (modules of ``checks`` where no package is named):
+The modules that add each kind of finding (in ``checks`` unless another package is named):
 
 ==========  ========================================================================
 kind        modules
 ==========  ========================================================================
 program     readers in ``reading``, ``output_checks`` (unset outputs, early switching),
-            ``motion_checks`` (outputs while working, unknown positions), ``verify``
+            ``motion_checks`` (outputs in the board, unknown positions), ``verify``
             (placement)
 travel      ``motion_checks``
 feed        ``motion_checks``

@@ -69,8 +69,8 @@ def verify(
     Raises
     ------
     ProgramUnreadable
-        The text is not of type bytes, is too large, or the machine's file lacks what its reader
-        needs.
+        The text is not of type bytes or is too large, or the machine's file lacks an entry that
+        the reader needs.
     ProgramError
         The tolerance is not a positive, finite number.
     GeometryError

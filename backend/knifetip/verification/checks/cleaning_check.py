@@ -54,7 +54,8 @@ _REPLACES: Final[dict[LineType, tuple[LineType, ...]]] = {
 
 
 def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
-    """Return findings where a cleaned dieline differs from the drawn edges, at most fifty.
+    """Return the differences between a cleaned dieline and the drawn edges as findings, at most
+    fifty.
 
     ``drawn`` is the dieline before cleaning.
     """
@@ -185,12 +186,14 @@ def _check_added_work(
 
     Parameters
     ----------
+    after
+        Dieline after cleaning.
     target : (q,)
         Cleaned edge of each drawn stretch.
     along : (q, 2)
         Start and end of each stretch as fractions of the cleaned edge.
     report
-        Called with the drawn edge, the measure (mm) and the message of each fault.
+        Function that is called with the drawn edge, the measure (mm) and the message of each fault.
     """
     length = _edge_lengths(after.ends, after.bulge)
     worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))

@@ -109,7 +109,7 @@ class GrooveCheck(StationCheck):
         return boundary
 
     def _deepest_passes(self, overlaps: Overlaps) -> Bool:
-        """Return the mask of the overlaps that belong to the deepest pass on their edge in their
+        """Return the mask of the overlaps that belong to the deepest pass on an edge in one
         direction.
 
         Adds a finding for each pass that is shallower than the pass before it.

@@ -162,8 +162,8 @@ class KnifeCheck(StationCheck):
         """Return the mask of the tracks that follow given edges over more than half of their
         length.
 
-        ``some`` is the mask of these edges, (n,); ``overlaps`` are those of the tip paths with all
-        edges.
+        ``overlaps`` are the overlaps of the tip paths with all edges; ``some`` is the mask of the
+        given edges, (n,).
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)

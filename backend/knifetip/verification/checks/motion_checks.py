@@ -289,7 +289,8 @@ def _check_turns(
 def nominal_seconds(moves: Moves, machine: Machine) -> float:
     """Return the nominal duration of a program (s), without acceleration.
 
-    It is the sum of length / feed of feed moves, of rapids at the axes' velocities, and of dwells.
+    It is the sum of the durations of feed moves (length / feed), of rapids at the axes' greatest
+    velocities, and of dwells.
     """
     length = move_lengths(moves)
     velocity = np.array([getattr(machine, axis).velocity for axis in "xyzc"])

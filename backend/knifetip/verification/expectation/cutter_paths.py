@@ -29,14 +29,14 @@ class CutterPaths:
     place: F64  #: (k, 2) mm, positions on the edge of both ends of the piece
 
     def edge_intervals(self, piece: I32, place: F64) -> tuple[F64, F64]:
-        """Convert stretches of these curves to stretches of the edges beside them.
+        """Convert stretches of the curves to stretches of the edges beside the curves.
 
         Parameters
         ----------
         piece : (n,)
-            Indices of the curves.
+            Index of the curve of each stretch.
         place : (n, 2) mm
-            Two positions on each curve.
+            Two positions on that curve: the ends of the stretch.
 
         Returns
         -------

@@ -92,13 +92,16 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
 
 @kernel(checks_division=True)
-def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
-    """Scan the bytes of a program once; a line with a fault keeps its valid words.
+def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
+    """Scan the bytes of a program once, and return its words and faults.
+
+    A line of more than ``longest`` bytes is a fault, and so is a number of more than ``greatest``.
+    A line with a fault keeps its valid words.
 
     Returns
     -------
-    Program line, letter and value of each word, (n,) each; program line, fault code and wrong
-    byte of each fault, (k, 3); and the number of lines.
+    Program line, letter and value of each word, (n,) each; program line, fault code and wrong byte
+    of each fault, (k, 3); and the number of lines.
     """
     letters = 0
     for byte in raw:
@@ -166,7 +169,7 @@ def _scan_words(raw: U8_1, longest: int, farthest: float) -> Any:
                 code = 4
             elif digits > 15:
                 code = 5
-            elif value > farthest:
+            elif value > greatest:
                 code = 7
             else:
                 line_of[words] = line
