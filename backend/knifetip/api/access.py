@@ -148,7 +148,7 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Return a refusal if a request of another computer has no key and no session, or None."""
+    """Return a refusal if another computer's request has no key and no session, otherwise None."""
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
     is_local = is_loopback(facts.peer or "")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from fastapi.responses import StreamingResponse
@@ -33,6 +33,7 @@ from knifetip.api.schemas.drawings import (
 from knifetip.api.service import (
     BINARY,
     Cursor,
+    DataFormat,
     IdempotencyKey,
     Limit,
     ServiceDep,
@@ -62,8 +63,10 @@ def upload_drawing(
     service: ServiceDep,
     response: Response,
     file: UploadFile,
-    unit: Annotated[Unit | None, Form()] = None,
-    profile: Annotated[str, Form(max_length=200)] = "default",
+    unit: Annotated[Unit | None, Form(description="Overrides the unit of the file")] = None,
+    profile: Annotated[
+        str, Form(max_length=200, description="Name of a classification profile")
+    ] = "default",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
     """Upload a DXF, CF2, SVG or PDF file, detected by content; read and classify it."""
@@ -133,7 +136,7 @@ def get_edges(
     service: ServiceDep,
     request: Request,
     id: str,
-    format: Annotated[Literal["json", "columns"], Query()] = "json",
+    format: DataFormat = "json",
 ) -> Response:
     """List the edges of a drawing, as JSON or as binary columns (``format=columns``)."""
     row = service.store.drawings.get_with(id, "edges")
@@ -163,7 +166,11 @@ def override_edges(
 
 @router.get("/{id}/import-report")
 def get_import_report(
-    service: ServiceDep, id: str, outcome: OutcomeWord | None = None
+    service: ServiceDep,
+    id: str,
+    outcome: Annotated[
+        OutcomeWord | None, Query(description="List only entities with this outcome")
+    ] = None,
 ) -> ImportReportOut:
     """Get the import report: all entities of the file, or only the entities with one outcome."""
     row = service.store.drawings.get_with(id, "import_report")

@@ -200,8 +200,12 @@ def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent
 @router.get("/events", response_class=EventSourceResponse)
 async def get_events(
     request: Request,
-    last: Annotated[str | None, Header(alias="Last-Event-ID")] = None,
-    after: Annotated[int | None, Query(ge=0, le=2**53)] = None,
+    last: Annotated[
+        str | None, Header(alias="Last-Event-ID", description="Id of the last received event")
+    ] = None,
+    after: Annotated[
+        int | None, Query(ge=0, le=2**53, description="Event id in place of the header")
+    ] = None,
 ) -> AsyncIterator[ServerSentEvent]:
     """Stream changes of jobs and drawings as server-sent events."""
     stream: Stream = request.app.state.stream

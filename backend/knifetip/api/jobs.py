@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
@@ -24,6 +24,7 @@ from knifetip.api.schemas.jobs import (
 from knifetip.api.service import (
     BINARY,
     Cursor,
+    DataFormat,
     IdempotencyKey,
     Limit,
     Service,
@@ -114,7 +115,10 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
 def list_jobs(
     service: ServiceDep,
     response: Response,
-    state: Annotated[list[JobState] | None, Query()] = None,
+    state: Annotated[
+        list[JobState] | None,
+        Query(description="List only jobs in this state; may be repeated"),
+    ] = None,
     cursor: Cursor = None,
     limit: Limit = 100,
 ) -> list[JobOut]:
@@ -167,7 +171,7 @@ def get_verdict(
     service: ServiceDep,
     request: Request,
     id: str,
-    format: Annotated[Literal["json", "columns"], Query()] = "json",
+    format: DataFormat = "json",
 ) -> Response:
     """Get the verdict with measurements for each edge, as JSON or as binary columns."""
     row = service.store.jobs.get(id)

@@ -8,7 +8,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
 from fastapi import Depends, Header, Query, Request, Response
 
@@ -91,7 +91,15 @@ IdempotencyKey = Annotated[
 Cursor = Annotated[
     int | None, Query(ge=0, le=2**31 - 1, description="Position in the list, from the Link header")
 ]
-Limit = Annotated[int, Query(ge=1, le=500)]
+Limit = Annotated[int, Query(ge=1, le=500, description="Maximum length of the list")]
+DataFormat = Annotated[
+    Literal["json", "columns"],
+    Query(
+        description="`columns` for arrays in one block of bytes: KTIP, the length of the header "
+        "(uint32, little-endian), the header (JSON with name, dtype, shape and offset of each "
+        "array), and the arrays"
+    ),
+]
 BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}
 
 

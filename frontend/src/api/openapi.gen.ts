@@ -895,10 +895,14 @@ export interface components {
         Body_upload_drawing: {
             /** File */
             file: string;
-            /** Unit */
+            /**
+             * Unit
+             * @description Overrides the unit of the file
+             */
             unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Profile
+             * @description Name of a classification profile
              * @default default
              */
             profile: string;
@@ -1156,6 +1160,7 @@ export interface components {
             outcome: "kept" | "merged" | "dropped";
             /**
              * Reason
+             * @description moved: an end was moved. shortened: a part lies on other edges. longer: other edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: the edge became part of a fitted line or arc. twice: the edge lies on other edges. speck: the edge is too short to be machined
              * @enum {string}
              */
             reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
@@ -1701,6 +1706,7 @@ export interface components {
         Health: {
             /**
              * Status
+             * @description ok if all checks are ok
              * @enum {string}
              */
             status: "ok" | "starting";
@@ -1708,6 +1714,7 @@ export interface components {
             version: string;
             /**
              * Checks
+             * @description State of the database and of the worker processes: ok or the fault
              * @default {}
              */
             checks: {
@@ -1990,11 +1997,20 @@ export interface components {
             machine: string;
             /** Board */
             board: string;
-            /** Profile */
+            /**
+             * Profile
+             * @description Classification profile of the job
+             */
             profile: string;
-            /** Copies */
+            /**
+             * Copies
+             * @description Number of sheets to make
+             */
             copies: number;
-            /** Copies Done */
+            /**
+             * Copies Done
+             * @description Number of completed sheets
+             */
             copies_done: number;
             /** Priority */
             priority: number;
@@ -2062,12 +2078,14 @@ export interface components {
              * @description Estimated time until the present copy ends (s); null if it is unknown
              */
             seconds_left: number | null;
+            /** @description Corner types of the job; null for the fastest types */
             corners: components["schemas"]["Corners"] | null;
             /**
              * Program Sha256
              * @description SHA-256 of the program; empty before the job is compiled
              */
             program_sha256: string;
+            /** @description Null before the program is verified */
             verdict: components["schemas"]["VerdictSummary"] | null;
             /**
              * Mend
@@ -2337,14 +2355,20 @@ export interface components {
          * @description The effect that a profile would have on a drawing.
          */
         PreviewOut: {
-            /** Rules */
+            /**
+             * Rules
+             * @description Rules of the profile, with the edges that they match
+             */
             rules: components["schemas"]["PreviewRule"][];
             /**
              * Open
              * @description Number of edges that no rule matches
              */
             open: number;
-            /** Changes */
+            /**
+             * Changes
+             * @description Edges whose line type would change
+             */
             changes: components["schemas"]["ChangeOut"][];
         };
         /**
@@ -2361,26 +2385,31 @@ export interface components {
             conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
+             * @description Patterns for the layer name
              * @default []
              */
             layer: string[];
             /**
              * Colour
+             * @description AutoCAD colour indices, or #rrggbb
              * @default []
              */
             colour: (number | string)[];
             /**
              * Linetype
+             * @description Patterns for the linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
+             * @description Patterns for the kind of entity, such as LINE or ARC
              * @default []
              */
             entity: string[];
             /**
              * Block
+             * @description Patterns for the name of the block that contains the entity
              * @default []
              */
             block: string[];
@@ -2442,10 +2471,14 @@ export interface components {
              * @default false
              */
             shipped: boolean;
-            /** Extends */
+            /**
+             * Extends
+             * @description Profile of the library whose rules also apply; null for none
+             */
             extends?: string | null;
             /**
              * Overrules
+             * @description Whether the own rules come before those of the extended profile
              * @default false
              */
             overrules: boolean;
@@ -2457,10 +2490,14 @@ export interface components {
             version: number;
             /**
              * Updated
+             * @description Time of the last change; 0 in the library
              * @default 0
              */
             updated: number;
-            /** Rules */
+            /**
+             * Rules
+             * @description Rules in the order in which they are tried
+             */
             rules: components["schemas"]["RuleOut"][];
             /**
              * Fault
@@ -2607,6 +2644,7 @@ export interface components {
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * Layer
+             * @description Patterns for the layer name
              * @default []
              */
             layer: string[];
@@ -2618,16 +2656,19 @@ export interface components {
             colour: (number | string)[];
             /**
              * Linetype
+             * @description Patterns for the linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
+             * @description Patterns for the kind of entity, such as LINE or ARC
              * @default []
              */
             entity: string[];
             /**
              * Block
+             * @description Patterns for the name of the block that contains the entity
              * @default []
              */
             block: string[];
@@ -2646,26 +2687,31 @@ export interface components {
             conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
+             * @description Patterns for the layer name
              * @default []
              */
             layer: string[];
             /**
              * Colour
+             * @description AutoCAD colour indices, or #rrggbb
              * @default []
              */
             colour: (number | string)[];
             /**
              * Linetype
+             * @description Patterns for the linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
+             * @description Patterns for the kind of entity, such as LINE or ARC
              * @default []
              */
             entity: string[];
             /**
              * Block
+             * @description Patterns for the name of the block that contains the entity
              * @default []
              */
             block: string[];
@@ -8434,6 +8480,7 @@ export interface operations {
             query?: {
                 /** @description Position in the list, from the Link header */
                 cursor?: number | null;
+                /** @description Maximum length of the list */
                 limit?: number;
             };
             header?: never;
@@ -8609,6 +8656,7 @@ export interface operations {
     get_edges: {
         parameters: {
             query?: {
+                /** @description `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
             header?: never;
@@ -8688,6 +8736,7 @@ export interface operations {
     get_import_report: {
         parameters: {
             query?: {
+                /** @description List only entities with this outcome */
                 outcome?: ("kept" | "merged" | "dropped") | null;
             };
             header?: never;
@@ -8783,9 +8832,11 @@ export interface operations {
     list_jobs: {
         parameters: {
             query?: {
+                /** @description List only jobs in this state; may be repeated */
                 state?: ("received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled")[] | null;
                 /** @description Position in the list, from the Link header */
                 cursor?: number | null;
+                /** @description Maximum length of the list */
                 limit?: number;
             };
             header?: never;
@@ -8946,6 +8997,7 @@ export interface operations {
     get_verdict: {
         parameters: {
             query?: {
+                /** @description `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
             header?: never;
@@ -9263,9 +9315,11 @@ export interface operations {
     get_events: {
         parameters: {
             query?: {
+                /** @description Event id in place of the header */
                 after?: number | null;
             };
             header?: {
+                /** @description Id of the last received event */
                 "Last-Event-ID"?: string | null;
             };
             path?: never;

@@ -65,6 +65,8 @@ class ServiceOut(BaseModel):
 class Health(BaseModel):
     """State of the server: whether it runs and can process requests."""
 
-    status: Literal["ok", "starting"]
+    status: Literal["ok", "starting"] = Field(description="ok if all checks are ok")
     version: str
-    checks: dict[str, str] = {}
+    checks: dict[str, str] = Field(
+        default={}, description="State of the database and of the worker processes: ok or the fault"
+    )

@@ -94,7 +94,12 @@ class CleaningRow(MessageOut):
     row: int = Field(description="Row of the edge in the drawing")
     handle: str
     outcome: OutcomeWord
-    reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"]
+    reason: Literal["moved", "shortened", "longer", "joined", "fitted", "twice", "speck"] = Field(
+        description="moved: an end was moved. shortened: a part lies on other edges. longer: other "
+        "edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: "
+        "the edge became part of a fitted line or arc. twice: the edge lies on other edges. "
+        "speck: the edge is too short to be machined"
+    )
     into: int = Field(description="Row of the edge that is machined instead; -1 for none")
     kept: float = Field(description="Length that is machined for the edge (mm)")
     merged: float = Field(description="Length that lies on other edges, which are machined (mm)")

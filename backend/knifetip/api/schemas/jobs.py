@@ -143,9 +143,9 @@ class JobOut(BaseModel):
     drawing_name: str
     machine: str
     board: str
-    profile: str
-    copies: int
-    copies_done: int
+    profile: str = Field(description="Classification profile of the job")
+    copies: int = Field(description="Number of sheets to make")
+    copies_done: int = Field(description="Number of completed sheets")
     priority: int
     created: float
     updated: float
@@ -178,11 +178,13 @@ class JobOut(BaseModel):
     seconds_left: float | None = Field(
         description="Estimated time until the present copy ends (s); null if it is unknown"
     )
-    corners: Corners | None
+    corners: Corners | None = Field(
+        description="Corner types of the job; null for the fastest types"
+    )
     program_sha256: str = Field(
         description="SHA-256 of the program; empty before the job is compiled"
     )
-    verdict: VerdictSummary | None
+    verdict: VerdictSummary | None = Field(description="Null before the program is verified")
 
     @computed_field(  # type: ignore[prop-decorator]
         description="Former name of hint", json_schema_extra={"deprecated": True}

@@ -22,11 +22,15 @@ class RuleIn(Strict):
     """
 
     type: LineTypeWord
-    layer: Patterns = Field(default=[])
+    layer: Patterns = Field(default=[], description="Patterns for the layer name")
     colour: Colours = Field(default=[])
-    linetype: Patterns = Field(default=[])
-    entity: Patterns = Field(default=[])
-    block: Patterns = Field(default=[])
+    linetype: Patterns = Field(default=[], description="Patterns for the linetype")
+    entity: Patterns = Field(
+        default=[], description="Patterns for the kind of entity, such as LINE or ARC"
+    )
+    block: Patterns = Field(
+        default=[], description="Patterns for the name of the block that contains the entity"
+    )
 
 
 class ProfileIn(Strict):
@@ -50,11 +54,15 @@ class RuleOut(BaseModel):
 
     type: LineTypeWord
     conditions: MessageOut = Field(description="Conditions that an edge must fulfil")
-    layer: list[str] = []
-    colour: list[int | str] = []
-    linetype: list[str] = []
-    entity: list[str] = []
-    block: list[str] = []
+    layer: list[str] = Field(default=[], description="Patterns for the layer name")
+    colour: list[int | str] = Field(default=[], description="AutoCAD colour indices, or #rrggbb")
+    linetype: list[str] = Field(default=[], description="Patterns for the linetype")
+    entity: list[str] = Field(
+        default=[], description="Patterns for the kind of entity, such as LINE or ARC"
+    )
+    block: list[str] = Field(
+        default=[], description="Patterns for the name of the block that contains the entity"
+    )
     inherited: bool = Field(
         default=False, description="Whether the rule comes from the extended profile"
     )
@@ -68,11 +76,15 @@ class ProfileOut(BaseModel):
     shipped: bool = Field(
         default=False, description="Part of knifetip's library; cannot be changed"
     )
-    extends: str | None = None
-    overrules: bool = False
+    extends: str | None = Field(
+        default=None, description="Profile of the library whose rules also apply; null for none"
+    )
+    overrules: bool = Field(
+        default=False, description="Whether the own rules come before those of the extended profile"
+    )
     version: int = Field(default=0, description="Increases with each change; 0 in the library")
-    updated: float = 0.0
-    rules: list[RuleOut]
+    updated: float = Field(default=0.0, description="Time of the last change; 0 in the library")
+    rules: list[RuleOut] = Field(description="Rules in the order in which they are tried")
     fault: str = Field(
         default="", description="Reason why the profile cannot be used any more; empty if it can"
     )
@@ -96,9 +108,11 @@ class PreviewRule(RuleOut):
 class PreviewOut(BaseModel):
     """The effect that a profile would have on a drawing."""
 
-    rules: list[PreviewRule]
+    rules: list[PreviewRule] = Field(
+        description="Rules of the profile, with the edges that they match"
+    )
     open: int = Field(description="Number of edges that no rule matches")
-    changes: list[ChangeOut]
+    changes: list[ChangeOut] = Field(description="Edges whose line type would change")
 
 
 class ProposalOut(BaseModel):
