@@ -2932,10 +2932,10 @@ export interface components {
          * VerdictOut
          * @description A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
          *
-         *     ``format=columns`` also contains samples of the deviation and outlines of unreached areas.  The
-         *     samples are ``sample_edge``, ``sample_place`` (position along the edge, 0 … 1) and
-         *     ``sample_deviation`` (mm, positive to the left).  The outlines are ``area_ends``,
-         *     ``area_bulge``, ``area_first`` and ``area_size``.
+         *     ``format=columns`` also contains samples of the deviation: ``sample_edge``, ``sample_place``
+         *     (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  It has
+         *     the outlines of ``areas`` as ``area_ends``, ``area_bulge``, ``area_first`` (first row of each
+         *     outline) and ``area_size`` (mm²).
          */
         VerdictOut: {
             /**
