@@ -58,7 +58,7 @@ export function CornersForm() {
       <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
       {hasSize && (
         <SizeSlider
-          label="Sharpness of the blend (0: arc, 1: stop)"
+          label="Blend (0: like arc, 1: like stop)"
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
@@ -132,7 +132,7 @@ function SingleCorners() {
           </div>
           {one.type === "D" && (
             <SizeSlider
-              label="Sharpness of the blend (0: arc, 1: stop)"
+              label="Blend (0: like arc, 1: like stop)"
               value={one.k ?? corners.k}
               onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />
@@ -152,7 +152,7 @@ interface SizeSliderProps {
 function SizeSlider({ label, value, onChange }: SizeSliderProps) {
   return (
     <div className={cornerCss.cornerRow}>
-      <span style={{ whiteSpace: "nowrap" }}>{label}</span>
+      <span>{label}</span>
       <Slider
         style={{ flex: 1 }}
         size="sm"
