@@ -1,5 +1,6 @@
-"""Classification finds the line type of each edge, with the reason, and asks where it is uncertain.
+"""Classification: find the line type of each edge of a drawing, with the reason.
 
-The package ``shape`` computes features from geometry alone, ``decision`` combines them with profile
-rules, names and colours, and ``vocabulary`` has the words of names.  Callers use ``classify``.
+Uncertain edges stay unclassified and become questions to the user.  The package ``shape`` computes
+features from geometry alone, ``decision`` combines them with profile rules, names and colours, and
+``vocabulary`` contains the words of names.  Callers use the module ``classify``.
 """

@@ -108,7 +108,7 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """The decisions about n edges; later steps of the classification write to its columns."""
+    """The decisions about n edges, which later steps of the classification change."""
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
     guess: U8  #: (n,) LineType of the best guess
@@ -118,25 +118,28 @@ class _EdgeDecisions:
 
 
 def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
-    """Return the decisions about n edges; edges with equal keys, (n,), get the same decision."""
+    """Return the decisions about n edges.
+
+    Edges with equal decision keys, ``keys`` (n,), get the same decision.
+    """
     first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
     kinds = np.array([decision.kind for decision in decisions], np.uint8)
-    asked = np.array([decision.asked for decision in decisions], np.bool_)
+    undecided = np.array([decision.needs_answer for decision in decisions], np.bool_)
     confidence = np.array([decision.confidence for decision in decisions])
     reasons = _Reasons()
     index = np.zeros(len(first), np.int32)
     for number, decision in enumerate(decisions):
         others = decision.others
-        if decision.asked and decision.kind != LineType.UNCLASSIFIED:
+        if decision.needs_answer and decision.kind != LineType.UNCLASSIFIED:
             others = (decision.kind, *others)
         index[number] = reasons.row_of(decision.reason, others)
-    decided = np.where(asked, LineType.UNCLASSIFIED, kinds).astype(np.uint8)
+    decided = np.where(undecided, LineType.UNCLASSIFIED, kinds).astype(np.uint8)
     return _EdgeDecisions(decided[row], kinds[row], confidence[row], index[row], reasons)
 
 
 def _decide(classifier: Classifier, key: int) -> Decision:
-    """Return the decision for a key, which is a number for a style, a role and flags."""
+    """Return the decision for a decision key, a number that combines style, role and flags."""
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))
     decision = classifier.decide(style, Role(role), must_fold=bool(flags & MUST_FOLD))
@@ -157,7 +160,8 @@ def _restore_folds_on_cuts(
 ) -> None:
     """Give unclassified folds that coincide with a cut the line type of their profile rule.
 
-    Cleaning merges such a fold with the cut, so that no question is needed.  Writes to ``edges``.
+    Cleaning merges such a fold with the cut, so that no question is needed.  Writes to the columns
+    of ``edges``.
     """
     styles, matches = classifier.styles, classifier.matches
     on_edge = features.coincident
@@ -178,9 +182,9 @@ def _restore_folds_on_cuts(
 def _withdraw_contradicted(
     edges: _EdgeDecisions, ends: F64, features: ShapeFeatures, lengths: F64
 ) -> None:
-    """Make edges unclassified whose line types symmetry or connectivity contradicts.
+    """Make edges unclassified if symmetry or connectivity contradicts their line types.
 
-    Writes to ``edges``.
+    Writes line types, confidences and reasons to ``edges``.
     """
     asymmetric, separating = parallel_pair(
         lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),
@@ -201,10 +205,10 @@ def _withdraw_contradicted(
 
 
 def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:
-    """Return the shape features of all edges, computed from those that may belong to the carton.
+    """Return the shape features of all edges, computed from edges that may belong to the carton.
 
-    Edges that the profile ignores are left out.  Edges whose layer has the name of an annotation
-    are left out if the outlines close without them.
+    Edges that a profile rule ignores by their layer do not contribute.  Edges whose layer has the
+    name of an annotation do not contribute if the outlines are closed without them.
     """
     ignored = (matches.line_type == LineType.IGNORED) & (matches.confidence >= LAYER)
     named = np.array(
@@ -221,7 +225,7 @@ def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatche
         closes = np.isin((Role.OUTLINE, Role.DIVIDER), features.role).all()
         if closes and Role.OPEN not in features.role:
             features.role[named[styles.row]] = Role.NAMED
-            features.role_share[named[styles.row]] = 1.0
+            features.role_fraction[named[styles.row]] = 1.0
             return features
     return _features_of(drawing, ~ignored[styles.row], with_folds)
 
@@ -233,9 +237,9 @@ def _is_named_annotation(layer: str) -> bool:
 
 
 def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeatures:
-    """Return the shape features of all edges, computed from the edges in a mask, (n,).
+    """Return the shape features of all n edges, computed only from the edges in ``mask``, (n,).
 
-    The role of all edges outside the mask is UNKNOWN.
+    The role of the edges outside the mask is UNKNOWN.
     """
     rows = np.flatnonzero(mask)
     ends, bulge = drawing.ends, drawing.bulge

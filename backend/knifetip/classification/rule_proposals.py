@@ -101,10 +101,10 @@ def propose_rules(
 def _best_rule(
     styles: StyleTable, remaining: Bool, excluded: Bool, kind: LineType
 ) -> tuple[LineRule, Bool] | None:
-    """Return the rule that covers most remaining and no excluded styles, and the mask it covers.
+    """Return the rule that covers most of the remaining styles and no excluded style, and its mask.
 
-    Of equally good rules it is the one whose traits come first in ``_TRAIT_SETS``.  Returns None if
-    no rule covers a style.
+    The mask (c,) contains the styles that the rule covers.  Of equally good rules the first in the
+    order of ``_TRAIT_SETS`` is returned, and None if no rule covers a style.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}
@@ -132,7 +132,7 @@ def _best_rule(
 
 
 def _trait_codes(styles: StyleTable, trait: str) -> I64:
-    """Return a number of each style, (c,), that is equal for styles with an equal trait.
+    """Return an integer for each style, (c,), which is equal for styles with the same trait.
 
     ``trait`` is the name of a column of ``StyleTable``, such as ``layer``.
     """

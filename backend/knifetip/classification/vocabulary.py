@@ -78,18 +78,24 @@ def _vocabulary() -> _Vocabulary:
 
 
 def _all_words(languages: Mapping[str, str]) -> list[str]:
-    """Return the words of all languages."""
+    """Return the words of all languages.
+
+    ``languages`` contains for each language its words, separated by spaces.
+    """
     return [word for line in languages.values() for word in line.split()]
 
 
 def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
-    """Return each word of a table with the line type of its row, in order."""
+    """Return pairs of a word and its line type, in the order of the table.
+
+    ``table`` contains for each line type its words, separated by spaces.
+    """
     return [(word, LineType.of(kind)) for kind, line in table.items() for word in line.split()]
 
 
 @lru_cache(maxsize=4096)
 def name_meaning(name: str) -> NameMeaning:
-    """Return the meaning of the name of a layer or linetype."""
+    """Return the line type that the name of a layer or linetype suggests, and the words for it."""
     vocabulary = _vocabulary()
     folded = name.casefold()
     for part, kind in vocabulary.substrings:
@@ -141,17 +147,17 @@ def _found_meanings(words: list[str], vocabulary: _Vocabulary) -> dict[LineType,
 
 
 def is_meaningless(name: str) -> bool:
-    """Return whether a layer's name has no meaning at all: ``0``, ``Layer 3``, ``Design``."""
+    """Return whether a layer's name has only meaningless words: ``0``, ``Layer 3``, ``Design``."""
     return all(word in _vocabulary().meaningless for word in _split_words(name))
 
 
 def is_dashed_linetype(name: str) -> bool:
-    """Return whether a linetype is dashed, by its name in lower case."""
+    """Return whether the linetype with the given lower-case name is dashed."""
     return any(part in name for part in _vocabulary().dashed)
 
 
 def is_centre_linetype(name: str) -> bool:
-    """Return whether a linetype is for centre lines, by its name in lower case."""
+    """Return whether the linetype with the given lower-case name is for centre lines."""
     return any(part in name for part in _vocabulary().centre_line)
 
 

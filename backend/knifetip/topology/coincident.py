@@ -14,12 +14,14 @@ from knifetip.topology.planar_graph import PlanarGraph
 
 
 def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
-    """Return for each of n edges the edge that covers the greatest part of it, (n,).
+    """Return for each edge the other edge that covers the greatest part of its length, (n,).
 
-    It is -1 for an edge that other edges do not cover along its whole length.
+    The entry is -1 for an edge that other edges do not cover along its whole length.
 
     Parameters
     ----------
+    graph
+        Planar graph of the n edges, with p pieces.
     length : (p,)
         Length of each piece of the graph.
     """

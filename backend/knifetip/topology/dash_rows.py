@@ -1,7 +1,8 @@
-"""dash_rows: find dashes that follow one another in a row and form one line.
+"""dash_rows: find dashes that follow one another in a row, and close the gaps between them.
 
-Two dashes face each other across a gap if each one points at the end of the other.  Three or more
-dashes in a row with nearly equal gaps form a line, and links close the gaps.
+Two dashes face each other across a gap if each dash points at the end of the other dash.  Three or
+more dashes in a row with nearly equal gaps form a line.  Each gap is closed by a link, a straight
+connection of two vertices.
 """
 
 from __future__ import annotations
@@ -23,14 +24,17 @@ from knifetip.topology.segment import BULGE, chord_length, outward_direction
 
 
 def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64]:
-    """Return which edges are dashes of a row, links between dashes, and how far each end searches.
+    """Return the mask of dashes, the links between them, and the search distance of each edge end.
 
     Parameters
     ----------
+    lines
+        The n edges of the drawing.
     reach
-        Distance at which a dangling end that belongs to no row searches for another line.
+        Search distance of an end of an edge that is not a dash of a row.
     loose : (q,)
-        Whether only one line ends at each vertex.  Set to False for vertices that get a link.
+        Whether only one edge ends at each of q vertices.  This function sets the entries of
+        vertices that get a link to False.
 
     Returns
     -------
@@ -39,40 +43,42 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     links : (t, 2)
         Pairs of vertices that a link connects.
     gap_of : (2n,)
-        Distance at which each end searches for a line; it is larger at the two ends of a row.
+        Distance within which the start and the end of each edge search for another edge; it is
+        larger at the two ends of a row of dashes.
     """
-    ends, bulge, node, twin, grid, touch, unit = lines
+    ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
     facing = np.full(2 * len(bulge), -1, np.int32)
     cell = np.full(2 * len(bulge), -1, np.int32)
     parallel_map(
-        lambda run: _tips(ends, bulge, node, twin, loose, grid, cell, *run),
+        lambda run: _find_dangling_ends(ends, bulge, end_vertex, twin, loose, grid, cell, *run),
         chunks(len(bulge), MIN_CHUNK),
     )
     # Few lines have dangling ends, and each end is in one cell only.
     begins, tips = group_by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
-    place = ends.reshape(-1, 2).take(tips, axis=0)
+    position = ends.reshape(-1, 2).take(tips, axis=0)
 
     def face(run: tuple[int, int]) -> None:
-        _face(ends, bulge, touch, unit, grid, begins, tips, place, facing, *run)
+        _find_facing_ends(ends, bulge, tolerance, unit, grid, begins, tips, position, facing, *run)
 
     parallel_map(face, chunks(len(tips), MIN_CHUNK))
-    dashed, link, gap_of = _rows(ends, facing, touch, reach, node, twin, loose)
+    dashed, link, gap_of = _form_rows(ends, facing, tolerance, reach, end_vertex, twin, loose)
     return dashed, link, gap_of
 
 
 @kernel
-def _rows(
+def _form_rows(
     ends: F64_3,
     facing: I32_1,
-    touch: float,
+    tolerance: float,
     reach: float,
-    node: I32_1,
+    end_vertex: I32_1,
     twin: I32_1,
     loose: OutBool_1,
 ) -> Any:
-    """Find rows of at least three dashes; return what ``link_dashes`` does, and write to ``loose``.
+    """Find rows of at least three dashes, and return the same three arrays as ``link_dashes``.
 
-    ``facing`` (2n,) is the end that each end faces across a gap, -1 for none.
+    ``facing`` (2n,) is the number of the end that each end of an edge faces across a gap, -1 if it
+    faces none.  Writes False to ``loose`` for the vertices that get a link.
     """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
@@ -109,18 +115,18 @@ def _rows(
             )
             least, widest = min(least, gap), max(widest, gap)
             tail = other ^ 1
-        if count < 3 or widest > 1.5 * least + 2.0 * touch or longest > 2.5 * shortest:
+        if count < 3 or widest > 1.5 * least + 2.0 * tolerance or longest > 2.5 * shortest:
             continue
         for k in range(count):
             dashed[chain[k] // 2] = True
             if k:
                 if links == len(link):
                     link = double_i32_2(link)
-                link[links, 0] = node[chain[k - 1]]
-                link[links, 1] = node[chain[k] ^ 1]
+                link[links, 0] = end_vertex[chain[k - 1]]
+                link[links, 1] = end_vertex[chain[k] ^ 1]
                 links += 1
-                loose[node[chain[k - 1]]] = False
-                loose[node[chain[k] ^ 1]] = False
+                loose[end_vertex[chain[k - 1]]] = False
+                loose[end_vertex[chain[k] ^ 1]] = False
         gap_of[chain[0] ^ 1] = max(reach, 1.25 * widest)
         gap_of[chain[count - 1]] = max(reach, 1.25 * widest)
     for i in range(n):
@@ -129,62 +135,63 @@ def _rows(
 
 
 @kernel(allocates=False)
-def _tips(
-    ends: F64_3, bulge: F64_1, node: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
+def _find_dangling_ends(
+    ends: F64_3, bulge: F64_1, end_vertex: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
     cell: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
     """Write the cells of the dangling ends of straight edges ``begin`` … ``end`` - 1 to ``cell``.
 
-    The cells of all other ends remain -1.
+    ``cell`` (2n,) keeps its values for all other ends of edges.
     """
     low, size, side, _, _ = grid
     for i in range(begin, end):
         if abs(bulge[i]) > BULGE or twin[i] != i:
             continue
         for half in range(2 * i, 2 * i + 2):
-            if loose[node[half]]:
+            if loose[end_vertex[half]]:
                 x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
                 row = cell_of(y, low[1], size[1], side)
                 cell[half] = row * side + cell_of(x, low[0], size[0], side)
 
 
 @kernel(allocates=False)
-def _face(
-    ends: F64_3, bulge: F64_1, touch: float, unit: float, grid: EdgeGrid, begins: I32_1,
-    tips: I32_1, place: F64_2, facing: OutI32_1, begin: int, end: int,
+def _find_facing_ends(
+    ends: F64_3, bulge: F64_1, tolerance: float, unit: float, grid: EdgeGrid, begins: I32_1,
+    tips: I32_1, position: F64_2, facing: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Write the end that each of the dangling ends ``begin`` … ``end`` - 1 faces to ``facing``.
+    """Find the dangling end that each of the dangling ends ``begin`` … ``end`` - 1 faces.
 
     Parameters
     ----------
     begins : (side² + 1,)
-        Index of the first dangling end in each cell of the grid.
-    tips, place : (t,) and (t, 2)
-        Dangling ends in the order of their cells, and their positions.
+        Index in ``tips`` of the first dangling end in each cell of the grid.
+    tips, position : (t,) and (t, 2)
+        Numbers of the dangling ends in the order of their cells, and their positions.
     facing : (2n,)
-        Nearest dangling end ahead that points back; unchanged if there is none.
+        Receives for each end the nearest dangling end that is straight ahead of it and points back
+        at it; unchanged if there is none.
     """
     low, size, side, _, _ = grid
     for number in range(begin, end):
         half = tips[number]
         i = half // 2
         long = chord_length(ends, i)
-        if long > 40.0 * unit or long <= touch:
+        if long > 40.0 * unit or long <= tolerance:
             continue
         far = min(15.0 * unit, max(2.0 * long, 3.0 * unit))
         ux, uy = outward_direction(ends, bulge, half)
-        x, y = place[number, 0], place[number, 1]
-        c0 = cell_of(min(x, x + far * ux) - 2.0 * touch, low[0], size[0], side)
-        c1 = cell_of(max(x, x + far * ux) + 2.0 * touch, low[0], size[0], side)
-        r0 = cell_of(min(y, y + far * uy) - 2.0 * touch, low[1], size[1], side)
-        r1 = cell_of(max(y, y + far * uy) + 2.0 * touch, low[1], size[1], side)
+        x, y = position[number, 0], position[number, 1]
+        c0 = cell_of(min(x, x + far * ux) - 2.0 * tolerance, low[0], size[0], side)
+        c1 = cell_of(max(x, x + far * ux) + 2.0 * tolerance, low[0], size[0], side)
+        r0 = cell_of(min(y, y + far * uy) - 2.0 * tolerance, low[1], size[1], side)
+        r1 = cell_of(max(y, y + far * uy) + 2.0 * tolerance, low[1], size[1], side)
         best = far
         for r in range(r0, r1 + 1):
             # The dangling ends of neighbouring cells in a row of the grid follow one another.
             for k in range(begins[r * side + c0], begins[r * side + c1 + 1]):
-                ox, oy = place[k, 0] - x, place[k, 1] - y
+                ox, oy = position[k, 0] - x, position[k, 1] - y
                 ahead = ox * ux + oy * uy
-                if ahead <= touch or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * touch:
+                if ahead <= tolerance or ahead >= best or abs(ox * uy - oy * ux) > 2.0 * tolerance:
                     continue
                 vx, vy = outward_direction(ends, bulge, tips[k])
                 if tips[k] // 2 != i and ux * vx + uy * vy < -0.999:

@@ -19,7 +19,10 @@ _SAMPLE: Final = 10_000
 
 
 class EdgeGrid(NamedTuple):
-    """A grid of side × side cells; the edges in cell c are ``listed[first[c] : first[c + 1]]``."""
+    """A grid of side × side cells, with the edges that are in or near each cell.
+
+    The edges in cell c are ``listed[first[c] : first[c + 1]]``.
+    """
 
     low: F64_1  #: (2,) x and y of the lower left corner of the grid
     size: F64_1  #: (2,) width and height of a cell
@@ -28,14 +31,14 @@ class EdgeGrid(NamedTuple):
     listed: I32_1  #: edges in each cell, cell by cell
 
 
-def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | None:
+def build_grid(ends: F64, bulge: F64, tolerance: float, reach: float) -> EdgeGrid | None:
     """Return the grid of n ≥ 1 edges, or None if they are so crowded that a grid does not help.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
         Ends and bulges of the edges.
-    touch
+    tolerance
         An edge that is nearer to a cell than this is listed in the cell.
     reach
         Largest distance from an edge at which the grid will be searched.
@@ -43,7 +46,7 @@ def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | 
     count = len(bulge)
     boxes = np.empty((count, 4))
     bounds = np.array([np.inf, np.inf, -np.inf, -np.inf])
-    _boxes(ends, bulge, boxes, bounds)
+    _measure_boxes(ends, bulge, boxes, bounds)
     low, high = bounds[:2] - 2.0 * reach, bounds[2:] + 2.0 * reach
     # One edge far away must not put all others into one cell: border cells take outliers.
     near, far = np.percentile(boxes[:: count // _SAMPLE + 1, :2], (2.0, 98.0), axis=0)
@@ -51,8 +54,10 @@ def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | 
     low, high = np.maximum(low, near), np.maximum(np.minimum(high, far), low)
     side = max(1, math.isqrt(count))
     while True:
-        size = np.maximum((high - low) / side, 4.0 * touch)
-        cell, edge = _cells_of_edges(ends, bulge, boxes, low, size, side, touch, 8 * count + 4096)
+        size = np.maximum((high - low) / side, 4.0 * tolerance)
+        cell, edge = _cells_of_edges(
+            ends, bulge, boxes, low, size, side, tolerance, 8 * count + 4096
+        )
         if len(cell) > 0:
             break
         if side == 1:
@@ -65,8 +70,11 @@ def build_grid(ends: F64, bulge: F64, touch: float, reach: float) -> EdgeGrid | 
 
 
 @kernel(allocates=False)
-def _boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
-    """Write the bounding box of each edge to ``boxes``, and that of all edges to ``bounds``."""
+def _measure_boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
+    """Write the bounding box of each edge to ``boxes``, (n, 4), and enlarge ``bounds`` to hold all.
+
+    Each box, and ``bounds`` (4,), is x min, y min, x max, y max.
+    """
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
         boxes[i, 0], boxes[i, 2] = min(ax, bx), max(ax, bx)
@@ -114,13 +122,13 @@ def _cells_of_edges(
     size: F64_1,
     side: int,
     pad: float,
-    most: int,
+    limit: int,
 ) -> Any:
-    """Return the k pairs of a cell and an edge in it: cells and edges, (k,) and (k,).
+    """Return all pairs of a cell and an edge in it: the cells, (k,), and the edges, (k,).
 
-    Both are empty if there are more than ``most`` pairs.
+    Both arrays are empty if there are more than ``limit`` pairs.
     """
-    cell, edge = np.empty(most, np.int32), np.empty(most, np.int32)
+    cell, edge = np.empty(limit, np.int32), np.empty(limit, np.int32)
     total = 0
     for i in range(len(bulge)):
         c0 = cell_of(boxes[i, 0] - pad, low[0], size[0], side)
@@ -130,7 +138,7 @@ def _cells_of_edges(
             y0, y1 = _y_range(ends, bulge, boxes, i, left, left + size[0], pad)
             r0 = cell_of(y0, low[1], size[1], side)
             r1 = cell_of(y1, low[1], size[1], side)
-            if total + r1 - r0 >= most:
+            if total + r1 - r0 >= limit:
                 return cell[:0], edge[:0]
             for r in range(r0, r1 + 1):
                 cell[total], edge[total] = r * side + c, i

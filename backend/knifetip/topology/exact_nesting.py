@@ -83,7 +83,9 @@ def find_enclosing_faces(
 def _follow_hits(
     order: I64_1, hit: I64_1, above: I64_1, face: I32_1, outer: Bool_1, component: I32_1
 ) -> Any:
-    """Return enclosing face and depth of each component as ``find_enclosing_faces``.
+    """Return the enclosing face and the nesting depth of each component from the hits of its ray.
+
+    The results are those of ``find_enclosing_faces``.
 
     Parameters
     ----------
@@ -151,7 +153,12 @@ def _add_span(
     spans: OutF64_2, above: OutI64_1, count: int, edge: int,
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
 ) -> int:  # fmt: skip
-    """Write one span to row ``count`` unless it is vertical; return the new number of spans."""
+    """Write the span of ``edge`` from (``ax``, ``ay``) to (``bx``, ``by``) to row ``count``.
+
+    ``cx``, ``cy`` and ``r`` are centre and radius of the circle of an arc; ``side`` is 1 for its
+    upper half, -1 for its lower half, and 0 for a straight span.  A vertical span is not written.
+    Returns the new number of spans.
+    """
     if ax == bx:
         return count
     right = bx > ax
@@ -189,7 +196,7 @@ def _slope_at(span: F64_1, x: float) -> float:
 def _lowest_points(
     start: F64_2, end: F64_2, component: I32_1, spans: F64_2, owner: I32_1, count: int
 ) -> Any:
-    """Return the lowest point of each of ``count`` components, (count, 2) mm."""
+    """Return the lowest point on the edges of each of ``count`` components, (count, 2) mm."""
     lowest = np.full((count, 2), math.inf)
     for i in range(len(component)):
         c = component[i]

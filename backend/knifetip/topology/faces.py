@@ -1,7 +1,7 @@
 """faces: trace the faces of a planar graph, and find the faces on the two sides of every piece.
 
-A face is traced by taking the sharpest turn to the left at every vertex, so that the face is on the
-left.  The boundary of a bounded face runs counter-clockwise.
+A face is traced by taking the sharpest left turn at every vertex, so that the face is on the left
+of the path.  The boundary of a bounded face runs counter-clockwise.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Faces:
     enclosing: I32  #: (c,) bounded face that contains each component, -1 for none
 
 
-def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Faces:
+def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float) -> Faces:
     """Return the faces of the planar graph of n edges.
 
     Parameters
@@ -43,36 +43,40 @@ def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> Face
     graph
         Graph of the edges.
     ends, bulge : (n, 2, 2) and (n,)
-        Ends and bulges of the edges.
-    touch
-        Tolerance with which the graph was built.
+        Start and end points and bulges of the edges.
+    tolerance
+        Largest distance between ends that became one vertex of the graph.
     """
     lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
     beside, (left, right, area) = parallel_pair(
-        lambda: find_left_neighbours(graph, ends, bulge, touch),
+        lambda: find_left_neighbours(graph, ends, bulge, tolerance),
         lambda: trace_sides(*lines),
     )
-    outside, component_of_face = _owned(len(graph.leftmost), graph.component, left, right, area)
+    outside, component_of_face = _outer_faces(
+        len(graph.leftmost), graph.component, left, right, area
+    )
     within = enclosing_faces(beside, left, right, outside, component_of_face)
     return Faces(left, right, area, component_of_face, outside, within)
 
 
 def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tuple[I32, I32, F64]:
-    """Return the faces left and right of p pieces between vertices, and the area of each face.
+    """Return the faces left and right of p pieces between q vertices, and the area of each face.
 
     Parameters
     ----------
     vertex : (q, 2)
-        Positions.
+        Position of each vertex.
     start, end, bulge : (p,)
-        Vertices and bulge of each piece.
+        Start vertex, end vertex and bulge of each piece.
     same : (p,)
-        First piece that coincides with each piece; only that one divides the plane.
+        First piece that coincides with each piece; only this first piece divides the plane.
 
     Returns
     -------
-    left, right, area : (p,), (p,) and (f,)
-        The area is signed: outer faces have none or a negative one.
+    left, right : (p,) and (p,)
+        Face on the left and on the right of each piece.
+    area : (f,)
+        Signed area of each face; zero or negative for outer faces.
     """
     lines = (vertex, start, end, bulge, same)
     left, right, area = _trace(*lines, *_half_edges_by_vertex(*lines))
@@ -80,10 +84,11 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tup
 
 
 @kernel(allocates=False)
-def _angle(x: float, y: float) -> int:
-    """Return an integer that grows with the angle of a direction, from 0 to 4 × ``_FINE`` - 1.
+def _angle_code(x: float, y: float) -> int:
+    """Return an integer that grows with the angle of the direction (``x``, ``y``).
 
-    Directions that differ only by rounding get equal integers.
+    It is between 0 and 4 × ``_FINE`` - 1.  Directions that differ only by rounding get equal
+    integers.
     """
     across = abs(x) + abs(y)
     along = y / across if across > 0.0 else 0.0
@@ -92,18 +97,20 @@ def _angle(x: float, y: float) -> int:
 
 
 @kernel
-def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1) -> Any:
-    """Return the half-edges at each vertex in counter-clockwise order.
+def _half_edges_by_vertex(
+    position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, same: I32_1
+) -> Any:
+    """Return the half-edges that leave each of q vertices, in counter-clockwise order.
 
-    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves its end.
+    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves the end of piece p.
 
     Returns
     -------
     around, begins : (h,) and (q + 1,)
         The half-edges at vertex v are ``around[begins[v] : begins[v + 1]]``.
     """
-    pieces, places = len(start), len(place)
-    begins = np.zeros(places + 1, np.int32)
+    pieces, vertex_count = len(start), len(position)
+    begins = np.zeros(vertex_count + 1, np.int32)
     for p in range(pieces):
         if same[p] == p:
             begins[start[p] + 1] += 1
@@ -121,13 +128,13 @@ def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, s
             put[at] += 1
             # One or two half-edges need no order.
             if begins[at + 1] - begins[at] > 2:
-                angle[half] = _direction(place, start, end, bent, half)
+                angle[half] = _direction(position, start, end, bulge, half)
                 while k > begins[at]:
                     other = around[k - 1]
                     if angle[other] < angle[half] or (
                         angle[other] == angle[half]
-                        and _curve(place, start, end, bent, other)
-                        <= _curve(place, start, end, bent, half)
+                        and _curvature_rank(position, start, end, bulge, other)
+                        <= _curvature_rank(position, start, end, bulge, half)
                     ):
                         break
                     around[k] = other
@@ -137,38 +144,51 @@ def _half_edges_by_vertex(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, s
 
 
 @kernel(allocates=False)
-def _direction(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> int:
-    """Return the direction of a half-edge at the vertex that it leaves, as ``_angle`` does."""
+def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> int:
+    """Return the angle code of the direction in which half-edge ``half`` leaves its vertex.
+
+    The function ``_angle_code`` defines the code.
+    """
     p = half // 2
-    a, b, bend = start[p], end[p], bent[p]
-    dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
+    a, b, bend = start[p], end[p], bulge[p]
+    dx, dy = position[b, 0] - position[a, 0], position[b, 1] - position[a, 1]
     if bend == 0.0:
-        return _angle(dx, dy) if half % 2 == 0 else _angle(-dx, -dy)
+        return _angle_code(dx, dy) if half % 2 == 0 else _angle_code(-dx, -dy)
     # The direction of the chord, turned by half the sweep.
     square = bend * bend
     c, s = (1.0 - square) / (1.0 + square), 2.0 * bend / (1.0 + square)
     if half % 2 == 0:
-        return _angle(c * dx + s * dy, c * dy - s * dx)
-    return _angle(s * dy - c * dx, -c * dy - s * dx)
+        return _angle_code(c * dx + s * dy, c * dy - s * dx)
+    return _angle_code(s * dy - c * dx, -c * dy - s * dx)
 
 
 @kernel(allocates=False)
-def _curve(place: F64_2, start: I32_1, end: I32_1, bent: F64_1, half: int) -> float:
-    """Return a number that grows with the curvature of a half-edge, to sort tangent ones."""
+def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> float:
+    """Return a number that grows with the curvature of half-edge ``half``.
+
+    It sorts half-edges that leave a vertex in the same direction.
+    """
     p = half // 2
     a, b = start[p], end[p]
-    dx, dy = place[b, 0] - place[a, 0], place[b, 1] - place[a, 1]
-    curve: float = bent[p] / max(math.sqrt(dx * dx + dy * dy), 1e-300)
+    dx, dy = position[b, 0] - position[a, 0], position[b, 1] - position[a, 1]
+    curve: float = bulge[p] / max(math.sqrt(dx * dx + dy * dy), 1e-300)
     return curve if half % 2 == 0 else -curve
 
 
 @kernel
 def _trace(
-    place: F64_2, start: I32_1, end: I32_1, bent: F64_1, same: I32_1, around: I32_1, begins: I32_1
+    position: F64_2,
+    start: I32_1,
+    end: I32_1,
+    bulge: F64_1,
+    same: I32_1,
+    around: I32_1,
+    begins: I32_1,
 ) -> Any:
     """Return the faces left and right of each piece, and the signed area of each face.
 
-    ``around`` and ``begins`` are the results of ``_half_edges_by_vertex``.
+    ``around`` and ``begins`` are the results of ``_half_edges_by_vertex``; the other arguments are
+    the arguments of ``trace_sides``.
     """
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
@@ -185,16 +205,16 @@ def _trace(
                 continue
             walked = half
             twice = 0.0
-            x0, y0 = place[start[p], 0], place[start[p], 1]
+            x0, y0 = position[start[p], 0], position[start[p], 1]
             while face[walked] < 0:
                 face[walked] = count
                 q = walked // 2
                 a, b = start[q], end[q]
-                bend = bent[q]
+                bend = bulge[q]
                 if walked % 2 == 1:
                     a, b, bend = b, a, -bend
-                ax, ay = place[a, 0] - x0, place[a, 1] - y0
-                bx, by = place[b, 0] - x0, place[b, 1] - y0
+                ax, ay = position[a, 0] - x0, position[a, 1] - y0
+                bx, by = position[b, 0] - x0, position[b, 1] - y0
                 twice += ax * by - ay * bx
                 if abs(bend) > BULGE:
                     whole = 1.0 + bend * bend
@@ -211,24 +231,27 @@ def _trace(
     right = np.empty(pieces, np.int32)
     for p in range(pieces):
         q = same[p]
-        turned = start[p] != start[q] or (start[p] == end[p] and bent[p] != bent[q])
+        turned = start[p] != start[q] or (start[p] == end[p] and bulge[p] != bulge[q])
         left[p] = face[2 * q + 1] if turned else face[2 * q]
         right[p] = face[2 * q] if turned else face[2 * q + 1]
     return left, right, area[:count]
 
 
 @kernel
-def _owned(parts: int, part: I32_1, left: I32_1, right: I32_1, area: F64_1) -> Any:
-    """Return the outer face of each of ``parts`` components, and the component of each face.
+def _outer_faces(
+    component_count: int, component: I32_1, left: I32_1, right: I32_1, area: F64_1
+) -> Any:
+    """Return the outer face of each component, and the component of each face.
 
-    The outer face of a component is its face with the least signed area.
+    ``component`` (p,) is the component of each piece.  The outer face of a component is its face
+    with the least signed area.
     """
-    outside = np.full(parts, -1, np.int32)
+    outside = np.full(component_count, -1, np.int32)
     component_of_face = np.empty(len(area), np.int32)
-    for p in range(len(part)):
+    for p in range(len(component)):
         for f in (left[p], right[p]):
-            component_of_face[f] = part[p]
-            known = outside[part[p]]
+            component_of_face[f] = component[p]
+            known = outside[component[p]]
             if known < 0 or area[f] < area[known]:
-                outside[part[p]] = f
+                outside[component[p]] = f
     return outside, component_of_face

@@ -1,6 +1,6 @@
-"""gap_links: connect dangling ends with the lines that they stop just short of.
+"""gap_links: connect the dangling ends of edges with the edges that they almost touch.
 
-A link is a straight piece of the planar graph that belongs to no edge and closes such a gap.
+A link is a straight piece of the planar graph that closes such a gap and belongs to no edge.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from knifetip.topology.lines import Lines
 from knifetip.topology.segment import (
     BULGE,
     chord_length,
-    crossing_shares,
+    crossing_parameters,
     distance_to,
     outward_direction,
     point_at,
@@ -48,46 +48,54 @@ _SHORT: Final = 2.5
 def link_loose_ends(
     lines: Lines, loose: Bool, gap_of: F64, vertices: VertexTable
 ) -> tuple[Splits, I32, VertexTable]:
-    """Link each dangling end to the nearest line ahead of it.
+    """Link each dangling end of an edge to the nearest edge ahead of it.
 
-    A straight line of which both ends stop short of other lines, as creases often do, is linked
-    across wider gaps.
+    A straight edge is linked across wider gaps if there are other edges straight ahead of both of
+    its ends, as is often true of creases.
 
     Parameters
     ----------
+    lines
+        The n edges of the drawing.
     loose : (q,)
-        Whether only one line ends at each vertex.
+        Whether only one edge ends at each of q vertices.
     gap_of : (2n,)
-        Largest distance from each end to the line that it is linked to.
+        Largest distance from the start and the end of each edge to the edge that it is linked to.
+    vertices
+        The q vertices.
 
     Returns
     -------
     splits
-        Splits of the lines at which links end, unless a link ends at a vertex of the line.
+        Splits of the edges to which links lead, unless a link leads to an end of an edge.
     links : (t, 2)
         Pairs of vertices that a link connects.
     vertices
-        The given vertices and those of the splits.
+        The given vertices and the vertices of the splits.
     """
-    ends, bulge, node, twin, grid, touch, unit = lines
+    ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
     ahead = _SHORT * unit
     partner, where = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
 
     def find(run: tuple[int, int]) -> None:
-        _find_targets(ends, bulge, node, twin, loose, ahead, gap_of, grid, partner, where, *run)
+        _find_targets(
+            ends, bulge, end_vertex, twin, loose, ahead, gap_of, grid, partner, where, *run
+        )
 
     parallel_map(find, chunks(len(bulge), MIN_CHUNK))
     met = np.flatnonzero(partner >= 0).astype(np.int32)
     vertices = with_capacity(vertices, len(met))
-    row, share, cut, link, count = _link(ends, bulge, touch, node, met, partner, where, vertices)
-    return Splits(row, share, cut), link, vertices._replace(known=count)
+    row, parameter, cut, link, count = _make_links(
+        ends, bulge, tolerance, end_vertex, met, partner, where, vertices
+    )
+    return Splits(row, parameter, cut), link, vertices._replace(known=count)
 
 
 @kernel(allocates=False)
 def _find_targets(
     ends: F64_3,
     bulge: F64_1,
-    node: I32_1,
+    end_vertex: I32_1,
     twin: I32_1,
     loose: Bool_1,
     ahead: float,
@@ -98,22 +106,24 @@ def _find_targets(
     begin: int,
     end: int,
 ) -> None:
-    """Write the line ahead of each dangling end of edges ``begin`` … ``end`` - 1.
+    """Find the nearest edge ahead of each dangling end of edges ``begin`` … ``end`` - 1.
 
-    Writes the line to ``partner``, (2n,), and the parameter of the nearest point on it to
-    ``where``, (2n,).  Ends without a line ahead are not changed.
+    Writes the edge that is found to ``partner``, (2n,), and the parameter of the nearest point on
+    it to ``where``, (2n,).  The entries of ends without an edge ahead are not changed.  A straight
+    edge with other edges at most ``ahead`` away straight ahead of both of its ends uses at least
+    the search distance ``ahead``.
     """
     low, size, side, first, listed = grid
     for i in range(begin, end):
-        if twin[i] != i or not (loose[node[2 * i]] or loose[node[2 * i + 1]]):
+        if twin[i] != i or not (loose[end_vertex[2 * i]] or loose[end_vertex[2 * i + 1]]):
             continue
         # Whether there is a line straight ahead of both ends.
-        both = loose[node[2 * i]] and loose[node[2 * i + 1]] and abs(bulge[i]) <= BULGE
+        both = loose[end_vertex[2 * i]] and loose[end_vertex[2 * i + 1]] and abs(bulge[i]) <= BULGE
         both = both and chord_length(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
-            both = both and _meets(ends, bulge, half, ahead, grid)
+            both = both and _has_line_ahead(ends, bulge, half, ahead, grid)
         for half in range(2 * i, 2 * i + 2):
-            if not loose[node[half]]:
+            if not loose[end_vertex[half]]:
                 continue
             x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
             best = max(gap_of[half], ahead) if both else gap_of[half]
@@ -137,11 +147,11 @@ def _find_targets(
 
 
 @kernel
-def _link(
+def _make_links(
     ends: F64_3,
     bulge: F64_1,
-    touch: float,
-    node: I32_1,
+    tolerance: float,
+    end_vertex: I32_1,
     met: I32_1,
     partner: I32_1,
     where: F64_1,
@@ -149,66 +159,75 @@ def _link(
 ) -> Any:
     """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
 
-    ``met`` are the ends that have a line ahead; ``partner`` and ``where`` are that line and the
+    ``met`` are the ends that have an edge ahead; ``partner`` and ``where`` are this edge and the
     parameter on it, as ``_find_targets`` writes them.
     """
     count = vertices.known
     row = np.empty(len(met), np.int32)
-    share = np.empty(len(met))
+    parameter = np.empty(len(met))
     cut = np.empty(len(met), np.int32)
     link = np.empty((len(met), 2), np.int32)
     cuts = links = 0
     for half in met:
         j, part = partner[half], where[half]
         long = chord_length(ends, j)
-        if part * long <= touch:
-            at = node[2 * j]
-        elif (1.0 - part) * long <= touch:
-            at = node[2 * j + 1]
+        if part * long <= tolerance:
+            at = end_vertex[2 * j]
+        elif (1.0 - part) * long <= tolerance:
+            at = end_vertex[2 * j + 1]
         else:
             px, py = point_at(ends, bulge, j, part)
-            at = vertex_at(px, py, touch, vertices.point, count, vertices.head, vertices.onward)
+            at = vertex_at(px, py, tolerance, vertices.point, count, vertices.head, vertices.onward)
             if at == count:
                 count += 1
-            row[cuts], share[cuts], cut[cuts] = j, part, at
+            row[cuts], parameter[cuts], cut[cuts] = j, part, at
             cuts += 1
-        if at != node[half]:
-            link[links, 0] = node[half]
+        if at != end_vertex[half]:
+            link[links, 0] = end_vertex[half]
             link[links, 1] = at
             links += 1
-    return row[:cuts], share[:cuts], cut[:cuts], link[:links], count
+    return row[:cuts], parameter[:cuts], cut[:cuts], link[:links], count
 
 
 def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits, I32, VertexTable]:
-    """Split links, (t, 2), at lines that run through the gaps that the links close.
+    """Split links at the edges that run through the gaps that the links close.
+
+    Parameters
+    ----------
+    lines
+        The edges of the drawing.
+    link : (t, 2)
+        Pairs of vertices that a link connects.
+    vertices
+        The vertices of edges and links.
 
     Returns
     -------
     splits
-        Splits of these lines.
+        Splits of the edges that cross links.
     links : (at least t, 2)
-        Pairs of vertices that a link connects.
+        Pairs of vertices that a link connects after the splits.
     vertices
-        The given vertices and those of the splits.
+        The given vertices and the vertices of the splits.
     """
-    ends, bulge, _, twin, grid, touch, _ = lines
+    ends, bulge, _, twin, grid, tolerance, _ = lines
     is_crossed = np.zeros(len(link), np.bool_)
 
     def find(run: tuple[int, int]) -> None:
-        _find_crossed(ends, bulge, touch, twin, link, vertices.point, grid, is_crossed, *run)
+        _find_crossed(ends, bulge, tolerance, twin, link, vertices.point, grid, is_crossed, *run)
 
     parallel_map(find, chunks(len(link), MIN_CHUNK))
-    row, share, cut, link, point, onward, count = _cross(
-        ends, bulge, touch, twin, link, np.flatnonzero(is_crossed), vertices, grid
+    row, parameter, cut, link, point, onward, count = _split_at_lines(
+        ends, bulge, tolerance, twin, link, np.flatnonzero(is_crossed), vertices, grid
     )
-    return Splits(row, share, cut), link, VertexTable(point, count, onward, vertices.head)
+    return Splits(row, parameter, cut), link, VertexTable(point, count, onward, vertices.head)
 
 
 @kernel(allocates=False)
 def _find_crossed(
     ends: F64_3,
     bulge: F64_1,
-    touch: float,
+    tolerance: float,
     twin: I32_1,
     link: I32_2,
     point: F64_2,
@@ -217,28 +236,31 @@ def _find_crossed(
     begin: int,
     end: int,
 ) -> None:
-    """Write whether a line crosses each of the links ``begin`` … ``end`` - 1 to ``is_crossed``."""
+    """Write to ``is_crossed`` whether an edge crosses each of the links ``begin`` … ``end`` - 1."""
     for k in range(begin, end):
-        is_crossed[k] = _first_through(ends, bulge, touch, twin, link, point, grid, k)[0] >= 0
+        is_crossed[k] = (
+            _first_line_through(ends, bulge, tolerance, twin, link, point, grid, k)[0] >= 0
+        )
 
 
 @kernel(allocates=False)
-def _first_through(
+def _first_line_through(
     ends: F64_3,
     bulge: F64_1,
-    touch: float,
+    tolerance: float,
     twin: I32_1,
     link: I32_2,
     point: F64_2,
     grid: EdgeGrid,
     k: int,
 ) -> tuple[int, float, float, float]:
-    """Return the line that crosses link ``k`` nearest to its start, and where.
+    """Return the edge that crosses link ``k`` nearest to the start of the link, and the crossing.
 
     Returns
     -------
-    line, parameter, x, y
-        The line is -1 if none crosses the link; the parameter, 0 … 1, is on the line.
+    edge, parameter, x, y
+        The edge is -1 if none crosses the link.  The parameter, 0 … 1, and the coordinates are
+        those of the crossing on the edge.
     """
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
@@ -255,49 +277,51 @@ def _first_through(
                 j = listed[m]
                 if abs(bulge[j]) > BULGE or twin[j] != j:
                     continue
-                s, t = crossing_shares(ax, ay, ux, uy, ends, j)
-                if not 0.0 < s < least or min(s, 1.0 - s) * long <= touch:
+                s, t = crossing_parameters(ax, ay, ux, uy, ends, j)
+                if not 0.0 < s < least or min(s, 1.0 - s) * long <= tolerance:
                     continue
-                if min(t, 1.0 - t) * chord_length(ends, j) > touch:
+                if min(t, 1.0 - t) * chord_length(ends, j) > tolerance:
                     least, through, where = s, j, t
     return through, where, ax + least * ux, ay + least * uy
 
 
 @kernel
-def _cross(
+def _split_at_lines(
     ends: F64_3,
     bulge: F64_1,
-    touch: float,
+    tolerance: float,
     twin: I32_1,
     link: OutI32_2,
     wanted: I64_1,
     vertices: VertexTable,
     grid: EdgeGrid,
 ) -> Any:
-    """Split the links ``wanted`` at all lines that cross them.
+    """Split the links with the numbers ``wanted`` at all edges that cross them.
 
-    Returns edge, parameter and vertex of the splits, the links, and the three columns of the
-    vertices: positions, next vertex in the hash bucket, and number.
+    Returns edge, parameter and vertex of the splits, the links, and the new vertices in three
+    columns: positions, next vertex in the hash bucket, and number of vertices.
     """
-    point, places, onward, head = vertices
+    point, vertex_count, onward, head = vertices
     row = np.empty(16, np.int32)
-    share = np.empty(16)
+    parameter = np.empty(16)
     cut = np.empty(16, np.int32)
     cuts = 0
     old = links = len(link)
     turn = 0
     while turn < len(wanted) + links - old:
         k = wanted[turn] if turn < len(wanted) else old + turn - len(wanted)
-        through, where, x, y = _first_through(ends, bulge, touch, twin, link, point, grid, k)
+        through, where, x, y = _first_line_through(
+            ends, bulge, tolerance, twin, link, point, grid, k
+        )
         if through >= 0:
-            if places + 1 >= len(point):
+            if vertex_count + 1 >= len(point):
                 point, onward = double_f64_2(point), double_i32(onward)
-            at = vertex_at(x, y, touch, point, places, head, onward)
-            if at == places:
-                places += 1
+            at = vertex_at(x, y, tolerance, point, vertex_count, head, onward)
+            if at == vertex_count:
+                vertex_count += 1
             if cuts == len(row):
-                row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
-            row[cuts], share[cuts], cut[cuts] = through, where, at
+                row, parameter, cut = double_i32(row), double_f64(parameter), double_i32(cut)
+            row[cuts], parameter[cuts], cut[cuts] = through, where, at
             cuts += 1
             if at != link[k, 0] and at != link[k, 1]:
                 if links == len(link):
@@ -306,12 +330,15 @@ def _cross(
                 link[k, 1] = at
                 links += 1
         turn += 1
-    return row[:cuts], share[:cuts], cut[:cuts], link[:links], point, onward, places
+    return row[:cuts], parameter[:cuts], cut[:cuts], link[:links], point, onward, vertex_count
 
 
 @kernel(allocates=False)
-def _meets(ends: F64_3, bulge: F64_1, half: int, far: float, grid: EdgeGrid) -> bool:
-    """Return whether another line is straight ahead of end ``half``, at most ``far`` away."""
+def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, far: float, grid: EdgeGrid) -> bool:
+    """Return whether another edge is straight ahead of an end of an edge, at most ``far`` away.
+
+    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
+    """
     low, size, side, first, listed = grid
     i = half // 2
     x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]

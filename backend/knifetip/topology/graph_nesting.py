@@ -1,8 +1,9 @@
-"""graph_nesting: find the face in which each component of a drawing's planar graph lies.
+"""graph_nesting: find the face of a drawing's planar graph that contains each connected component.
 
 A ray runs to the left from the leftmost vertex of a component.  The first piece of another
-component that it meets bounds the face that contains the component, or belongs to a component that
-is in the same face.  The ray starts beside the vertex, because pieces meet only within a tolerance.
+component that the ray meets bounds the face that contains the first component, or belongs to a
+component that is in the same face.  The ray starts beside the vertex, because pieces meet only
+within a tolerance.
 
 ``exact_nesting`` does the same for edges that meet exactly at their ends.
 """
@@ -31,25 +32,27 @@ class LeftNeighbours(NamedTuple):
     upward: Bool  #: (c,) whether that piece runs upwards where the ray meets it
 
 
-def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float) -> LeftNeighbours:
-    """Return the first piece to the left of each component of a graph.
+def find_left_neighbours(
+    graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float
+) -> LeftNeighbours:
+    """Return the nearest piece of another component to the left of each component of a graph.
 
     Parameters
     ----------
     graph
         Planar graph of n edges.
     ends, bulge : (n, 2, 2) and (n,)
-        Ends and bulges of the edges.
-    touch
-        Tolerance with which the graph was built.
+        Start and end points and bulges of the edges.
+    tolerance
+        Largest distance between ends that became one vertex of the graph.
     """
     count = len(graph.leftmost)
     beside = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
 
     def find(run: tuple[int, int]) -> None:
         _find_left(
-            ends, bulge, graph.grid, graph.vertex, graph.first, graph.share, graph.component,
-            graph.leftmost, touch,
+            ends, bulge, graph.grid, graph.vertex, graph.first, graph.parameter, graph.component,
+            graph.leftmost, tolerance,
             *beside, *run,
         )  # fmt: skip
 
@@ -58,21 +61,21 @@ def find_left_neighbours(graph: PlanarGraph, ends: F64, bulge: F64, touch: float
 
 
 def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32, owner: I32) -> I32:
-    """Return the face that contains each of c components, (c,), -1 if there is none.
+    """Return the bounded face that contains each of c components, (c,), -1 if there is none.
 
     Parameters
     ----------
     beside
-        First piece to the left of each component.
+        Nearest piece of another component to the left of each component.
     left, right : (p,)
-        Faces on the two sides of each piece.
+        Faces on the left and on the right of each piece.
     outside : (c,)
         Outer face of each component.
     owner : (f,)
         Component of each face.
     """
     met = np.where(beside.upward, right[beside.piece], left[beside.piece])
-    within: I32 = _within(np.where(beside.piece < 0, np.int32(-1), met), outside, owner)
+    within: I32 = _containing_faces(np.where(beside.piece < 0, np.int32(-1), met), outside, owner)
     return within
 
 
@@ -81,33 +84,34 @@ def _find_left(
     ends: F64_3,
     bulge: F64_1,
     grid: EdgeGrid,
-    place: F64_2,
+    position: F64_2,
     first_piece: I32_1,
-    share: F64_1,
-    part: I32_1,
+    parameter: F64_1,
+    component: I32_1,
     leftmost: I32_1,
-    touch: float,
+    tolerance: float,
     piece: OutI32_1,
     upward: OutBool_1,
     begin: int,
     end: int,
 ) -> None:
-    """Find the first pieces to the left of components ``begin`` … ``end`` - 1.
+    """Find the nearest pieces to the left of components ``begin`` … ``end`` - 1.
 
-    Writes the pieces to ``piece``, and whether they run upwards there to ``upward``, both (c,).
+    Writes the pieces to ``piece``, (c,), and to ``upward``, (c,), whether each piece runs upwards
+    at the point at which the ray from the component meets it.
 
     Parameters
     ----------
-    place : (q, 2)
+    position : (q, 2)
         Positions of the vertices.
-    first_piece, share : (n + 1,) and (p,)
+    first_piece, parameter : (n + 1,) and (p,)
         First piece of each edge, and the parameter on the edge at which each piece starts.
-    part, leftmost : (p,) and (c,)
+    component, leftmost : (p,) and (c,)
         Component of each piece, and leftmost vertex of each component.
     """
     low, size, side, first, listed = grid
     for c in range(begin, end):
-        x, y = place[leftmost[c], 0], place[leftmost[c], 1] + 0.317 * touch
+        x, y = position[leftmost[c], 0], position[leftmost[c], 1] + 0.317 * tolerance
         line = cell_of(y, low[1], size[1], side)
         column = cell_of(x, low[0], size[0], side)
         best, found = -np.inf, -1
@@ -118,9 +122,9 @@ def _find_left(
                 if (ends[i, 0, 0] > x and ends[i, 1, 0] > x) and abs(bulge[i]) <= BULGE:
                     continue
                 for root in range(1 if abs(bulge[i]) <= BULGE else 2):
-                    at, up = _met(ends, bulge, i, y, root)
+                    at, up = _x_at(ends, bulge, i, y, root)
                     if best < at < x:
-                        if first_piece[i] == first_piece[i + 1] or part[first_piece[i]] == c:
+                        if first_piece[i] == first_piece[i + 1] or component[first_piece[i]] == c:
                             continue
                         best, found, upward[c] = at, i, up
             if found >= 0 and best >= low[0] + column * size[0]:
@@ -128,24 +132,24 @@ def _find_left(
             column -= 1
         if found >= 0:
             p = first_piece[found]
-            where = _share(ends, bulge, found, best, y)
-            while p + 1 < first_piece[found + 1] and share[p + 1] <= where:
+            where = _parameter_at(ends, bulge, found, best, y)
+            while p + 1 < first_piece[found + 1] and parameter[p + 1] <= where:
                 p += 1
             piece[c] = p
 
 
 @kernel
-def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
+def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
     """Return the face that contains each component, (c,), -1 if there is none.
 
     ``hit`` (c,) is the face that the ray of each component meets first, -1 for none.  If it is the
     outer face of a neighbouring component, the face that contains the neighbour is returned.
     """
-    parts = len(hit)
-    within = np.full(parts, -1, np.int32)
-    known = np.zeros(parts, np.bool_)
-    asked = np.empty(parts, np.int32)
-    for c in range(parts):
+    component_count = len(hit)
+    within = np.full(component_count, -1, np.int32)
+    known = np.zeros(component_count, np.bool_)
+    asked = np.empty(component_count, np.int32)
+    for c in range(component_count):
         waiting = 0
         on, f = c, -1
         while not known[on]:
@@ -163,11 +167,11 @@ def _within(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 
 @inline_kernel
-def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
+def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
     """Return the x coordinate of edge ``i`` at the height ``y``, and whether it runs upwards there.
 
-    The x coordinate is NaN if the edge does not reach that height.  ``root`` selects the left (0)
-    or the right (1) half of the circle of an arc.
+    The x coordinate is NaN if the edge does not reach that height.  ``root`` is 0 for the left half
+    and 1 for the right half of the circle of an arc; lines ignore it.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
@@ -193,7 +197,7 @@ def _met(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float,
 
 
 @kernel(allocates=False)
-def _share(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
+def _parameter_at(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
     """Return the parameter, 0 … 1, of the point (``x``, ``y``) on edge ``i``."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay

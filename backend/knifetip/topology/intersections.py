@@ -1,4 +1,7 @@
-"""intersections: find where edges must be split, because others cross them or end on them."""
+"""intersections: find the points at which edges must be split.
+
+An edge must be split at a point at which another edge crosses it or ends on it.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, I32_2, OutI32_1, kernel
 from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.lines import Lines
-from knifetip.topology.segment import BULGE, chord_length, crossing_shares, distance_to
+from knifetip.topology.segment import BULGE, chord_length, crossing_parameters, distance_to
 from knifetip.topology.vertices import VertexTable, vertex_at, with_capacity
 
 #: Smallest number of vertices or cells for which a task on another core saves time.
@@ -22,15 +25,15 @@ MIN_CHUNK: Final = 40_000
 
 
 class Splits(NamedTuple):
-    """The c points at which edges are split."""
+    """The c points at which edges are split, one row per edge and point."""
 
     row: I32_1  #: (c,) edge that is split
-    share: F64_1  #: (c,) parameter on the edge, 0 … 1
+    parameter: F64_1  #: (c,) parameter on the edge, 0 … 1
     vertex: I32_1  #: (c,) vertex at the point
 
 
 def concatenate(*several: Splits) -> Splits:
-    """Return one record with the splits of all given records."""
+    """Return the splits of all given records in one record."""
     return Splits(*(np.concatenate(column) for column in zip(*several, strict=True)))
 
 
@@ -38,26 +41,34 @@ class Crossings(NamedTuple):
     """The c points at which two straight edges cross between their ends."""
 
     pair: I32_2  #: (c, 2) the two edges
-    share: F64_2  #: (c, 2) parameters of the point on both edges, 0 … 1
+    parameter: F64_2  #: (c, 2) parameters of the point on both edges, 0 … 1
 
 
-def find_crossings(ends: F64, bulge: F64, touch: float, grid: EdgeGrid, most: int) -> Crossings:
-    """Return the crossings of straight edges; the search stops soon after it has found ``most``."""
+def find_crossings(
+    ends: F64, bulge: F64, tolerance: float, grid: EdgeGrid, limit: int
+) -> Crossings:
+    """Return the crossings of straight edges.
+
+    The search ends soon after it has found ``limit`` crossings, so that the result is incomplete
+    then.
+    """
 
     def crossed(run: tuple[int, int]) -> Any:
-        return _crossed(ends, bulge, touch, grid, most, *run)
+        return _crossings_in_cells(ends, bulge, tolerance, grid, limit, *run)
 
     found = parallel_map(crossed, chunks(grid.side * grid.side, MIN_CHUNK))
     return Crossings(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
 def find_splits(
-    lines: Lines, vertices: VertexTable, pairs: Crossings, most: int
+    lines: Lines, vertices: VertexTable, pairs: Crossings, limit: int
 ) -> tuple[Splits, Splits, VertexTable] | None:
-    """Return the points at which edges must be split, or None if there are more than ``most``.
+    """Return the points at which edges must be split, or None if they are more than ``limit``.
 
     Parameters
     ----------
+    lines
+        The edges of the drawing.
     vertices
         Vertices at the ends of the edges.
     pairs
@@ -65,22 +76,22 @@ def find_splits(
 
     Returns
     -------
-    on
-        Splits of edges on which an end of another edge lies.
-    across
-        Splits of both edges of each crossing.
+    end_splits
+        Splits of edges at the ends of other edges.
+    crossing_splits
+        Splits of the two edges of each crossing.
     vertices
-        The given vertices and those of the crossings.
+        The given vertices and the vertices of the crossings.
     """
-    ends, touch = lines.ends, lines.tolerance
-    if 2 * len(pairs.pair) > most:
+    ends, tolerance = lines.ends, lines.tolerance
+    if 2 * len(pairs.pair) > limit:
         return None
     beside = [
         partial(
             _split_by_ends,
             ends,
             lines.bulge,
-            touch,
+            tolerance,
             lines.end_vertex,
             vertices.point,
             lines.grid,
@@ -88,45 +99,48 @@ def find_splits(
         )
         for run in chunks(vertices.known, MIN_CHUNK, 2 * core_count())
     ]
-    (across, vertices), *found = parallel_map(
-        lambda work: work(), (partial(_split_at_crossings, ends, touch, pairs, vertices), *beside)
+    (crossing_splits, vertices), *found = parallel_map(
+        lambda task: task(),
+        (partial(_split_at_crossings, ends, tolerance, pairs, vertices), *beside),
     )
-    on = concatenate(*(Splits(*one) for one in found))
-    return None if len(on.row) + len(across.row) > most else (on, across, vertices)
+    end_splits = concatenate(*(Splits(*one) for one in found))
+    if len(end_splits.row) + len(crossing_splits.row) > limit:
+        return None
+    return end_splits, crossing_splits, vertices
 
 
 def _split_at_crossings(
-    ends: F64, touch: float, pairs: Crossings, vertices: VertexTable
+    ends: F64, tolerance: float, pairs: Crossings, vertices: VertexTable
 ) -> tuple[Splits, VertexTable]:
-    """Return the splits of both edges of each crossing, and the old and new vertices."""
-    pair, share = pairs
+    """Return the splits of the two edges of each crossing, and the given and the added vertices."""
+    pair, parameter = pairs
     vertices = with_capacity(vertices, len(pair))
     at = np.empty(len(pair), np.int32)
-    count = _join(ends, touch, pair, share, vertices, at)
-    return Splits(pair.ravel(), share.ravel(), np.repeat(at, 2)), vertices._replace(known=count)
+    count = _merge_crossings(ends, tolerance, pair, parameter, vertices, at)
+    return Splits(pair.ravel(), parameter.ravel(), np.repeat(at, 2)), vertices._replace(known=count)
 
 
 @kernel
 def _split_by_ends(
     ends: F64_3,
     bulge: F64_1,
-    touch: float,
-    node: I32_1,
+    tolerance: float,
+    end_vertex: I32_1,
     point: F64_2,
     grid: EdgeGrid,
     begin: int,
     end: int,
 ) -> Any:
-    """Return where vertices ``begin`` … ``end`` - 1 lie on edges that do not end there.
+    """Return the splits of edges at vertices ``begin`` … ``end`` - 1 at which they do not end.
 
     Returns
     -------
-    row, share, cut : (k,)
-        Edge, parameter on the edge (0 … 1), and vertex.
+    row, parameter, cut : (k,)
+        Edge, parameter on the edge (0 … 1), and vertex of each split.
     """
     low, size, side, first, listed = grid
     row = np.empty(end - begin + 16, np.int32)
-    share = np.empty(end - begin + 16)
+    parameter = np.empty(end - begin + 16)
     cut = np.empty(end - begin + 16, np.int32)
     cuts = 0
     for at in range(begin, end):
@@ -135,38 +149,40 @@ def _split_by_ends(
         for k in range(first[cell], first[cell + 1]):
             i = listed[k]
             # For arcs this is checked first, because their distance takes long to compute.
-            if abs(bulge[i]) > BULGE and (node[2 * i] == at or node[2 * i + 1] == at):
+            if abs(bulge[i]) > BULGE and (end_vertex[2 * i] == at or end_vertex[2 * i + 1] == at):
                 continue
-            away, part = distance_to(ends, bulge, i, x, y, touch)
-            if away > touch or not 0.0 < part < 1.0:
+            away, part = distance_to(ends, bulge, i, x, y, tolerance)
+            if away > tolerance or not 0.0 < part < 1.0:
                 continue
-            if node[2 * i] == at or node[2 * i + 1] == at:
+            if end_vertex[2 * i] == at or end_vertex[2 * i + 1] == at:
                 continue
             if cuts == len(row):
-                row, share, cut = double_i32(row), double_f64(share), double_i32(cut)
-            row[cuts], share[cuts], cut[cuts] = i, part, at
+                row, parameter, cut = double_i32(row), double_f64(parameter), double_i32(cut)
+            row[cuts], parameter[cuts], cut[cuts] = i, part, at
             cuts += 1
-    return row[:cuts], share[:cuts], cut[:cuts]
+    return row[:cuts], parameter[:cuts], cut[:cuts]
 
 
 @kernel
-def _crossed(
-    ends: F64_3, bulge: F64_1, touch: float, grid: EdgeGrid, most: int, begin: int, end: int
+def _crossings_in_cells(
+    ends: F64_3, bulge: F64_1, tolerance: float, grid: EdgeGrid, limit: int, begin: int, end: int
 ) -> Any:
-    """Return the straight edges that cross within the grid cells ``begin`` … ``end`` - 1.
+    """Return the crossings of straight edges in the grid cells ``begin`` … ``end`` - 1.
+
+    The search ends after the cell with which the number of crossings exceeds ``limit``.
 
     Returns
     -------
-    pair, share : (c, 2) and (c, 2)
-        The two edges of each crossing, and the parameters of the point on both, 0 … 1.
+    pair, parameter : (c, 2) and (c, 2)
+        The two edges of each crossing, and the parameters of the crossing on these edges, 0 … 1.
     """
     low, size, side, first, listed = grid
     pair = np.empty((64, 2), np.int32)
-    share = np.empty((64, 2))
+    parameter = np.empty((64, 2))
     found = 0
     for cell in range(begin, end):
         left = low[0] + (cell % side) * size[0]
-        floor = low[1] + (cell // side) * size[1]
+        bottom = low[1] + (cell // side) * size[1]
         for k in range(first[cell], first[cell + 1]):
             i = listed[k]
             if abs(bulge[i]) > BULGE:
@@ -177,38 +193,46 @@ def _crossed(
                 j = listed[m]
                 if abs(bulge[j]) > BULGE:
                     continue
-                s, t = crossing_shares(ax, ay, ux, uy, ends, j)
+                s, t = crossing_parameters(ax, ay, ux, uy, ends, j)
                 if not 0.0 < s < 1.0:
                     continue
                 if (
-                    min(s, 1.0 - s) * long <= touch
-                    or min(t, 1.0 - t) * chord_length(ends, j) <= touch
+                    min(s, 1.0 - s) * long <= tolerance
+                    or min(t, 1.0 - t) * chord_length(ends, j) <= tolerance
                 ):
                     continue
                 x, y = ax + s * ux, ay + s * uy
-                if not (left <= x < left + size[0] and floor <= y < floor + size[1]):
+                if not (left <= x < left + size[0] and bottom <= y < bottom + size[1]):
                     continue
                 if found == len(pair):
-                    pair, share = double_i32_2(pair), double_f64_2(share)
+                    pair, parameter = double_i32_2(pair), double_f64_2(parameter)
                 pair[found, 0], pair[found, 1] = i, j
-                share[found, 0], share[found, 1] = s, t
+                parameter[found, 0], parameter[found, 1] = s, t
                 found += 1
-        if found > most:
+        if found > limit:
             break
-    return pair[:found], share[:found]
+    return pair[:found], parameter[:found]
 
 
 @kernel(allocates=False)
-def _join(
-    ends: F64_3, touch: float, pair: I32_2, share: F64_2, vertices: VertexTable, at: OutI32_1
+def _merge_crossings(
+    ends: F64_3,
+    tolerance: float,
+    pair: I32_2,
+    parameter: F64_2,
+    vertices: VertexTable,
+    at: OutI32_1,
 ) -> int:
-    """Write the vertex of each crossing to ``at``; return the number of all vertices."""
+    """Write the vertex of each crossing to ``at``, and return the number of all vertices.
+
+    A crossing within the tolerance of a vertex gets this vertex; otherwise a vertex is added.
+    """
     count = vertices.known
     for k in range(len(pair)):
-        i, s = pair[k, 0], share[k, 0]
+        i, s = pair[k, 0], parameter[k, 0]
         x = ends[i, 0, 0] + s * (ends[i, 1, 0] - ends[i, 0, 0])
         y = ends[i, 0, 1] + s * (ends[i, 1, 1] - ends[i, 0, 1])
-        at[k] = vertex_at(x, y, touch, vertices.point, count, vertices.head, vertices.onward)
+        at[k] = vertex_at(x, y, tolerance, vertices.point, count, vertices.head, vertices.onward)
         if at[k] == count:
             count += 1
     return count

@@ -1,4 +1,4 @@
-"""lines: the edges of a drawing and what is found about them before they are split."""
+"""lines: the record of a drawing's edges from which the planar graph is built."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from knifetip.topology.edge_grid import EdgeGrid
 
 
 class Lines(NamedTuple):
-    """The n edges of a drawing, with vertices and grid, from which its planar graph is built."""
+    """The n edges of a drawing, with the vertices at their ends and a grid to search them."""
 
     ends: F64  #: (n, 2, 2) start and end point of each edge
     bulge: F64  #: (n,) tan(sweep / 4) of each edge

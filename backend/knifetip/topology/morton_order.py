@@ -1,7 +1,7 @@
 """morton_order: sort edges so that neighbours in the plane are neighbours in memory.
 
-Most programs write a carton edge by edge, and that order is kept.  For a file in random order,
-searching for neighbours without sorting takes twice as long.
+The order of a file is kept if most edges already follow a neighbour, as most programs write them.
+For a file in random order, a search for neighbours takes twice as long without sorting.
 """
 
 from __future__ import annotations
@@ -25,27 +25,28 @@ _CELLS: Final = 256
 
 
 def spatial_order(ends: F64) -> I64 | None:
-    """Return an order of n edges in which neighbours follow one another, (n,); None if not needed.
+    """Return an order of n edges in which neighbours follow one another, (n,), or None.
 
-    It is None for few edges, and if most edges already follow a neighbour.
+    None means that sorting is not worthwhile, because there are few edges or because most edges
+    already follow a neighbour.
 
     Parameters
     ----------
     ends : (n, 2, 2)
-        Ends of the edges.
+        Start and end point of each edge.
     """
     if len(ends) < _MANY:
         return None
-    left, low, size = _frame(ends)
-    if _leaps(ends, _FAR * size) <= _LEAPS * len(ends):
+    left, low, size = _start_extent(ends)
+    if _count_leaps(ends, _FAR * size) <= _LEAPS * len(ends):
         return None
-    order: I64 = _by_cell(ends, left, low, _CELLS / size)
+    order: I64 = _sort_by_cell(ends, left, low, _CELLS / size)
     return order
 
 
 @kernel
-def _frame(ends: F64_3) -> Any:
-    """Return the least x, least y and larger extent of the start points of all edges, (3,)."""
+def _start_extent(ends: F64_3) -> Any:
+    """Return least x, least y and the larger of width and height of all start points, (3,)."""
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
     for i in range(len(ends)):
@@ -56,8 +57,11 @@ def _frame(ends: F64_3) -> Any:
 
 
 @kernel
-def _leaps(ends: F64_3, far: float) -> int:
-    """Return the number of edges that are more than ``far`` away in x or y from the edge before."""
+def _count_leaps(ends: F64_3, far: float) -> int:
+    """Return the number of edges that start far from the start of the preceding edge.
+
+    A distance is far if it is more than ``far`` in x or in y.
+    """
     leaps = 0
     for i in range(1, len(ends)):
         across, along = ends[i, 0, 0] - ends[i - 1, 0, 0], ends[i, 0, 1] - ends[i - 1, 0, 1]
@@ -66,11 +70,11 @@ def _leaps(ends: F64_3, far: float) -> int:
 
 
 @kernel
-def _by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
+def _sort_by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
     """Return the rows of the edges, (n,), sorted by the Morton code of the cell of the start point.
 
-    ``left`` and ``low`` are the least coordinates, ``scale`` is the number of cells in a unit of
-    length.
+    ``left`` and ``low`` are the least x and y of the start points; ``scale`` is the number of cells
+    per unit of length.
     """
     count = len(ends)
     cell = np.empty(count, np.int64)

@@ -1,4 +1,4 @@
-"""segment: geometry of one line or of one arc of at most half a turn, for kernels."""
+"""segment: kernels for the geometry of one segment: a line, or an arc of at most half a turn."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _CLEARLY: Final = 1.000001
 def distance_to(
     ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float
 ) -> tuple[float, float]:
-    """Return the distance from a point to segment ``i``, and the parameter of the nearest point.
+    """Return the distance of (``x``, ``y``) from segment ``i``, and the nearest parameter on it.
 
-    The parameter is 0 … 1.  For a segment that is clearly farther away than ``far`` the distance
-    may be infinite.
+    The parameter is 0 … 1.  The distance may be infinite for a segment that is clearly farther away
+    than ``far``.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -32,10 +32,10 @@ def distance_to(
         off = ox * dy - oy * dx
         if off * off > _CLEARLY * far * far * square:
             return np.inf, 0.0
-        share = min(max((ox * dx + oy * dy) / square, 0.0), 1.0) if square > 0.0 else 0.0
-        ox -= share * dx
-        oy -= share * dy
-        return math.sqrt(ox * ox + oy * oy), share
+        parameter = min(max((ox * dx + oy * dy) / square, 0.0), 1.0) if square > 0.0 else 0.0
+        ox -= parameter * dx
+        oy -= parameter * dy
+        return math.sqrt(ox * ox + oy * oy), parameter
     # An arc of at most half a turn is in the circle with its chord as diameter.
     mx, my = ox - 0.5 * dx, oy - 0.5 * dy
     room = 0.5 * math.sqrt(square) + far
@@ -48,9 +48,10 @@ def distance_to(
 def _distance_to_arc(
     dx: float, dy: float, b: float, x: float, y: float, far: float
 ) -> tuple[float, float]:
-    """Return distance and parameter as ``distance_to``, for an arc from (0, 0) to (``dx``, ``dy``).
+    """Return the distance of (``x``, ``y``) from an arc, and the nearest parameter on it.
 
-    ``b`` is the bulge of the arc.
+    The arc starts at (0, 0), ends at (``dx``, ``dy``) and has the bulge ``b``.  The distance may be
+    infinite for an arc that is clearly farther away than ``far``.
     """
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
@@ -79,17 +80,17 @@ def _distance_to_arc(
 
 
 @inline_kernel
-def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, float]:
-    """Return the point (x, y) of segment ``i`` at the parameter ``share``, 0 … 1."""
+def point_at(ends: F64_3, bulge: F64_1, i: int, parameter: float) -> tuple[float, float]:
+    """Return the point (x, y) of segment ``i`` at a parameter from 0 (start) to 1 (end)."""
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]
     if abs(b) <= BULGE:
-        return ax + share * dx, ay + share * dy
+        return ax + parameter * dx, ay + parameter * dy
     up = (1.0 - b * b) / (4.0 * b)
     cx = ax + 0.5 * dx - up * dy
     cy = ay + 0.5 * dy + up * dx
-    angle = 4.0 * math.atan(b) * share
+    angle = 4.0 * math.atan(b) * parameter
     c, s = math.cos(angle), math.sin(angle)
     return cx + c * (ax - cx) - s * (ay - cy), cy + s * (ax - cx) + c * (ay - cy)
 
@@ -98,8 +99,8 @@ def point_at(ends: F64_3, bulge: F64_1, i: int, share: float) -> tuple[float, fl
 def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
     """Return the unit vector in which a segment would continue beyond one of its ends.
 
-    End ``half`` is the start of segment half / 2 if ``half`` is even, the end if it is odd.  The
-    vector is (0, 0) for a segment without length.
+    ``half`` is 2 i for the start of segment i and 2 i + 1 for its end.  The vector is (0, 0) if
+    both ends are at one point.
     """
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
@@ -115,13 +116,13 @@ def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, floa
 
 
 @inline_kernel
-def crossing_shares(
+def crossing_parameters(
     ax: float, ay: float, ux: float, uy: float, ends: F64_3, j: int
 ) -> tuple[float, float]:
     """Return the parameters, 0 … 1, at which two lines cross, or NaN twice if they do not cross.
 
-    The first line starts at (``ax``, ``ay``) and ends at (``ax + ux``, ``ay + uy``); the second one
-    is line ``j``.
+    The first line runs from (``ax``, ``ay``) to (``ax + ux``, ``ay + uy``), the second line from
+    ``ends[j, 0]`` to ``ends[j, 1]``.
     """
     vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
     ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay

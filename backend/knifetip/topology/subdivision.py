@@ -1,4 +1,6 @@
-"""subdivision: find the faces into which edges divide the plane, and which face contains what.
+"""subdivision: find the faces into which edges divide the plane.
+
+For each connected component of the edges the face that contains it is found, too.
 
 The edges meet only at their ends.  In contrast to ``planar_graph``, no edge is split and no gap is
 closed.
@@ -35,7 +37,10 @@ class Subdivision:
 
     @property
     def merged(self) -> I64:
-        """(f,) The face itself if it is bounded, else the bounded face around it or -1."""
+        """Each face, or the bounded face around its component if it is an outer face, (f,).
+
+        The entry of an outer face is -1 if no bounded face contains its component.
+        """
         component_of_face = np.zeros(len(self.outer), np.int64)
         component_of_face[self.face] = self.component[:, None]
         result: I64 = np.where(

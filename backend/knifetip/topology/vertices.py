@@ -1,7 +1,7 @@
 """vertices: merge points within a tolerance into one vertex, and find edges that coincide.
 
 A point gets the nearest vertex within the tolerance, or becomes a vertex if there is none.  Points
-with equal coordinates get the same vertex, even if a nearer vertex is added later.
+with equal coordinates get the same vertex, even if a nearer vertex is added between them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from knifetip.kernels import (
 
 #: Width of a hash cell, in multiples of the tolerance.
 _CELL: Final = 16.0
-#: Results of ``_nearest`` for no vertex, and for several.
+#: Results of ``_nearest_vertex`` for no vertex, and for several.
 _NONE: Final = -1
 _SEVERAL: Final = -2
 #: Points are equal if they round to the same multiples of the tolerance divided by this.
@@ -42,22 +42,22 @@ class VertexTable(NamedTuple):
     head: OutI32_1  #: (2^k,) vertex that was added last to each hash bucket, -1 for none
 
 
-def merge_ends(ends: F64, touch: float) -> tuple[VertexTable, I32]:
-    """Return the vertices of the ends of n edges, (n, 2, 2), and the vertex of each end, (2n,).
+def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
+    """Return the vertices at the ends of n edges, (n, 2, 2), and the vertex of each end, (2n,).
 
-    Ends that are at most ``touch`` apart become one vertex.
+    An end gets the nearest vertex that is at most ``tolerance`` away, or a new vertex.
     """
     count = len(ends)
     size = 1 << (4 * count + 15).bit_length()
     vertices = VertexTable(
         np.empty((2 * count, 2)), 0, np.empty(2 * count, np.int32), np.full(size, -1, np.int32)
     )
-    node = np.empty(2 * count, np.int32)
+    end_vertex = np.empty(2 * count, np.int32)
     several = np.zeros(2 * count, np.bool_)
-    found, near = _place(ends, touch, vertices, node, several)
+    found, near = _merge_points(ends, tolerance, vertices, end_vertex, several)
     if near:
-        _unify(ends, touch, np.flatnonzero(several).astype(np.int32), node)
-    return vertices._replace(known=found), node
+        _unify_equal_ends(ends, tolerance, np.flatnonzero(several).astype(np.int32), end_vertex)
+    return vertices._replace(known=found), end_vertex
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
@@ -69,44 +69,48 @@ def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
 
 
 @kernel(allocates=False)
-def _place(
-    ends: F64_3, touch: float, vertices: VertexTable, node: OutI32_1, several: OutBool_1
+def _merge_points(
+    ends: F64_3, tolerance: float, vertices: VertexTable, end_vertex: OutI32_1, several: OutBool_1
 ) -> Any:
-    """Write the vertex of each end to ``node`` and whether several are near to ``several``.
+    """Write the vertex of each end to ``end_vertex``, (2n,), and add new vertices to the table.
 
-    Returns the number of vertices, and the number of ends with several vertices within the
-    tolerance.
+    Sets ``several``, (2n,), to True for ends with several vertices within the tolerance.  Returns
+    the number of vertices and the number of these ends.
     """
     count = near = 0
-    for half in range(len(node)):
+    for half in range(len(end_vertex)):
         x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
-        at = _nearest(x, y, touch, vertices.point, vertices.head, vertices.onward)
+        at = _nearest_vertex(x, y, tolerance, vertices.point, vertices.head, vertices.onward)
         if at == _NONE:
             at = count
-            _add(x, y, touch, vertices.point, count, vertices.head, vertices.onward)
+            _add_vertex(x, y, tolerance, vertices.point, count, vertices.head, vertices.onward)
             count += 1
         elif at < 0:
             at = _SEVERAL - at
             several[half] = True
             near += 1
-        node[half] = at
+        end_vertex[half] = at
     return count, near
 
 
 @kernel
 def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return the slot of the hash table ``known`` for ends at the same position as end ``half``."""
+    """Return the slot of the hash table ``known`` for the position of end ``half``.
+
+    The slot contains an end at this position, rounded to multiples of 1 / ``fine``, or a negative
+    number if there is none in the table.
+    """
     mask = len(known) - 1
-    x, y = _rounded(ends, half, fine)
-    slot = _hashed(x, y, mask)
-    while known[slot] >= 0 and _rounded(ends, known[slot], fine) != (x, y):
+    x, y = _rounded_position(ends, half, fine)
+    slot = _hash_bucket(x, y, mask)
+    while known[slot] >= 0 and _rounded_position(ends, known[slot], fine) != (x, y):
         slot = (slot + 1) & mask
     return slot
 
 
 @kernel
-def _rounded(ends: F64_3, half: int, fine: float) -> Any:
-    """Return x and y of an end as integers, in units of 1 / ``fine``."""
+def _rounded_position(ends: F64_3, half: int, fine: float) -> Any:
+    """Return x and y of end ``half`` rounded to integers, in units of 1 / ``fine``."""
     return (
         np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
         np.int64(np.rint(ends[half // 2, half % 2, 1] * fine)),
@@ -114,8 +118,8 @@ def _rounded(ends: F64_3, half: int, fine: float) -> Any:
 
 
 @kernel(allocates=False)
-def _hashed(cx: int, cy: int, mask: int) -> Any:
-    """Return the hash bucket of a cell, for a table of ``mask`` + 1 buckets."""
+def _hash_bucket(cx: int, cy: int, mask: int) -> Any:
+    """Return the hash bucket of the pair of integers ``cx`` and ``cy``, from 0 to ``mask``."""
     key = np.uint64(cx) * np.uint64(0x9E3779B97F4A7C15) ^ np.uint64(cy) * np.uint64(
         0xC2B2AE3D27D4EB4F
     )
@@ -124,39 +128,52 @@ def _hashed(cx: int, cy: int, mask: int) -> Any:
 
 @inline_kernel
 def vertex_at(
-    x: float, y: float, touch: float, point: OutF64_2, count: int, head: OutI32_1, onward: OutI32_1
+    x: float,
+    y: float,
+    tolerance: float,
+    point: OutF64_2,
+    count: int,
+    head: OutI32_1,
+    onward: OutI32_1,
 ) -> int:
-    """Return the vertex at (``x``, ``y``), or ``count`` after adding a vertex with that number."""
-    at = _nearest(x, y, touch, point, head, onward)
+    """Return the vertex within the tolerance of (``x``, ``y``); add one if there is none.
+
+    An added vertex has the number ``count``.  ``point``, ``onward`` and ``head`` are the columns of
+    the ``VertexTable`` and are written to; the caller counts the added vertex.
+    """
+    at = _nearest_vertex(x, y, tolerance, point, head, onward)
     if at == _NONE:
-        _add(x, y, touch, point, count, head, onward)
+        _add_vertex(x, y, tolerance, point, count, head, onward)
         return count
     return at if at >= 0 else _SEVERAL - at
 
 
 @inline_kernel
-def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward: I32_1) -> int:
-    """Return the nearest vertex within the tolerance ``touch`` of a point, or a negative number.
+def _nearest_vertex(
+    x: float, y: float, tolerance: float, point: F64_2, head: I32_1, onward: I32_1
+) -> int:
+    """Return the nearest vertex within the tolerance of (``x``, ``y``), or a negative number.
 
-    It is ``_NONE`` if there is no vertex.  If several vertices are near, and none is exactly at the
-    point, it is ``_SEVERAL`` minus the vertex: returning a second value would take longer.
+    The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are, and none
+    is exactly at the point, it is ``_SEVERAL`` minus the nearest vertex: to return a second value
+    would take longer.
     """
     mask = len(head) - 1
-    fx, fy = x / (_CELL * touch), y / (_CELL * touch)
+    fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
     cx, cy = math.floor(fx), math.floor(fy)
     x0 = -1 if fx - cx <= 1.0 / _CELL else 0
     x1 = 1 if fx - cx >= 1.0 - 1.0 / _CELL else 0
     y0 = -1 if fy - cy <= 1.0 / _CELL else 0
     y1 = 1 if fy - cy >= 1.0 - 1.0 / _CELL else 0
-    nearest, best, many, exact = _NONE, touch * touch, False, False
+    nearest, best, many, exact = _NONE, tolerance * tolerance, False, False
     for dx in range(x0, x1 + 1):
         for dy in range(y0, y1 + 1):
-            at = head[_hashed(cx + dx, cy + dy, mask)]
+            at = head[_hash_bucket(cx + dx, cy + dy, mask)]
             while at >= 0:
                 ox = point[at, 0] - x
                 oy = point[at, 1] - y
                 away = ox * ox + oy * oy
-                if away <= touch * touch:
+                if away <= tolerance * tolerance:
                     many = many or nearest != _NONE
                     if away <= best:
                         nearest, best = at, away
@@ -172,30 +189,38 @@ def _nearest(x: float, y: float, touch: float, point: F64_2, head: I32_1, onward
 
 
 @inline_kernel
-def _add(
-    x: float, y: float, touch: float, point: OutF64_2, number: int, head: OutI32_1, onward: OutI32_1
+def _add_vertex(
+    x: float,
+    y: float,
+    tolerance: float,
+    point: OutF64_2,
+    number: int,
+    head: OutI32_1,
+    onward: OutI32_1,
 ) -> None:
-    """Write a vertex with a number and position to the hash table."""
-    fx, fy = x / (_CELL * touch), y / (_CELL * touch)
-    own = _hashed(math.floor(fx), math.floor(fy), len(head) - 1)
+    """Write the vertex ``number`` at (``x``, ``y``) to the columns of a ``VertexTable``."""
+    fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
+    own = _hash_bucket(math.floor(fx), math.floor(fy), len(head) - 1)
     point[number, 0], point[number, 1] = x, y
     onward[number] = head[own]
     head[own] = number
 
 
 @kernel
-def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch: float) -> Any:
-    """Return the first edge coincident with each of n edges, (n,); itself if there is none.
+def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, tolerance: float) -> Any:
+    """Return the first edge that coincides with each of n edges, (n,).
+
+    The entry is the edge itself if no earlier edge coincides with it.
 
     Edges coincide if they connect the same vertices along the same line or arc.
 
     Parameters
     ----------
-    start, end, bent : (n,)
-        Vertices and bulge of each edge.
+    start, end, bulge : (n,)
+        Start vertex, end vertex and bulge of each edge.
     point : (q, 2)
         Positions of the vertices.
-    touch
+    tolerance
         Half of the largest distance between the middles of coincident arcs.
     """
     count = len(start)
@@ -207,17 +232,17 @@ def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch:
     mask -= 1
     behind = np.empty(count, np.int32)
     for p in range(count):
-        a, b, bend = start[p], end[p], bent[p]
+        a, b, bend = start[p], end[p], bulge[p]
         if a > b:
             a, b, bend = b, a, -bend
-        slot = _hashed(a, b, mask)
+        slot = _hash_bucket(a, b, mask)
         at = heads[slot]
         same[p] = p
         while at >= 0:
             if (start[at] == a and end[at] == b) or (start[at] == b and end[at] == a):
-                other = bent[at] if start[at] == a else -bent[at]
+                other = bulge[at] if start[at] == a else -bulge[at]
                 chord = math.hypot(point[a, 0] - point[b, 0], point[a, 1] - point[b, 1])
-                if 0.5 * abs(other - bend) * chord <= 2.0 * touch:
+                if 0.5 * abs(other - bend) * chord <= 2.0 * tolerance:
                     same[p] = at
                     break
             at = behind[at]
@@ -228,26 +253,26 @@ def first_coincident(start: I32_1, end: I32_1, bent: F64_1, point: F64_2, touch:
 
 
 @kernel
-def _unify(ends: F64_3, touch: float, several: I32_1, node: OutI32_1) -> None:
-    """Give ends with equal positions the same vertex, that of the first of them, in ``node``.
+def _unify_equal_ends(ends: F64_3, tolerance: float, several: I32_1, end_vertex: OutI32_1) -> None:
+    """Give ends of edges at equal positions the vertex of the first of these ends.
 
-    ``several`` are the ends that have several vertices within the tolerance; other ends keep theirs
-    unless they are at the position of one of these.
+    ``several`` are the ends that have several vertices within the tolerance.  Writes to
+    ``end_vertex``, (2n,), for these ends and for all ends at their positions.
     """
     mask = 1
     while mask < 4 * len(several):
         mask *= 2
     mask -= 1
     # Points that are rounded to different integers are still within the tolerance.
-    fine = _FINE / touch
+    fine = _FINE / tolerance
     known = np.full(mask + 1, -1, np.int32)
-    place = np.full(mask + 1, -1, np.int32)
+    vertex_of_slot = np.full(mask + 1, -1, np.int32)
     for half in several:
         known[_slot(ends, half, fine, known)] = half
-    for half in range(len(node)):
+    for half in range(len(end_vertex)):
         slot = _slot(ends, half, fine, known)
         if known[slot] < 0:
             continue
-        if place[slot] < 0:
-            place[slot] = node[half]
-        node[half] = place[slot]
+        if vertex_of_slot[slot] < 0:
+            vertex_of_slot[slot] = end_vertex[half]
+        end_vertex[half] = vertex_of_slot[slot]

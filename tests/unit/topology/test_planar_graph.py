@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.topology.planar_graph import PlanarGraph, _dangling, build_graph
+from knifetip.topology.planar_graph import PlanarGraph, _dangling_vertices, build_graph
 
 TOUCH, REACH = 0.05, 1.0
 
@@ -27,7 +27,7 @@ def test_an_edge_is_parted_where_another_ends_on_it() -> None:
     made = graph_of((0, 0, 10, 0), (4, 0, 4, 8))
     assert made.first.tolist() == [0, 2, 3]
     np.testing.assert_allclose(made.vertex[made.end[0]], [4, 0])
-    np.testing.assert_allclose(made.share[:2], [0.0, 0.4])
+    np.testing.assert_allclose(made.parameter[:2], [0.0, 0.4])
 
 
 def test_an_arc_is_parted_where_another_ends_on_it() -> None:
@@ -110,5 +110,5 @@ def test_loose_is_where_one_line_ends_and_nothing_else_is() -> None:
     # Lines 0-1, 1-2, the first drawn again, 3-4 and 5-6; end 3 lies on a line, one crosses at 6.
     node = np.array([0, 1, 1, 2, 0, 1, 3, 4, 5, 6], np.int32)
     twin = np.array([0, 1, 0, 3, 4], np.int32)
-    found = _dangling(node, twin, np.array([3], np.int32), np.array([6], np.int32), 8)
+    found = _dangling_vertices(node, twin, np.array([3], np.int32), np.array([6], np.int32), 8)
     assert np.flatnonzero(found).tolist() == [0, 2, 4, 5]

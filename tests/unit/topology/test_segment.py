@@ -9,7 +9,7 @@ import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from knifetip.topology.segment import crossing_shares, distance_to, point_at
+from knifetip.topology.segment import crossing_parameters, distance_to, point_at
 
 _NUMBER = st.floats(-100.0, 100.0)
 _POINT = st.tuples(_NUMBER, _NUMBER)
@@ -50,7 +50,7 @@ def test_lines_cross_where_shapely_says(
 ) -> None:
     assume(math.dist(a, b) > 0.1 and math.dist(c, d) > 0.1)
     one, other = shapely.LineString([a, b]), shapely.LineString([c, d])
-    s, t = crossing_shares(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)
+    s, t = crossing_parameters(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)
     if math.isnan(s):
         assert math.isnan(t)
         # They may touch at an end, or lie on each other.

@@ -38,7 +38,7 @@ _OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
 #: A style is the main fold style if it has more than this fraction of the length of all dividers …
 _MAIN_FOLD_SHARE: Final = 0.6
 #: … and if more than this fraction of the length of its own dividers must be folds.
-_MUST_FOLD_SHARE: Final = 0.5
+_MUST_FOLD_FRACTION: Final = 0.5
 #: Line types that a closed line inside a panel may have, besides cut.
 _CLOSED_IN_PANEL: Final = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
 #: Confidence that edges in these roles are ignored.
@@ -75,14 +75,14 @@ class Decision:
     by_rule: bool = False  #: whether a rule decides and nothing contradicts it
 
     @property
-    def asked(self) -> bool:
-        """Whether the user must decide, because the confidence is too low."""
+    def needs_answer(self) -> bool:
+        """Whether the user must decide: the confidence is too low or the line type is unknown."""
         unsure = self.confidence < MIN_CONFIDENCE and not self.by_rule
         return unsure or self.kind == LineType.UNCLASSIFIED
 
 
 class _Guess:
-    """A line type with confidence and reasons, which changes while evidence is added."""
+    """A line type with its confidence and reasons, which changes while evidence is added."""
 
     def __init__(self, kind: LineType, confidence: float) -> None:
         self.kind = kind
@@ -91,7 +91,7 @@ class _Guess:
         self.others: list[LineType] = []
 
     def strengthen(self, factor: float) -> None:
-        """Multiply the doubt, which is 1 minus the confidence, by a factor."""
+        """Multiply the doubt, 1 minus the confidence, by ``factor``, which is below 1."""
         self.confidence = 1.0 - (1.0 - self.confidence) * factor
 
     def replace(self, kind: LineType, confidence: float) -> None:
@@ -154,7 +154,7 @@ class Classifier:
             & (carton > 0.0)
         )
         folds = np.where(only_divides, grouped[:, Role.DIVIDER], 0.0)
-        must_fold = _divider_share(totals.must_fold, group, grouped) > _MUST_FOLD_SHARE
+        must_fold = _divider_fraction(totals.must_fold, group, grouped) > _MUST_FOLD_FRACTION
         main = grouped[:, Role.DIVIDER] > _MAIN_FOLD_SHARE * length[:, Role.DIVIDER].sum()
         return cls(
             styles,
@@ -165,8 +165,8 @@ class Classifier:
             length.sum(axis=0),
             (folds.sum() - folds)[group],
             only_divides[group],
-            _divider_share(totals.dashed, group, grouped),
-            _divider_share(totals.paired, group, grouped),
+            _divider_fraction(totals.dashed, group, grouped),
+            _divider_fraction(totals.paired, group, grouped),
             must_fold & main[group],
             bool(length[:, Role.OUTLINE].any()),
             _swap_reason(matches, length, conventions),
@@ -178,7 +178,9 @@ class Classifier:
         Parameters
         ----------
         style
-            Row of the style.
+            Index of the style, 0 … c - 1.
+        role
+            Role of the edges in the shape of the drawing.
         must_fold
             Whether a panel is attached by these edges alone.
         """
@@ -322,9 +324,10 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return the meaning of a style's layer or linetype name, and whether it is the layer's.
+        """Return the meaning of a style's layer name, or else of its linetype name.
 
-        The linetype name counts only if the layer name has no meaning.
+        The second value is whether the meaning comes from the layer name.  The linetype name counts
+        only if the layer name has no meaning.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
@@ -398,13 +401,15 @@ def _likeliest_type(role: Role) -> LineType:
     return _POSSIBLE_TYPES[role][0]
 
 
-def _divider_share(part: F64, group: I64, grouped: F64) -> F64:
-    """Return the fraction of the dividers' length of each style's group that ``part`` is, (c,).
+def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
+    """Return the fraction of the dividers in each style's group that have some property, (c,).
+
+    Styles with equal layer, colour and linetype are in one group; fractions are by length.
 
     Parameters
     ----------
     part : (c,)
-        Length of some of the dividers of each style.
+        Length of the dividers of each style that have the property.
     group : (c,)
         Group of each style.
     grouped : (groups, roles)
@@ -416,7 +421,10 @@ def _divider_share(part: F64, group: I64, grouped: F64) -> F64:
 
 
 def _group_styles(styles: StyleTable) -> I64:
-    """Return a number of each style, (c,), equal for equal layer, colour and linetype."""
+    """Return the number of the group of each style, (c,).
+
+    Styles with equal layer, colour and linetype are in one group.
+    """
     number: dict[tuple[str, int, int, str], int] = {}
     return np.array(
         [

@@ -21,7 +21,7 @@ from knifetip.model.dieline import LineType
 
 #: A piece with less than this fraction of the area of the other piece is a separated panel; two
 #: pieces of more equal area are two blanks with a common cut.
-_MAX_AREA_SHARE: Final = 0.35
+_MAX_AREA_FRACTION: Final = 0.35
 
 
 def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
@@ -55,16 +55,16 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
         (left != right)
         & at_rim[smaller]
         & has_fold[larger]
-        & (area[smaller] < _MAX_AREA_SHARE * area[larger])
+        & (area[smaller] < _MAX_AREA_FRACTION * area[larger])
     )
     return separating
 
 
 @kernel
 def _label_connected_faces(faces: int, sides: I32_2) -> Any:
-    """Return a label of each face, (faces,), equal for faces that pairs of ``sides`` connect.
+    """Return a label of each face, (faces,), which is equal for faces that are connected.
 
-    ``sides`` (k, 2) are pairs of faces.
+    Each row of ``sides``, (k, 2), connects two faces, directly or through other faces.
     """
     parent = np.arange(faces)
     for k in range(len(sides)):

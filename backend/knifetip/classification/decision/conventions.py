@@ -33,7 +33,7 @@ _MIN_CREASED: Final = 0.6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class FittingConvention:
-    """A convention that fits the drawing, with the line types that it gives to c styles."""
+    """A colour convention that fits a drawing, and the line types that it gives to c styles."""
 
     name: str
     line_type: U8  #: (c,) UNCLASSIFIED where it has no rule

@@ -114,7 +114,7 @@ def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
 
 
 def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
-    """Return the first rule of a profile that matches each style."""
+    """Return the first rule of a profile that matches each style, and the patterns that matched."""
     count = len(styles)
     line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
     matched_rule = np.full(count, -1, np.int32)
@@ -152,7 +152,7 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
 
 @lru_cache(maxsize=1 << 16)
 def fold_name(name: str) -> str:
-    """Return a name as it is compared: in Unicode form NFC, without case and outer spaces."""
+    """Return a name in the form for comparison: Unicode NFC, case folded, without outer spaces."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name.strip()).casefold())
 
 

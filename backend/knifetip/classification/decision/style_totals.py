@@ -1,6 +1,6 @@
 """style_totals: sum up lengths and numbers of edges by style and role.
 
-The sums also show which edges can share a decision: their decision keys are equal.
+The module also computes decision keys: edges with equal keys get the same decision.
 """
 
 from __future__ import annotations
@@ -85,14 +85,14 @@ class StyleTotals(NamedTuple):
     def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
         """Return the decision key of each edge, (n,): style, role and flags combined in one number.
 
-        Edges with equal keys share one decision.  ``style`` (n,) is the style of each edge.
+        Edges with equal keys get the same decision.  ``style`` (n,) is the style of each edge.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
         _write_keys(
             style,
             features.role,
-            features.role_share,
+            features.role_fraction,
             features.near_text,
             features.must_fold,
             features.dashed,
@@ -117,9 +117,10 @@ def _add(
     must_fold_length: OutF64_1,
     fold_lengths: OutF64_2,
 ) -> None:
-    """Add numbers and lengths of n edges to the columns of their styles.
+    """Add numbers and lengths of n edges to the totals of their styles.
 
-    The arguments from ``count`` on are the columns of ``StyleTotals`` and are written to.
+    ``style`` to ``must_fold`` are columns of the edges; the arguments from ``count`` on are the
+    columns of ``StyleTotals`` and are written to.
     """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
@@ -142,7 +143,7 @@ def _add(
 def _write_keys(
     style: I64_1,
     role: U8_1,
-    role_share: F64_1,
+    role_fraction: F64_1,
     near_text: Bool_1,
     must_fold: Bool_1,
     dashed: Bool_1,
@@ -155,7 +156,7 @@ def _write_keys(
     """
     for i in range(len(style)):
         flags = 0
-        if role_share[i] < _MAIN_ROLE and role[i] != _UNKNOWN:
+        if role_fraction[i] < _MAIN_ROLE and role[i] != _UNKNOWN:
             flags += MIXED_ROLES
         if near_text[i] and role[i] == _STRAY:
             flags += NEAR_TEXT

@@ -70,7 +70,7 @@ def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, len
 
 
 def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
-    """Return the components that contain one of the edges ``cut``, as blanks numbered from 0."""
+    """Return the components that contain at least one of the edges ``cut`` as blanks."""
     number = np.full(int(component.max()) + 2, -1, np.int32)
     number[component[cut]] = 0
     wanted = np.flatnonzero(number == 0)
@@ -87,9 +87,11 @@ def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
 
 
 def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tuple[I64, I64]:
-    """Return the rows with a mirror image among the candidates, and these images, (k,) and (k,).
+    """Return pairs of edges that are mirror images of each other, as two arrays (k,) and (k,).
 
-    ``axis`` is 0 for images with opposite x and 1 for images with opposite y.
+    The first edge of a pair is one of ``rows``, the second one of ``candidates``.  ``axis`` is 0
+    for images with opposite x and 1 for images with opposite y, relative to the centre of the
+    blank.
     """
     found: list[tuple[I64, I64]] = []
     # Two grids, half a cell apart: lines near a border of one are inside a cell of the other.
@@ -107,10 +109,11 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
 
 
 def _position_keys(blanks: _Blanks, rows: I64, axis: int, sign: float, shift: float) -> I64:
-    """Return a key of each line's position, (k, 5): cells of its middle and extent, and its blank.
+    """Return a key of the position of each edge in ``rows``, (k, 5).
 
-    A line with ``sign`` 1 has the same key as its mirror image with ``sign`` -1.  ``shift`` moves
-    the borders of the cells.
+    The columns are the blank of the edge, and x and y of its middle and of its extent, each rounded
+    down to cells.  An edge has with ``sign`` 1 the key that its mirror image along ``axis`` has
+    with ``sign`` -1.  ``shift`` moves the borders of the cells, as a fraction of a cell.
     """
     blank = blanks.blank[rows]
     tolerance = _TOLERANCE * blanks.size[blank][:, None]

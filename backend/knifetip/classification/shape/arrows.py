@@ -21,7 +21,7 @@ from knifetip.topology.planar_graph import PlanarGraph
 #: Greatest length of an arrowhead (mm).
 _MAX_LENGTH: Final = 12.0
 #: Greatest length of an arrowhead as a fraction of the length of its shaft.
-_MAX_SHARE: Final = 0.75
+_MAX_FRACTION: Final = 0.75
 #: Least and greatest angle between an edge of the head and the shaft (radians).
 _MIN_ANGLE: Final = math.radians(5.0)
 _MAX_ANGLE: Final = math.radians(50.0)
@@ -36,7 +36,7 @@ _MAX_DEGREE: Final = 24
 
 
 class _Graph(NamedTuple):
-    """Columns of a ``PlanarGraph``: q vertices, p pieces, n edges."""
+    """The columns of a ``PlanarGraph`` by which arrows are found: q vertices, p pieces, n edges."""
 
     vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts
@@ -46,7 +46,10 @@ class _Graph(NamedTuple):
 
 
 class _Incidence(NamedTuple):
-    """The pieces at each vertex: those of vertex v are ``piece[first[v] : first[v + 1]]``."""
+    """The pieces that start or end at each vertex.
+
+    The pieces at vertex v are ``piece[first[v] : first[v + 1]]``.
+    """
 
     first: I32_1  #: (q + 1,) index of the first entry of each vertex
     piece: I32_1  #: pieces that start or end at the vertex
@@ -161,7 +164,10 @@ def _mark_arrowheads(
                         continue
                     to = end[shaft] if start[shaft] == at else start[shaft]
                     dx, dy = vertex[to, 0] - vertex[at, 0], vertex[to, 1] - vertex[at, 1]
-                    if _chord_length(vertex, start, end, first_piece, i) * _MAX_SHARE < length[a]:
+                    if (
+                        _chord_length(vertex, start, end, first_piece, i) * _MAX_FRACTION
+                        < length[a]
+                    ):
                         continue
                     along = math.atan2(dy, dx)
                     left, right = _turn(along, direction[a]), _turn(along, direction[b])
@@ -194,7 +200,8 @@ def _mark_extension_lines(
 ) -> None:
     """Mark the extension lines of dimensions: lines that end shortly beyond the tip of an arrow.
 
-    Sets ``found``, (n,), to True for them; ``tip`` (q,) is the mask of vertices at tips.
+    Sets the entries of extension lines in ``found``, (n,), to True.  ``tip`` (q,) is the mask of
+    vertices at the tips of arrows.
     """
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
@@ -221,7 +228,7 @@ def _mark_extension_lines(
 
 @kernel(allocates=False)
 def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
-    """Set ``found``, (n,), to True for edges that marked edges cover along their whole length."""
+    """Set ``found``, (n,), to True also for edges that are covered by the edges marked in it."""
     for i in range(len(found)):
         if found[i] or graph.first[i] == graph.first[i + 1]:
             continue
@@ -247,7 +254,7 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) ->
 
 @kernel(allocates=False)
 def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool:
-    """Return whether one edge connects vertices ``one`` and ``two``."""
+    """Return whether a single edge connects the vertices ``one`` and ``two``."""
     for k in range(incidence.first[one], incidence.first[one + 1]):
         i = graph.edge[incidence.piece[k]]
         if i >= 0 and _other_end(graph.start, graph.end, graph.first, i, one) == two:

@@ -27,7 +27,7 @@ _MAX_BLEEDS: Final = 300
 
 
 class Enclosures(NamedTuple):
-    """Which of the c connected components of a drawing enclose other components."""
+    """The kinds of the c connected components of a drawing that enclose other components."""
 
     panels: I64  #: (c,) number of faces inside the outline
     parent: I32  #: (c,) component that has a face with this one inside, -1 for none
@@ -39,7 +39,10 @@ class Enclosures(NamedTuple):
     def find(
         cls, graph: PlanarGraph, faces: Faces, boxes: ComponentBoxes, unit: float
     ) -> Enclosures:
-        """Return which components of a graph enclose others; ``unit`` is drawing units per mm."""
+        """Return the components of a graph that enclose other components.
+
+        ``unit`` is the number of drawing units in a millimetre.
+        """
         count, owner = len(faces.outer_face), faces.component
         bounded = faces.area > unit * unit
         bounded[faces.outer_face] = False
@@ -60,9 +63,9 @@ class Enclosures(NamedTuple):
 def _find_frames(
     faces: Faces, boxes: ComponentBoxes, parent: I32, panels: I64, bounded_area: F64
 ) -> Bool:
-    """Return the mask of components that are rectangles round blanks, (c,).
+    """Return the mask of components that are rectangular frames round blanks, (c,).
 
-    A frame may contain a title block too.
+    A frame may also contain a title block.
 
     Parameters
     ----------
@@ -144,7 +147,7 @@ def _find_bleeds(
 
 
 class _Lines(NamedTuple):
-    """Columns of a ``PlanarGraph``: q vertices, p pieces."""
+    """The columns of a ``PlanarGraph`` that the search for bleeds needs: q vertices, p pieces."""
 
     vertex: F64_2  #: (q, 2) position of each vertex
     start: I32_1  #: (p,) vertex at which each piece starts
@@ -184,18 +187,21 @@ def _mark_bleeds(
     nearest: float,
     bleed: OutBool_1,
 ) -> None:
-    """Set ``bleed`` to True for components that follow the outlines of their contents.
+    """Set ``bleed`` to True for components that follow the outlines of the components inside them.
 
     Parameters
     ----------
     outer : (k,)
         The components to check.
     contents : (k, 2)
-        Begin and end of the contents of each component, as indices into ``inner``.
+        First index in ``inner``, and the index after the last, of the components inside each of
+        them.
     inner
-        Components inside the components ``outer``.
+        Components inside the components ``outer``, sorted by the component around them.
     nearest
-        Least distance between a component and its contents (drawing units).
+        Least distance between an outer component and a component inside it (drawing units).
+    bleed : (c,)
+        Mask of all components of the graph.
     """
     for k in range(len(outer)):
         ends, bulge = _segments_of(lines, pieces, outer[k : k + 1])
@@ -208,7 +214,7 @@ def _mark_bleeds(
 
 @kernel
 def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> Any:
-    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of some components."""
+    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of the given components."""
     vertex, start, end, bulge = lines
     count = 0
     for c in components:

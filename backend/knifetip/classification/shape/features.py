@@ -60,7 +60,7 @@ class ShapeFeatures:
     """Shape features of n edges, whose planar graph has f faces."""
 
     role: U8  #: (n,) Role of the greatest part of each edge's length
-    role_share: F64  #: (n,) fraction of the edge's length that has this role, 0 … 1
+    role_fraction: F64  #: (n,) fraction of the edge's length that has this role, 0 … 1
     paired: Bool  #: (n,) whether a narrow face on one side separates it from a parallel line
     dashed: Bool  #: (n,) whether it is one of a row of dashes
     must_fold: Bool  #: (n,) whether a panel is attached by this edge alone
@@ -95,7 +95,7 @@ class ShapeFeatures:
                 filled[:] = -1
             elif field.name == "role":
                 filled[:] = role
-            elif field.name == "role_share":
+            elif field.name == "role_fraction":
                 filled[:] = role != Role.UNKNOWN
             if field.name == "coincident":
                 column = np.where(column < 0, -1, rows[column])
@@ -188,13 +188,13 @@ class _Extraction(NamedTuple):
 
     def _features_in(self, graph: PlanarGraph) -> ShapeFeatures:
         """Return the features of the edges of a planar graph without arrows."""
-        count, unit, touch = len(self.bulge), self.unit, GAP * self.unit
+        count, unit, tolerance = len(self.bulge), self.unit, GAP * self.unit
         (length, boxes), faces = parallel_pair(
             lambda: (
                 arc.length_from_chord(graph.chords(), graph.bulge),
                 ComponentBoxes.measure(graph, unit),
             ),
-            lambda: trace_faces(graph, self.ends, self.bulge, touch),
+            lambda: trace_faces(graph, self.ends, self.bulge, tolerance),
         )
         kinds = PartKinds.find(graph, faces, length, boxes, self.annotations, unit)
         role = _piece_roles(graph, faces, kinds)
@@ -207,13 +207,13 @@ class _Extraction(NamedTuple):
 
         parallel_map(sum_up, chunks(count, MIN_CHUNK))
         sides = np.where(edges.length[:, None] > 0.0, _bounded_faces(faces)[edges.faces], -1)
-        _fill_short_edges(edges, graph, self.ends, length, touch)
+        _fill_short_edges(edges, graph, self.ends, length, tolerance)
         # Component -1 takes the last entry: a drawing of only very short edges has no component.
         near_text: Bool = np.append(kinds.near_text, np.False_)[edges.component]
         none = np.zeros(count, np.bool_)
         return ShapeFeatures(
             np.where(edges.length > 0.0, edges.role, np.uint8(Role.UNKNOWN)),
-            edges.share,
+            edges.fraction,
             edges.paired,
             graph.dashed,
             find_required_folds(graph, faces, role, length, count) if self.with_folds else none,
@@ -228,14 +228,19 @@ class _Extraction(NamedTuple):
 
 
 def _bounded_faces(faces: Faces) -> I32:
-    """Return each bounded face itself, and for an outer face the face around it or -1, (f,)."""
+    """Return for each face the face itself, or for an outer face the bounded face around it, (f,).
+
+    The entry of an outer face without a face around it is -1.
+    """
     bounded = np.arange(len(faces.area), dtype=np.int32)
     bounded[faces.outer_face] = faces.enclosing
     return bounded
 
 
 def _outermost_components(faces: Faces, inside: Bool) -> I32:
-    """Return the outermost component around each component, (c,); itself if it is in no blank.
+    """Return the outermost component around each component, (c,).
+
+    The entry of a component that is not inside a blank is the component itself.
 
     Parameters
     ----------
@@ -266,7 +271,7 @@ class _EdgeSums(NamedTuple):
     """Features of n edges that are computed from the pieces of each edge."""
 
     role: OutU8_1  #: (n,) Role of the greatest part of the length
-    share: OutF64_1  #: (n,) fraction of the length that has this role
+    fraction: OutF64_1  #: (n,) fraction of the length that has this role
     length: OutF64_1  #: (n,) length of all pieces; 0 for edges without pieces
     paired: OutBool_1  #: (n,) whether most of the edge has a narrow face on exactly one side
     component: OutI32_1  #: (n,) connected component, -1 for edges without pieces
@@ -274,7 +279,7 @@ class _EdgeSums(NamedTuple):
 
     @classmethod
     def allocate(cls, count: int) -> _EdgeSums:
-        """Return empty columns of ``count`` rows."""
+        """Return a record with uninitialised columns for ``count`` edges."""
         return cls(
             np.empty(count, np.uint8),
             np.empty(count),
@@ -286,11 +291,11 @@ class _EdgeSums(NamedTuple):
 
 
 def _fill_short_edges(
-    edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, touch: float
+    edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, tolerance: float
 ) -> None:
     """Give edges without pieces the role and component of an edge that continues them.
 
-    An edge has no pieces if it is shorter than the tolerance ``touch``.  Writes to ``edges``.
+    An edge has no pieces if it is shorter than ``tolerance``.  Writes to ``edges``.
     """
     short = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
@@ -298,14 +303,14 @@ def _fill_short_edges(
     gap = np.hypot(*(ends[previous, 1] - ends[short, 0]).T)
     # If the edge before in the file does not end there: the edge of the longest piece that does.
     model = np.where(
-        (edges.length[previous] > 0.0) & (gap <= 4.0 * touch),
+        (edges.length[previous] > 0.0) & (gap <= 4.0 * tolerance),
         previous,
         _longest_neighbours(graph, length, short),
     )
     short, model = short[model >= 0], model[model >= 0]
-    edges.role[short], edges.share[short] = edges.role[model], edges.share[model]
+    edges.role[short], edges.fraction[short] = edges.role[model], edges.fraction[model]
     edges.component[short] = edges.component[model]
-    edges.length[short] = touch
+    edges.length[short] = tolerance
 
 
 @kernel
@@ -356,16 +361,17 @@ def _sum_pieces(
             if by_role[kind] > by_role[best] or (by_role[kind] == by_role[best] and kind < best):
                 best = kind
         edges.role[i] = best
-        edges.share[i] = by_role[best] / total if total > 0.0 else 0.0
+        edges.fraction[i] = by_role[best] / total if total > 0.0 else 0.0
         edges.length[i], edges.paired[i] = total, paired > 0.5 * total
         for p in range(first[i], first[i + 1]):
             by_role[role[p]] = 0.0
 
 
 def _longest_neighbours(graph: PlanarGraph, length: F64, short: I64) -> I32:
-    """Return the edge of the longest piece at the start of each short edge, (k,), or -1.
+    """Return for each short edge the edge of the longest piece at its start, (k,), -1 for none.
 
-    ``short`` (k,) are rows of edges without pieces, ``length`` (p,) is the length of each piece.
+    ``short`` (k,) are the indices of edges without pieces, ``length`` (p,) is the length of each
+    piece.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short) == 0:

@@ -1,7 +1,7 @@
 """lettering: find letters of texts that were converted to lines.
 
-Letters are small components in a row, at the distances of letters and with different shapes.  Five
-holes in a row have equal shapes, and are no word.
+Letters are small components in a row, at the distances of letters and with different shapes.  A row
+of small components with equal shapes is not a word but, for example, a row of holes.
 """
 
 from __future__ import annotations

@@ -127,9 +127,10 @@ def _measure_boxes(
     box: OutF64_2,
     rectilinear: OutBool_1,
 ) -> None:
-    """Write the box of each component to ``box``, and whether it is rectilinear to ``rectilinear``.
+    """Write to ``box`` and ``rectilinear`` the bounding box and shape of each component.
 
-    Rectilinear components have only lines that are horizontal or vertical within ``tolerance``.
+    A component is rectilinear if it has only lines that are horizontal or vertical within
+    ``tolerance``; entries of other components are set to False.
     """
     for p in range(len(start)):
         c, a, b = component[p], start[p], end[p]
@@ -197,7 +198,10 @@ def _text_positions(annotations: Sequence[Annotation]) -> F64:
 
 
 def _locate_texts(annotations: Sequence[Annotation], box: F64) -> tuple[I64, Bool]:
-    """Return the number of texts in each box, and whether a text is in or beside it, (c,) each."""
+    """Return the number of texts in each box, and whether a text is in or beside the box.
+
+    Each of the two arrays has the shape (c,).
+    """
     positions = _text_positions(annotations)
     inside, near = np.zeros(len(box), np.int64), np.zeros(len(box), np.bool_)
 

@@ -162,10 +162,10 @@ def _add_open_outlines(
     blank: I64_1,
     dangling: OutF64_1,
 ) -> None:
-    """Add to the dangling length of each blank the dangling length of open components around it.
+    """Add the dangling length of open components to the blanks that they surround.
 
-    An open component counts if its box covers most of the blank's box.  Writes to
-    ``dangling``.
+    An open component surrounds a blank if its bounding box covers more than half of the bounding
+    box of the blank.  Writes to ``dangling``, one entry per blank.
     """
     for m in range(len(blank)):
         b = blank[m]

@@ -37,8 +37,8 @@ _REPEATED: Final = 0.4
 _REPEATED_IN_ROW: Final = 0.55
 #: A carton has no more equal panels than this; a living hinge has, and so has a sheet of cards.
 _MOST_EQUAL: Final = 16
-#: Least share of the length of a carton's dividers that is straight from face to face.
-_STRAIGHT_SHARE: Final = 0.6
+#: Least fraction of the length of a carton's dividers that is straight from face to face.
+_STRAIGHT_FRACTION: Final = 0.6
 #: A component with more panels than this counts as several blanks.
 _MOST_PANELS: Final = 64
 #: Largest number of components that are examined.
@@ -80,7 +80,7 @@ def find_required_folds(
     components, component = len(faces.outer_face), graph.component[divider]
     total = np.bincount(component, length[divider], components)
     straight_length = np.bincount(component, length[divider] * straight[number], components)
-    carton &= straight_length >= _STRAIGHT_SHARE * total
+    carton &= straight_length >= _STRAIGHT_FRACTION * total
     required = panel[left] & panel[right] & chosen & carton[component]
     edge = graph.edge[divider]
     real = edge >= 0
@@ -92,7 +92,7 @@ def find_required_folds(
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
     """Return the mask of faces that are panels, (f,).
 
-    A panel is bounded, and is at the outline of a blank or is not framed by bends.
+    A panel is a bounded face that is at the outline of a blank or is not framed by bends.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
 
 
 def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
-    """Return the number of pieces at each vertex, and whether two pieces there bend, (q,) each."""
+    """Return the number of pieces at each vertex, (q,), and whether they meet at an angle, (q,)."""
     vertices = len(graph.vertex)
     own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
     ends = np.concatenate([graph.start[own], graph.end[own]])
@@ -129,9 +129,9 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
 
 
 def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
-    """Return the distinct pairs of faces beside pieces, (k, 2), and the pair of each piece, (d,).
+    """Return the distinct pairs of faces beside d pieces, (k, 2), and the pair of each piece, (d,).
 
-    ``left`` and ``right`` are the faces on the sides of each piece, (d,).
+    ``left`` and ``right``, (d,), are the faces on the two sides of each piece.
     """
     low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
     key = low * (int(high.max()) + 1) + high
@@ -173,12 +173,12 @@ class _Borders(NamedTuple):
         return result
 
     def between_inner_corners(self, on_rim: Bool, degree: I64) -> Bool:
-        """Return the mask of borders that start and end at corners away from the rim, (k,).
+        """Return the mask of borders that start and end at corners that are not on the rim, (k,).
 
         Parameters
         ----------
         on_rim, degree : (q,)
-            Whether each vertex is on the rim, and the number of pieces at it.
+            Whether each vertex is on the rim, and the number of pieces that meet at it.
         """
         graph, vertices = self.graph, len(self.graph.vertex)
         key = np.concatenate(
@@ -196,9 +196,10 @@ class _Borders(NamedTuple):
         return result
 
     def longest(self, length: F64, count: int) -> Bool:
-        """Return the mask of pieces of the longest edge, or of the dashes, of each border, (d,).
+        """Return the mask of pieces of the longest edge of each border, (d,).
 
-        Short edges at the ends of a fold may be slits that lock it.
+        For a border with dashes it is the mask of the pieces of the dashes.  Short edges at the
+        ends of a fold are left out, because they may be slits that lock it.
 
         Parameters
         ----------
@@ -219,7 +220,7 @@ class _Borders(NamedTuple):
 
 
 class _Panels(NamedTuple):
-    """Measures of the panels of one component, m of them, or of all faces."""
+    """Measures of m panels of one component, or of all m faces of a graph."""
 
     area: F64  #: (m,) area of each panel
     centre: F64  #: (m, 2) mean of the contour
@@ -227,7 +228,7 @@ class _Panels(NamedTuple):
     at_rim: Bool  #: (m,) whether each panel is at the outline of a blank
 
     def take(self, rows: I64) -> _Panels:
-        """Return the measures of the panels in some rows."""
+        """Return the measures of the panels with the indices ``rows``."""
         area, centre, box, at_rim = self
         return _Panels(area[rows], centre[rows], box[rows], at_rim[rows])
 
@@ -275,7 +276,11 @@ def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) 
 
 
 def _has_repeated_blanks(panels: _Panels) -> bool:
-    """Return whether panels are images of other panels under one translation or one half-turn."""
+    """Return whether the panels belong to several equal blanks.
+
+    This is assumed if one translation or one half-turn maps all or most panels onto other panels,
+    or if there are too many panels to check.
+    """
     area, centre, box, at_rim = panels
     if len(area) > _MOST_PANELS:
         return True
