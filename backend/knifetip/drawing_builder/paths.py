@@ -149,12 +149,13 @@ def _farthest(table: Table, matrix: F64, paths: int) -> F64:
     for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
         at = np.abs(_linear(by, numbers[:, x : x + 2]) + by[:, 4:]).max(axis=1)
         reach = np.maximum(reach, np.where(drawn, at, 0.0))
-    # An arc of more than 180° lies within its diameter from its ends, a circular arc of less within
-    # its chord.
+    # On a unit circle, the points of a small arc are at most its chord away from the ends of the
+    # arc, and the points of a large arc at most the diameter.  The radii scale this distance; radii
+    # that are too small for the chord are increased until the chord is a diameter.
     size = np.abs(by[:, :4]).sum(axis=1)
-    span = np.abs(numbers[:, 2:4] - numbers[:, :2]).sum(axis=1)
-    least, most = np.sort(numbers[:, 4:6], axis=1).T
-    wide = np.where(numbers[:, 7] % 2.0 == 1.0, 2.0 * np.maximum(most, span), span * most / least)
+    half = np.hypot(*_half_chord(numbers))
+    large = numbers[:, 7] % 2.0 == 1.0
+    wide = 2.0 * np.where(large, np.maximum(half, 1.0), half) * numbers[:, 4:6].max(axis=1)
     reach = reach + np.where(round_, 2.0 * size * wide, 0.0)
     first = np.flatnonzero(np.diff(table.path, prepend=-1))
     far[table.path[first]] = np.maximum.reduceat(reach, first)
@@ -208,6 +209,17 @@ class _Placed:
         self.v = _linear(through, v)
 
 
+def _half_chord(numbers: F64) -> tuple[F64, F64]:
+    """Return half the chord of n arcs along both axes of their ellipses, in radii, (n,) each."""
+    angle = np.radians(numbers[:, 6])
+    cosine, sine = np.cos(angle), np.sin(angle)
+    half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
+    return (
+        (cosine * half[:, 0] + sine * half[:, 1]) / numbers[:, 4],
+        (cosine * half[:, 1] - sine * half[:, 0]) / numbers[:, 5],
+    )
+
+
 def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     """Return centre, semi-axes u and v, first angle and sweep of n elliptic arcs.
 
@@ -226,11 +238,8 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
     rx, ry = numbers[:, 4], numbers[:, 5]
     large = numbers[:, 7] % 2.0 == 1.0
     rising = numbers[:, 7] >= 2.0
-    half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
     middle = (numbers[:, :2] + numbers[:, 2:4]) / 2.0
-    # Half the chord, divided by the radii.
-    x = (cosine * half[:, 0] + sine * half[:, 1]) / rx
-    y = (cosine * half[:, 1] - sine * half[:, 0]) / ry
+    x, y = _half_chord(numbers)
     chord = x * x + y * y
     # Radii that are too small are increased until the arc reaches both ends.
     grown = np.sqrt(np.maximum(chord, 1.0))
