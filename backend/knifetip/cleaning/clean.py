@@ -1,14 +1,14 @@
 """clean: remove duplicates, overlaps, debris and gaps, and merge edges that continue each other.
 
-``clean`` converts a Dieline to a ``Cleaned``: the dieline to plan, and the outcome of every drawn
-edge.
+``clean`` converts a Dieline to a ``Cleaned``: the dieline from which the program is made, and the
+outcome of every drawn edge.
 
 Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
 merge edges that continue each other.  The steps are repeated while they make edges overlap; an end
 that was moved once is not moved again.
 
-Each step records only to which edge every part of a drawn edge now belongs, so the report cannot
-disagree with the geometry.
+The only record of a step is the edge to which each part of a drawn edge belongs after the step.
+Outcomes and lengths are computed from this record, so they always agree with the geometry.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from knifetip.model.cleaned import Cleaned, CleaningReason, Stretches
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import ImportOutcome
 
-#: Largest number of rounds.
+#: Largest number of repetitions of all steps.
 _ROUNDS: Final = 4
 #: Lengths that differ by less are equal up to rounding (mm).
 _HAIR: Final = 1e-9
@@ -40,47 +40,50 @@ _FAR: Final = 1e9
 
 
 class _Placed(NamedTuple):
-    """Rows of the k present edges in the cleaned dieline, and q stretches of the n drawn edges."""
+    """Where the k edges after cleaning, and the q stretches of the n drawn edges, are placed."""
 
-    row: I64  #: (q,) drawn edge
-    edge: I64  #: (q,) present edge, -1 for debris
+    row: I64  #: (q,) drawn edge of each stretch
+    edge: I64  #: (q,) current edge of each stretch, -1 for debris
     given: Bool  #: (q,) whether the stretch overlaps another edge
-    slot: I64  #: (k,) row in the cleaned dieline
-    source: I64  #: (k,) drawn row that the edge comes from
+    slot: I64  #: (k,) row of each edge in the cleaned dieline
+    source: I64  #: (k,) drawn row from which each edge takes its source, face and part
     of: I32  #: (n,) cleaned row that covers most of each drawn edge, -1 for none
 
 
 class _Lengths(NamedTuple):
-    """Lengths of the drawn edges that were kept, merged, dropped …, each (n,) mm."""
+    """Lengths by which the outcome of each of n drawn edges is decided, each (n,) mm."""
 
-    kept: F64
-    merged: F64
-    moved: F64
+    kept: F64  #: length of stretches that overlap no other edge
+    merged: F64  #: length of stretches that overlap other edges
+    moved: F64  #: largest displacement of an end
 
 
 @dataclass(slots=True)
-class _Work:
-    """State of cleaning: k present edges, and the q stretches of drawn edges in them."""
+class _State:
+    """State between two steps of cleaning: k current edges, and q stretches of drawn edges.
+
+    A stretch is a part of a drawn edge that belongs to one current edge.
+    """
 
     ends: F64  #: (k, 2, 2) mm
     bulge: F64  #: (k,)
-    kind: U8  #: (k,)
-    moved: F64  #: (k,) mm
-    fitted: Bool  #: (k,)
+    kind: U8  #: (k,) line type
+    moved: F64  #: (k,) largest displacement of an end (mm)
+    fitted: Bool  #: (k,) whether the edge replaces a flattened curve
     row: I64  #: (q,) drawn edge of each stretch
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the drawn edge
     end: F64  #: (q,) end of each stretch
-    edge: I64  #: (q,) present edge, -1 for debris
-    given: Bool  #: (q,)
-    met: EndPoints | None = None  #: points of the present ends, computed on demand
+    edge: I64  #: (q,) current edge of each stretch, -1 for debris
+    given: Bool  #: (q,) whether the stretch overlaps another edge
+    met: EndPoints | None = None  #: points of the ends, None before they are first used
 
-    def meet(self) -> EndPoints:
-        """Return the points at which the ends of the present edges lie."""
+    def end_points(self) -> EndPoints:
+        """Return the points at which the ends of the current edges lie."""
         if self.met is None or self.met.of is not self.ends:
             self.met = find_end_points(self.ends, GAP)
         return self.met
 
-    def part(self, drawn: Dieline) -> bool:
+    def remove_overlaps(self, drawn: Dieline) -> bool:
         """Remove stretches that overlap other edges; return whether an edge was split."""
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.given.any():
@@ -124,10 +127,11 @@ class _Work:
         self.moved, self.fitted = self.moved[pieces.owner], self.fitted[pieces.owner]
         return split
 
-    def own(self) -> None:
+    def ensure_owned(self) -> None:
         """Ensure that every edge has at least one stretch that overlaps no other edge.
 
-        If all stretches of an edge overlap, one of them is declared not to overlap.
+        If all stretches of an edge are marked as overlapping, the marks are removed.
+        Edges without any stretch are removed.
         """
         live = self.edge >= 0
         count = len(self.bulge)
@@ -141,10 +145,10 @@ class _Work:
         self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
-    def join(self, *, curves_only: bool = False) -> None:
+    def merge(self, *, curves_only: bool = False) -> None:
         """Merge edges that continue each other; with ``curves_only``, only flattened curves."""
         made = merge_collinear(
-            self.ends, self.bulge, self.kind, self.meet(), curves_only=curves_only
+            self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
         )
         count = len(made.bulge)
         if count == len(self.bulge):
@@ -156,16 +160,18 @@ class _Work:
         self.moved, self.fitted = moved, fitted
         self.edge = np.where(self.edge < 0, -1, made.of[self.edge])
 
-    def tidy(self) -> None:
-        """Remove debris and close gaps."""
+    def remove_debris_and_gaps(self) -> None:
+        """Remove edges that are debris, then close the gaps between the ends of edges."""
         length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
-        if (length < GAP).any() and (debris := find_debris(self.ends, length, self.meet())).any():
+        if (length < GAP).any() and (
+            debris := find_debris(self.ends, length, self.end_points())
+        ).any():
             keep = ~debris
             number = np.where(keep, np.cumsum(keep) - 1, -1)
             self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
             self.moved, self.fitted = self.moved[keep], self.fitted[keep]
             self.edge = np.where(self.edge < 0, -1, number[self.edge])
-        shut = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.meet())
+        shut = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.end_points())
         self.moved = np.maximum(self.moved, shut.moved)
         self.ends = shut.ends
 
@@ -201,7 +207,7 @@ def clean(dieline: Dieline) -> Cleaned:
     solid = np.flatnonzero(at_work & (length >= POINT))
     empty = np.flatnonzero(at_work & (length < POINT))
     count, every = len(solid), np.concatenate([solid, empty])
-    work = _Work(
+    state = _State(
         dieline.ends[solid],
         dieline.bulge[solid],
         dieline.line_type[solid],
@@ -214,34 +220,34 @@ def clean(dieline: Dieline) -> Cleaned:
         np.zeros(len(every), np.bool_),
     )
     for _ in range(_ROUNDS):
-        was_split = work.part(dieline)
-        ends = work.ends
+        was_split = state.remove_overlaps(dieline)
+        ends = state.ends
         if (length[solid] < FINE).any():
-            work.join(curves_only=True)
-        work.tidy()
-        work.join()
-        if work.ends is ends and not was_split:
+            state.merge(curves_only=True)
+        state.remove_debris_and_gaps()
+        state.merge()
+        if state.ends is ends and not was_split:
             break
-    return _report(dieline, length, at_work, work)
+    return _report(dieline, length, at_work, state)
 
 
-def _slots(work: _Work, count: int) -> tuple[I64, I64]:
+def _slots(state: _State, count: int) -> tuple[I64, I64]:
     """Return the row of each of the k edges in the cleaned dieline and its source row, both (k,).
 
-    An edge takes the row of the first drawn edge that it contains a part of, or the next free row
-    of such an edge; edges that find no row are appended.
+    The source row is that of the first drawn edge of which the edge contains a part.  The edge
+    takes this row if no other edge has taken it; otherwise it is appended.
     """
-    own = np.flatnonzero((work.edge >= 0) & ~work.given)
-    order = own[np.lexsort((work.begin[own], work.row[own], work.edge[own]))]
-    edge, row = work.edge[order], work.row[order]
+    own = np.flatnonzero((state.edge >= 0) & ~state.given)
+    order = own[np.lexsort((state.begin[own], state.row[own], state.edge[own]))]
+    edge, row = state.edge[order], state.row[order]
     head = np.flatnonzero(np.append(True, edge[1:] != edge[:-1])) if len(edge) else edge
-    slot = np.full(len(work.bulge), -1, np.int64)
+    slot = np.full(len(state.bulge), -1, np.int64)
     shown = row[head]
-    source = np.empty(len(work.bulge), np.int64)
+    source = np.empty(len(state.bulge), np.int64)
     source[edge[head]] = shown
     taken = np.full(count, -1, np.int64)
-    # Of several pieces of one drawn edge the one nearest to its start takes its row.
-    by_row = head[np.lexsort((work.begin[order[head]], row[head]))]
+    # If a drawn edge has several pieces, the piece nearest to its start takes its row.
+    by_row = head[np.lexsort((state.begin[order[head]], row[head]))]
     first = by_row[np.append(True, row[by_row][1:] != row[by_row][:-1])] if len(by_row) else by_row
     slot[edge[first]] = row[first]
     taken[row[first]] = edge[first]
@@ -250,17 +256,17 @@ def _slots(work: _Work, count: int) -> tuple[I64, I64]:
     return slot, source
 
 
-def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleaned:
+def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Cleaned:
     count = len(dieline)
-    work.own()
-    slot, source = _slots(work, count)
+    state.ensure_owned()
+    slot, source = _slots(state, count)
     total = count + int((slot >= count).sum())
     ends = np.zeros((total, 2, 2))
     bulge = np.zeros(total)
     kinds = np.full(total, LineType.IGNORED, np.uint8)
     ends[:count], bulge[:count] = dieline.ends, dieline.bulge
     kinds[:count] = np.where(at_work, LineType.IGNORED, dieline.line_type)
-    ends[slot], bulge[slot], kinds[slot] = work.ends, work.bulge, work.kind
+    ends[slot], bulge[slot], kinds[slot] = state.ends, state.bulge, state.kind
     shown = np.arange(total)
     shown[slot] = source
     cleaned = replace(
@@ -275,9 +281,9 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
         face=dieline.face[shown],
         part=dieline.part[shown],
     )
-    order = np.lexsort((work.begin, work.row))
-    row, edge, given = work.row[order], work.edge[order], work.given[order]
-    low, high = work.begin[order], work.end[order]
+    order = np.lexsort((state.begin, state.row))
+    row, edge, given = state.row[order], state.edge[order], state.given[order]
+    low, high = state.begin[order], state.end[order]
     target = np.append(slot, -1)[edge]
     size = (high - low) * length[row]
 
@@ -288,16 +294,16 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
     kept, merged, dropped = summed(live & ~given), summed(live & given), summed(~live)
     kept[~at_work] = length[~at_work]
     added = np.zeros(count)
-    made = arc.length(work.ends[:, 0], work.ends[:, 1], work.bulge)
+    made = arc.length(state.ends[:, 0], state.ends[:, 1], state.bulge)
     drawn = np.bincount(edge[live & ~given], size[live & ~given], len(made))
     np.add.at(added, source, np.where(np.abs(made - drawn) < _HAIR, 0.0, made - drawn))
     moved = np.zeros(count)
-    np.maximum.at(moved, source, work.moved)
-    off = _off(dieline, ends, bulge, row, low, high, target)
+    np.maximum.at(moved, source, state.moved)
+    off = _deviation(dieline, ends, bulge, row, low, high, target)
     of = _main_row(row, size, target, given, count)
     of[~at_work] = np.flatnonzero(~at_work)
     outcome, reason = _outcomes(
-        work, _Placed(row, edge, given, slot, source, of), _Lengths(kept, merged, moved), at_work
+        state, _Placed(row, edge, given, slot, source, of), _Lengths(kept, merged, moved), at_work
     )
     return Cleaned(
         cleaned,
@@ -315,20 +321,23 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, work: _Work) -> Cleane
 
 
 def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
-    """Return for each drawn edge the cleaned row that covers most of it, (n,), -1 for none.
+    """Return the cleaned row that covers most of each drawn edge, (n,); -1 for dropped edges.
 
     Stretches that do not overlap another edge take precedence.
     """
     of = np.full(count, -1, np.int32)
     live = np.flatnonzero(target >= 0)
     order = live[np.lexsort((size[live], ~given[live], row[live]))]
-    # The last assignment of each row remains.
+    # The last assignment to each row counts.
     of[row[order]] = target[order]
     return of
 
 
-def _outcomes(work: _Work, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
-    """Return the outcome and the reason for each drawn edge, (n,)."""
+def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
+    """Return the outcome of each drawn edge, (n,), and the reason for it, (n,).
+
+    ``at_work``, (n,), is the mask of the edges whose line type is cut or creased.
+    """
     row, edge, given, slot, source, of = placed
     kept, merged, moved = lengths
     count = len(of)
@@ -340,7 +349,7 @@ def _outcomes(work: _Work, placed: _Placed, lengths: _Lengths, at_work: Bool) ->
     first = source[edge[own]]
     several[first[first != row[own]]] = True
     curve = np.zeros(count, np.bool_)
-    curve[row[own]] = work.fitted[edge[own]]
+    curve[row[own]] = state.fitted[edge[own]]
     reason = np.full(count, CleaningReason.AS_DRAWN, np.uint8)
     reason[moved > 0.0] = CleaningReason.MOVED
     reason[several] = CleaningReason.LONGER
@@ -362,7 +371,7 @@ def _outcomes(work: _Work, placed: _Placed, lengths: _Lengths, at_work: Bool) ->
     return outcome, reason
 
 
-def _off(
+def _deviation(
     dieline: Dieline, ends: F64, bulge: F64, row: I64, low: F64, high: F64, target: I64
 ) -> F64:
     """Return the greatest distance of each drawn edge from the edges that replace it, (n,) mm."""

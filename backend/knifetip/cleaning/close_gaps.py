@@ -40,13 +40,19 @@ class Closed:
 
 
 def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
-    """Return the mask of the edges that are debris, (k,); lengths are in mm."""
+    """Return the mask of the edges that are debris, (k,).
+
+    ``length``, (k,), contains the lengths of the edges (mm), and ``met`` the points of their ends.
+    """
     found: Bool = _find_debris(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
     return found
 
 
 def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
-    """Return the edges with closed gaps; edges marked in ``settled``, (k,), are not moved."""
+    """Return the edges with closed gaps.
+
+    Edges marked in ``settled``, (k,), are not moved.  ``met`` contains the points of the ends.
+    """
     points, place, near = ends.reshape(-1, 2), met.place, met.near
     if len(near) == 0 or settled[near // 2].all():
         return Closed(ends, np.zeros(len(bulge)))

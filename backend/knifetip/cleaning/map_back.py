@@ -1,8 +1,8 @@
 """map_back: convert a verdict on the cleaned edges to a verdict on the drawn edges.
 
-A maximum along a cleaned edge, such as its deviation, applies to every drawn edge that it covers.
-A length is divided among the drawn edges that are cut there, so sums are preserved: an edge that
-overlaps another edge gets length 0.
+A maximum along a cleaned edge, such as its deviation, applies to every drawn edge that the cleaned
+edge covers.  A length on a cleaned edge is divided among the drawn edges along it, so that sums are
+preserved.  A drawn edge that only overlaps another drawn edge gets length 0.
 """
 
 from __future__ import annotations

@@ -243,7 +243,10 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 def _longest_fit(
     run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
-    """Return the end of the longest line or arc from segment i, its bulge and deviation."""
+    """Fit the longest line or arc that starts at segment ``i``.
+
+    Returns the index of the segment after the last one, the bulge, and the deviation (mm).
+    """
     best = i + 1
     bulge = run[i, 4]
     far = 0.0
@@ -283,7 +286,10 @@ def _longest_fit(
 
 @kernel
 def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
-    """Return the end of the longest line from segment i within ``within`` of all joints."""
+    """Fit the longest line that starts at segment ``i`` and is within ``within`` of all joints.
+
+    Returns the index of the segment after the last one; segments from ``limit`` on are not tried.
+    """
     x, y = run[i, 0], run[i, 1]
     low, high = -math.inf, math.inf
     base = math.atan2(run[i, 3] - y, run[i, 2] - x)
@@ -315,9 +321,10 @@ def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
 def _longest_arc(
     run: F64_2, size: F64_1, i: int, limit: int, within: float
 ) -> tuple[int, float, float]:
-    """Return the end of the longest arc from segment i within tolerance, its bulge and deviation.
+    """Fit the longest arc that starts at segment ``i`` and deviates by at most ``within``.
 
-    The end is found by doubling and bisection.
+    Returns the index of the segment after the last one, the bulge, and the deviation (mm).  The
+    last segment is found by doubling and bisection.
     """
     good, code, off = i, 0.0, 0.0
     step = 4

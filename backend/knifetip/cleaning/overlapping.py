@@ -44,7 +44,7 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
     moved = ends - low
     reach = 4.0 * (float(np.abs(moved).max()) + 1.0)
     rows = np.column_stack([moved.reshape(-1, 4), bulge])
-    boxes, bucket, angle, width = _laid(rows, np.radians(_FAN), np.radians(ANGLE), SAME)
+    boxes, bucket, angle, width = _frame_boxes(rows, np.radians(_FAN), np.radians(ANGLE), SAME)
     shelf = np.floor(boxes[:, 1] / np.where(bucket == _ARCS, reach / 64.0, SAME))
     order = np.lexsort((boxes[:, 0], shelf, bucket))
     found = _overlapping(
@@ -65,10 +65,10 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 
 @kernel
-def _laid(rows: F64_2, fan: float, most: float, same: float) -> Any:
-    """Return for each edge its bounding box in a rotated frame, the frame, and two angles.
+def _frame_boxes(rows: F64_2, fan: float, most: float, same: float) -> Any:
+    """Return the bounding box of each edge in a rotated frame, the frame number, and two angles.
 
-    The angles are the direction of the edge and the tolerance of this direction.
+    The two angles are the direction of the edge and the tolerance of this direction.
     """
     count = len(rows)
     boxes = np.empty((count, 4))
@@ -155,7 +155,7 @@ def _overlapping(
                 )
                 if j < 0:
                     break
-                if i != j and _share(rows, i, j, same):
+                if i != j and _do_overlap(rows, i, j, same):
                     if size == len(found):
                         more = np.empty((2 * size, 2), np.int64)
                         more[:size] = found
@@ -168,8 +168,8 @@ def _overlapping(
 
 
 @kernel
-def _share(rows: F64_2, i: int, j: int, same: float) -> bool:
-    """Return whether edges ``i`` and ``j`` overlap along more than ``same``."""
+def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
+    """Return whether edges ``i`` and ``j`` overlap along a length of more than ``same`` (mm)."""
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
     if size_of(rows, i) < size_of(rows, j):

@@ -31,10 +31,10 @@ _ORDER: Final = (
     LineType.CUT,
 )
 
-#: (types,) priority of each line type, 0 for types that are not worked.
+#: (types,) priority of each line type, 0 for types that no tool makes.
 PRIORITY: Final[I32] = np.zeros(len(LineType), np.int32)
 PRIORITY[[kind.value for kind in _ORDER]] = np.arange(1, len(_ORDER) + 1)
 
-#: (types, types) whether an edge of the first type covers one of the second that lies on it.
+#: (types, types) whether an edge of the first type covers a coincident edge of the second type.
 COVERS: Final[Bool] = (PRIORITY[:, None] >= PRIORITY) & (PRIORITY > 0)
 COVERS[LineType.PERFORATION, LineType.CREASE] = False

@@ -6,7 +6,7 @@
 
 Exit codes: 0 success; 1 the program was refused; 2 questions are open (``classify`` also prints its
 result), or the command line is wrong; 3 the input cannot be used.
-Results go to stdout, progress and problems to stderr.
+Results are printed on stdout, progress and problems on stderr.
 """
 
 from knifetip.cli.main import main

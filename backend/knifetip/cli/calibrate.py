@@ -70,16 +70,22 @@ def calibrate(
     ],
     target: TargetOptions,
     tool: Annotated[
-        str | None, typer.Option(help="Name of the cutter's station. Default: the only one.")
+        str | None,
+        typer.Option(
+            help="Name of the station of the cutter. Default: the only station with a cutter."
+        ),
     ] = None,
     side: Annotated[
         Side,
-        typer.Option(help="Side on which the cutter ran, in travel direction (knifetip: left)."),
+        typer.Option(
+            help="Side on which the cutter ran, in travel direction; left in knifetip's programs."
+        ),
     ] = Side.LEFT,
     store: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE", help="Write the board's TOML with the result to FILE, for --board."
+            metavar="FILE",
+            help="Write the board as TOML with the result to FILE, which --board accepts.",
         ),
     ] = None,
     json: Json = False,

@@ -41,16 +41,21 @@ _MAX_HANDLES: Final = 3
 _NAMES: Final = ", ".join(one.name.upper() for one in FORMATS)
 DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help=f"Drawing ({_NAMES}).")]
 Unit = Annotated[
-    str | None, typer.Option(help="mm, cm, m, in, ft, pt or px; overrides the unit of the file.")
+    str | None,
+    typer.Option(
+        help="Unit of the drawing: mm, cm, m, in, ft, pt or px; overrides the unit of the file."
+    ),
 ]
 Profile = Annotated[str, typer.Option(help="Name of a classification profile, or its TOML file.")]
 Layers = Annotated[
     list[str] | None,
     typer.Option(
-        "--layer", metavar="NAME=TYPE", help="Set the line type of a layer; may be repeated."
+        "--layer",
+        metavar="NAME=TYPE",
+        help="Set the line type of a layer, such as FOLD=crease; may be repeated.",
     ),
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +85,7 @@ class LoadedDrawing:
         return pipeline.questions(self.drawing, self.dieline, machine)
 
     def as_json(self, name: str) -> dict[str, Any]:
-        """Return the drawing and its edges as JSON data, with the fields of REST.
+        """Return the drawing and its edges as JSON data, with the field names of the REST API.
 
         If the drawing cannot be cleaned, all its edges have the outcome *kept*.
         """
@@ -143,8 +148,8 @@ def load_drawing(
 def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return unit, size and import report of a drawing as JSON data with texts.
 
-    The fields are those of a drawing in REST, and as shortcuts ``size`` (width, height) and the
-    ``warnings`` of the unit.
+    The fields are those of a drawing in the REST interface; in addition, ``size`` is the list of
+    width and height, and ``warnings`` contains the warnings about the unit.
     """
     return _with_report(name, drawing, drawing_json(drawing))
 
@@ -252,7 +257,7 @@ def register(app: typer.Typer) -> None:
         folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to write to.")],
     ) -> None:
         """Write the sample cartons as DXF files."""
-        # Drawing them imports ezdxf, which no other command needs at its start.
+        # The samples import ezdxf, which is slow; no other command needs it when it starts.
         from knifetip.dxf.samples import samples
 
         for name, data in samples().items():
@@ -261,7 +266,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _print_lines(lines: list[str], indent: int = 2) -> None:
-    """Print lines indented; beyond a maximum, print only how many more there are."""
+    """Print text lines indented; beyond a maximum, print only the number of further lines."""
     for line in lines[:_MAX_LINES]:
         typer.echo(" " * indent + line)
     if len(lines) > _MAX_LINES:
@@ -271,7 +276,8 @@ def _print_lines(lines: list[str], indent: int = 2) -> None:
 def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
     """Return the import report as text lines.
 
-    Entities with the same outcome, kind, layer and reason share one line; kept ones come last.
+    Entities with equal outcome, kind, layer and reason are combined in one text line; the lines of
+    kept entities come last.
     """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
@@ -286,7 +292,7 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
-    """Return text lines: number of edges, confidence and rule, one line for each rule."""
+    """Return one text line per classification rule: number of edges, confidence and rule."""
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]
     lines = []

@@ -1,10 +1,10 @@
 """knifetip job: list the jobs of a server and send commands to them.
 
-list, show        state of the jobs and what they wait for
-confirm           confirm at the machine: table clear, board and tools in place
-hold, resume      for a running job
-cancel, scrap     ask before they act
-finish, requeue   after an interruption
+list, show        print the state of the jobs, their progress and the allowed actions
+confirm           confirm at the machine that the table is clear, and board and tools are ready
+hold, resume      pause a running job, and continue it
+cancel, scrap     cancel a job, or scrap an interrupted job; the user must confirm first
+finish, requeue   declare an interrupted job finished, or queue it again
 """
 
 from __future__ import annotations
@@ -106,9 +106,14 @@ def register(app: typer.Typer) -> None:
         server: Server = SERVER,
         key: Key = "",
         state: Annotated[
-            list[str] | None, typer.Option(help="List only jobs in this state; may be repeated.")
+            list[str] | None,
+            typer.Option(
+                help="List only jobs in this state, such as queued or running; may be repeated."
+            ),
         ] = None,
-        limit: Annotated[int, typer.Option(min=1, max=500)] = 50,
+        limit: Annotated[
+            int, typer.Option(min=1, max=500, help="Largest number of jobs to list.")
+        ] = 50,
         json: Json = False,
     ) -> None:
         """List jobs, newest first, with the allowed actions in brackets."""
@@ -140,10 +145,13 @@ def register(app: typer.Typer) -> None:
         server: Server = SERVER,
         key: Key = "",
         board: Annotated[
-            str, typer.Option(help="Board on the table; refused if the job needs another.")
+            str,
+            typer.Option(
+                help="Name of the board on the table; refused if the job needs a different board."
+            ),
         ] = "",
         by: Annotated[
-            str, typer.Option(help="Name of the person who confirms, for the record.")
+            str, typer.Option(help="Name of the person who confirms; stored with the job.")
         ] = "",
     ) -> None:
         """Confirm that table, board and tools are ready.
@@ -180,10 +188,10 @@ def register(app: typer.Typer) -> None:
 
 
 _PLAIN_COMMANDS = {
-    "hold": "Hold the machine.",
-    "resume": "Resume a held machine.",
+    "hold": "Pause a running job; the job is held when the machine has stopped.",
+    "resume": "Continue a held job.",
     "finish": "Declare an interrupted job finished: all its sheets are complete.",
-    "requeue": "Queue an interrupted job again, from its first line.",
+    "requeue": "Queue an interrupted job again, from the first line of its program.",
 }
 
 

@@ -50,7 +50,12 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def machine(
-        name: Annotated[str, typer.Argument(metavar="NAME")] = "demo-table",
+        name: Annotated[
+            str,
+            typer.Argument(
+                metavar="NAME", help="Name of a machine of the library, or its TOML file."
+            ),
+        ] = "demo-table",
         json: Json = False,
         table: Annotated[
             bool, typer.Option("--tool-table", help="Print a tool table for LinuxCNC.")

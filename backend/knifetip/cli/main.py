@@ -1,4 +1,4 @@
-"""main: entry point of the command line, with the list of commands and the report of errors."""
+"""main: entry point of the command line, with the list of commands and the output of errors."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def load_command(name: str) -> Any:
 
 
 class _Commands(TyperGroup):
-    """Command group that lists names and help texts, and imports only the command that runs."""
+    """Command group that lists names and help texts, and imports only the invoked command."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Return the name of the invoked command, the loaded command, and its arguments."""

@@ -107,13 +107,13 @@ def register(app: typer.Typer) -> None:
 
     @profile.command("import")
     def import_profile(
-        file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file.")],
+        file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file of the profile.")],
         name: Annotated[
             str | None, typer.Option(help="Name of the profile. Default: the file name.")
         ] = None,
         database: Database = None,
         replace: Annotated[
-            bool, typer.Option(help="Replace an existing profile of that name.")
+            bool, typer.Option(help="Replace an existing profile with this name.")
         ] = False,
     ) -> None:
         """Check a profile file and store it in a database.

@@ -60,21 +60,21 @@ class CornerType(Enum):
 
 
 class Interference(Enum):
-    """What to do where a cutter does not fit: leave these areas uncut, or refuse the drawing."""
+    """What to do if a cutter does not fit into a contour: leave parts uncut, or refuse."""
 
     TRIM = "trim"
     REFUSE = "refuse"
 
 
 def parse_corner(text: str) -> CornerAt:
-    """Return the corner that the text of an option ``--corner-at`` describes.
+    """Return the corner position and corner type in the text of an option ``--corner-at``.
 
     The text has the form ``X,Y=TYPE`` or ``X,Y=TYPE:K``.
 
     Raises
     ------
     PlanError
-        The text has another form.
+        The text does not have this form.
     """
     match = _CORNER.fullmatch(text)
     if match is None:
@@ -103,15 +103,20 @@ class CornerOptions:
 
     corner: Annotated[
         CornerType | None,
-        typer.Option(help="Path of a cutter round outer corners; auto takes the fastest."),
+        typer.Option(
+            help="Path of a cutter round outer corners: B is an arc, C lines with a stop, D lines "
+            "with an arc between them, auto the fastest."
+        ),
     ] = None
     k: Annotated[
-        float | None, typer.Option(help="Parameter of type D corners: 0 is like B, 1 like C.")
+        float | None,
+        typer.Option(help="Fraction of type C in corners of type D: 0 equals B, 1 equals C."),
     ] = None
     interference: Annotated[
         Interference | None,
         typer.Option(
-            help="Places that a cutter cannot reach: leave them uncut (trim), or write no program."
+            help="If a cutter cannot reach parts of a contour: leave these parts uncut (trim), or "
+            "write no program (refuse)."
         ),
     ] = None
     corner_at: Annotated[
@@ -123,7 +128,7 @@ class CornerOptions:
     ] = None
 
     def corners(self, machine: Machine) -> Corners | None:
-        """Return the corners that the options describe; None if none of them is given.
+        """Return the corner settings that the options describe; None if no option is given.
 
         Raises
         ------
@@ -186,9 +191,15 @@ def program(
     reading: ReadingOptions,
     corner_options: CornerOptions,
     dialect: Annotated[
-        str, typer.Option(help="Controller language. Default: that of the machine.")
+        str,
+        typer.Option(
+            help="Controller language of the program. Default: the language of the machine."
+        ),
     ] = "",
-    report: Annotated[Path | None, typer.Option(help="File to write a JSON report to.")] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(help="File to write figures and verdict of the program to, as JSON."),
+    ] = None,
 ) -> None:
     """Compile a drawing to a verified machine program.
 
@@ -261,7 +272,8 @@ def verify(
         typer.Option(
             "--placement",
             metavar="X,Y",
-            help="Position of the drawing on the sheet (mm), if not in the program.",
+            help="Position of the drawing on the sheet (mm); required if the program does not "
+            "contain it.",
         ),
     ] = "",
     json: Json = False,

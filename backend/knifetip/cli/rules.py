@@ -1,4 +1,4 @@
-"""Find a classification profile by name: in a file, the library or a database."""
+"""rules: find a classification profile by its name, in a file, the library or a database."""
 
 from __future__ import annotations
 
@@ -9,13 +9,18 @@ from knifetip.errors import LibraryError
 from knifetip.library import custom_profiles, load
 from knifetip.model.profile import LineRules
 
-#: Environment variable with the URL of the database, and the file that is used without one.
+#: Environment variable with the URL of the database, and the SQLite file that is used if the
+#: variable is not set.
 DATABASE_VARIABLE = "KNIFETIP_DATABASE"
 DATABASE_FILE = Path("knifetip.sqlite")
 
 
 def database_of(given: str | None) -> str | None:
-    """Return the URL of the database with stored profiles, or None if there is none."""
+    """Return the URL of the database with stored profiles, or None if there is none.
+
+    The URL is ``given``, else the value of the environment variable, else the URL of the default
+    file if this file exists.
+    """
     if url := given or os.environ.get(DATABASE_VARIABLE):
         return url
     return f"sqlite:///{DATABASE_FILE}" if DATABASE_FILE.is_file() else None

@@ -37,7 +37,10 @@ class PartOptions:
         bool, typer.Option(help="Also run a simulated machine with its gateway.")
     ] = True
     compiles: Annotated[
-        bool, typer.Option(help="Compile jobs here; otherwise run `knifetip worker`.")
+        bool,
+        typer.Option(
+            help="Compile jobs in this process; with --no-compiles, `knifetip worker` must run."
+        ),
     ] = True
 
 
@@ -98,7 +101,9 @@ def worker(
     database: Database = DATABASE,
     name: Annotated[
         str,
-        typer.Option(help="Name that stays the same over restarts. Default: the host name."),
+        typer.Option(
+            help="Name of the worker; use the same name after a restart. Default: the host name."
+        ),
     ] = "",
     processes: Annotated[
         int, typer.Option(min=1, max=64, help="Number of jobs to compile at the same time.")
@@ -130,7 +135,7 @@ def gateway(
     ] = "127.0.0.1:2323",
     name: Annotated[str, typer.Option(help="Name of this gateway.")] = "gateway",
     journal: Annotated[
-        Path | None, typer.Option(help="File that records the lines sent and executed.")
+        Path | None, typer.Option(help="File that records the program lines sent and executed.")
     ] = None,
     key: Annotated[
         str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")

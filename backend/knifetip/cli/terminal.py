@@ -1,4 +1,4 @@
-"""Input and output of all commands: exit codes, messages on stderr, JSON on stdout, files."""
+"""terminal: exit codes, messages, JSON output and file access of all commands."""
 
 from __future__ import annotations
 
@@ -97,12 +97,12 @@ def write_bytes(path: Path, data: bytes) -> None:
 
 @contextmanager
 def progress(title: str) -> Iterator[Any]:
-    """Show a progress bar if stderr is a terminal.
+    """Show a progress bar if stderr is a terminal; used as a context manager.
 
     Yields
     ------
     callable
-        ``update(stage, fraction)``.
+        ``update(stage, fraction)`` sets the name of the stage and the fraction done, 0 … 1.
     """
     if not sys.stderr.isatty():
         yield lambda _stage, _fraction: None

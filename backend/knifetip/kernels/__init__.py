@@ -9,9 +9,9 @@ annotation                argument
 ``float, int, bool``      float64, int64, boolean; ``I32``, ``U8``, ``U64`` for other widths
 ``F64_2``                 read-only C-contiguous array of float64 with 2 dimensions; callers may
                           pass writable arrays too
-``OutF64_2``              writable array of the same type
+``OutF64_2``              writable C-contiguous array of float64 with 2 dimensions
 ``F64_2A``, ``F64_2F``    array with any strides; array with contiguous columns (Fortran order)
-``tuple[F64_1, int]``     a tuple
+``tuple[F64_1, int]``     tuple of an array and an integer
 a ``NamedTuple`` class    several arrays and numbers, such as scratch arrays.  The fields are
                           annotated like arguments; fields that are never written to are read-only
 ========================  ==========================================================================
@@ -26,7 +26,7 @@ How to write a kernel::
    compiled into each kernel that calls it; ``checks_division=True`` to raise at divisions by zero.
 2. Give each argument exactly one type, and convert other types in the callers.  An integer literal
    may be passed for ``int`` and ``float``.  A float is never cast to ``int``, nor an ``int`` to
-   ``I32``: both raise an error that names the argument.
+   ``I32``: each of these raises an error that names the argument.
 3. Combine arrays that belong together in a ``NamedTuple`` at the top of the module.
 4. Use no default values: callers pass every argument.
 

@@ -22,12 +22,12 @@ _PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
 class Group(types.NamedTuple):
     """Numba type of a declared named tuple; accepts tuples whose fields convert to its fields.
 
-    numba converts no named tuples by itself, so that a named tuple with a writable array would be
-    refused where a read-only array is declared.
+    numba itself converts no named tuples: it would refuse a named tuple with a writable array if a
+    read-only array is declared.
     """
 
     def can_convert_from(self, typingctx: Any, other: Any) -> Any:
-        """Return how a named tuple converts to this type, None if it does not (for numba)."""
+        """Return how numba converts a value of type ``other`` to this type; None if it cannot."""
         if getattr(other, "instance_class", None) is not self.instance_class:
             return None
         kinds = [typingctx.can_convert(a, b) for a, b in zip(other, self, strict=True)]

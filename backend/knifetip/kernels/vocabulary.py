@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """A number of one type, given by the name of its NumPy dtype."""
+    """Annotation of an argument that is one number, given by the name of its NumPy dtype."""
 
     dtype: str
 
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """An array of one dtype, number of dimensions and memory order.
+    """Annotation of an argument that is an array of one dtype, dimension count and memory order.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from knifetip.kernels.dispatch import Kernel
 
 
 def kernels_of(*packages: str) -> Iterator[Kernel]:
-    """Yield each kernel that is defined in some packages, ordered by module.
+    """Yield each kernel that is defined in the given packages, ordered by module.
 
     Parameters
     ----------
