@@ -151,7 +151,7 @@ def test_a_program_with_a_fault_is_refused(text: str, fault: str) -> None:
 
 
 def test_a_laser_without_power_has_no_program() -> None:
-    with pytest.raises(ProgramError, match="The laser has power of the laser is 0"):
+    with pytest.raises(ProgramError, match="The power of the laser is 0"):
         program("grblhal", machine=with_laser(power=0.0))
 
 
