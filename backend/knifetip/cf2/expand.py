@@ -1,4 +1,4 @@
-"""expand: copy the subroutines of a CF2 to where they are called, as columns of lines and arcs.
+"""expand: replace the calls of a CF2 by copies of the subroutines, as columns of lines and arcs.
 
     Cf2File, tolerance -> ExpandedFile: ReportWriter, Columns, annotations
 
@@ -36,7 +36,7 @@ _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call
 
 @dataclass(slots=True)
 class ExpandedFile:
-    """The lines, arcs and texts of a CF2 with all copies, in file units."""
+    """The lines, arcs and texts of a CF2 with the copies of all subroutines, in file units."""
 
     report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
@@ -47,12 +47,13 @@ class ExpandedFile:
     style: list[I64] = field(default_factory=list)
 
     def columns(self, reach: float) -> Columns:
-        """Return all segments, in the order of the import report.
+        """Return the segments of all lines and arcs, in the order of the import report.
 
         Parameters
         ----------
         reach
-            Largest coordinate (file units).  Entities with larger coordinates are dropped.
+            Largest coordinate (file units).  Entities with larger coordinates are dropped, and the
+            reason is added to the import report.
         """
         if not self.ends:
             none = np.zeros(0, np.int32)
@@ -74,7 +75,7 @@ class ExpandedFile:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Shape:
-    """The lines and arcs of a section, in the coordinates of the section."""
+    """The segments of the lines and arcs of a CF2 section, in the coordinates of the section."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
@@ -85,19 +86,20 @@ class _Shape:
 
 
 def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> ExpandedFile:
-    """Return the lines, arcs and texts of a CF2 with all its calls.
+    """Return the lines, arcs and texts of a CF2, with a copy of the subroutine for each call.
 
     Parameters
     ----------
     linear : (2, 2)
         Matrix that is applied to the whole drawing.
     tolerance
-        Largest error of arcs that a non-uniform scale makes elliptic (file units).
+        Largest error of the segments that approximate elliptic arcs (file units).  Arcs become
+        elliptic if the scale of a call is not uniform.
 
     Raises
     ------
     DrawingTooLarge
-        The depth of calls, or the number of expanded records, exceeds the limits.
+        The depth of calls, or the number of expanded records or segments, exceeds the limits.
     """
     expander = _Expander(source, tolerance, limits)
     start = linear, np.zeros(2)
@@ -114,7 +116,7 @@ def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> Ex
 
 
 class _Expander:
-    """Copies the sections of one CF2 to where they are called."""
+    """Copies the sections of one CF2 to the positions at which they are called."""
 
     def __init__(self, source: Cf2File, tolerance: float, limits: Limits) -> None:
         self.found = ExpandedFile()
@@ -177,7 +179,7 @@ class _Expander:
         path
             Handles of the calls that lead to the section, each followed by a slash.
         above
-            Names of the subroutines that contain this copy.
+            Names of the subroutines that contain this copy; a call of one of them is dropped.
         """
         shape = self._shapes.get(id(section))
         if shape is None:
@@ -253,7 +255,7 @@ class _Expander:
     def _add_shape(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
         """Add a transformed copy of the lines and arcs of a section.
 
-        ``row_of`` maps the rows of the section to the rows of the import report.
+        ``row_of`` contains the row of the import report for each row of the section.
         """
         if not len(shape.bulge):
             return
@@ -280,7 +282,7 @@ class _Expander:
             )
 
     def _shape_of(self, section: Section) -> _Shape:
-        """Return the lines and arcs of a section."""
+        """Return the lines and arcs of a section, its notes, and the reasons for bad records."""
         dropped: dict[int, Message] = {}
         notes: dict[int, list[Message]] = {}
         lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
@@ -307,7 +309,10 @@ class _Expander:
         )
 
     def _style_numbers(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
-        """Return the index of the style of each record."""
+        """Return the index of the style of each record in the list of styles.
+
+        ``layer`` is the layer of all these records.
+        """
         known: dict[tuple[str, str, str], int] = {}
         found = []
         for record in records:
@@ -319,7 +324,10 @@ class _Expander:
         return found
 
     def _style(self, layer: str, point: str, kind: str, aux: str) -> int:
-        """Return the index of a style; a new style is added."""
+        """Return the index of a style in the list of styles; a new style is added to the list.
+
+        ``point`` is the thickness of the rule, ``kind`` the type and ``aux`` the auxiliary type.
+        """
         words = ["CF2", _normalise_number(kind)]
         if _normalise_number(aux) != "0":
             words += ["aux", _normalise_number(aux)]
@@ -340,7 +348,10 @@ def _normalise_number(text: str) -> str:
 
 
 def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
-    """Add a note about the bridges of the steel rule in the die board to ``notes``."""
+    """Add a note to ``notes`` if the steel rule of a record has bridges in the die board.
+
+    ``fields`` are the number of bridges and their width, as written.
+    """
     try:
         count = float(fields[0])
         width = float(fields[1]) if len(fields) > 1 else 0.0
@@ -372,10 +383,12 @@ def _coordinates(
 
     Parameters
     ----------
+    records, rows
+        Fields of each record, and the row of each record in its section.
     where
-        Fields of a record that are coordinates.
+        The k fields of a record that are coordinates.
     dropped
-        Reason for each row with invalid coordinates; is extended.
+        Reasons by row; the reason for each record with invalid coordinates is added.
     """
     wide = where.stop - where.start
     row = np.array(rows, np.int64)
@@ -398,8 +411,17 @@ def _coordinates(
 def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:
     """Split arcs into segments of at most half a turn.
 
-    The ends are those that the record states.  If its centre is not equally far from both ends,
-    the arc through the ends gets the sweep angle of the ends about the stated centre.
+    The ends are those that the record states.  If the stated centre is not equally far from both
+    ends, the arc through the ends gets the sweep angle of the ends about the stated centre.
+
+    Parameters
+    ----------
+    arcs : (k, 7)
+        Start, end, centre and direction of k arcs.
+    rows : (k,)
+        Row of each arc in its section.
+    notes
+        Notes by row; a note is added for each arc with two radii.
 
     Returns
     -------
@@ -408,7 +430,7 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
     bulge : (n,)
         Bulges of the segments.
     which : (n,)
-        Index of the arc of each segment.
+        Index in ``arcs`` of the arc of each segment.
     """
     start, end, centre, direction = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6], arcs[:, 6]
     with np.errstate(all="ignore"):

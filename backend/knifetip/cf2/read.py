@@ -6,7 +6,7 @@ The subroutine becomes the layer.  The type number of a line has different meani
 programs, so it becomes a linetype to which profiles refer: ``CF2 2 3pt`` is type 2 in 3-point rule,
 ``CF2 3 aux 8 2pt`` is type 3 with auxiliary type 8.
 
-    bytes -> records (sections) -> expand (calls) -> Drawing
+``records`` parses the records into sections; ``expand`` replaces calls by copies of subroutines.
 """
 
 from __future__ import annotations
@@ -45,12 +45,12 @@ def read(
     Parameters
     ----------
     unit
-        The unit that the user gives, "mm", "in" …; it replaces that of the file.
+        The unit that the user gives, "mm", "in" …; it replaces the unit that the file states.
 
     Returns
     -------
     Drawing
-        In mm, or in file units with ``unit`` empty if neither the file nor the user states one.
+        In mm, or in file units with ``unit`` empty if neither the file nor the user states a unit.
 
     Raises
     ------
@@ -110,7 +110,8 @@ def _build_drawing(found: Cf2File, unit: str, given: float, limits: Limits) -> D
 def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, Message]:
     """Return whether coordinates must be multiplied by the record SCALE, and the reason.
 
-    Programs differ.  The size that the records LL and UR state decides; None means undecided.
+    Some programs multiply the coordinates before they write them, others do not.  The coordinates
+    are compared with the size that the records LL and UR state.  None means that neither fits.
     ``box`` is min x, min y, max x and max y of the coordinates without the scale.
     """
     x, y = found.scale

@@ -2,16 +2,17 @@
 
     text -> Cf2File: unit, scale and corners of the header; a Section for each section
 
-A record is a line of fields between commas::
+A record is one text line with fields between commas::
 
     L, pointage, type, aux, x1, y1, x2, y2, bridges, width
     A, pointage, type, aux, x1, y1, x2, y2, xc, yc, direction, bridges, width
-    T, pointage, type, aux, x, y, angle, height, width           its text is the next line
+    T, pointage, type, aux, x, y, angle, height, width
     C, subroutine, x, y, angle, x scale, y scale
 
-Direction is 1 for a counter-clockwise arc and -1 for a clockwise one; an arc that ends at its start
-is a whole circle.  Programs differ in the parts that they omit: the last fields, the end mark
-($EOF) and the ORDER section.  They also differ in blanks and capitals.
+L is a line, A an arc, T a text and C a call of a subroutine.  The text of a T record is the next
+line of the file.  Direction is 1 for a counter-clockwise arc and -1 for a clockwise arc; an arc
+that ends at its start is a whole circle.  Programs may omit the last fields, the end mark ($EOF)
+and the ORDER section.  They also use blanks and capitals differently.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ _SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A call of a subroutine, whose copy is scaled, then rotated, then moved."""
+    """A call of a subroutine: the copy of the subroutine is scaled, then rotated, then moved."""
 
     row: int  #: of the section
     name: str
@@ -39,7 +40,7 @@ class Call(NamedTuple):
 
 
 class TextRecord(NamedTuple):
-    """A text with its position and height."""
+    """A text on the drawing, with its position and height."""
 
     row: int  #: of the section
     text: str
@@ -48,7 +49,7 @@ class TextRecord(NamedTuple):
 
 @dataclass(slots=True)
 class Section:
-    """The m records of MAIN or of a subroutine, in the order of the file."""
+    """The m records of MAIN or of one subroutine, in the order of the file."""
 
     name: str
     entity: list[int] = field(
@@ -66,9 +67,16 @@ class Section:
     texts: list[TextRecord] = field(default_factory=list)
 
     def row(self, entity: int, kind: str, dropped: Message | None = None) -> int:
-        """Add a row for a record and return the number of the row.
+        """Add a record to the section and return its row, which is its index in the section.
 
-        ``dropped`` is the reason if the record gives no line.
+        Parameters
+        ----------
+        entity
+            Number of the record in the file.
+        kind
+            First field of the record: L, A, T, C or unknown.
+        dropped
+            Reason if the record gives no edge.
         """
         self.entity.append(entity)
         self.kind.append(kind)
@@ -92,12 +100,12 @@ class Cf2File:
 
 
 def parse_records(text: str, limits: Limits) -> Cf2File:
-    """Return the sections of a CF2.
+    """Return the header and the sections of a CF2.
 
     Raises
     ------
     NotADrawing
-        The file has no lines, ends inside a section, or has decimal commas.
+        The file has no section, ends inside a section, or has decimal commas.
     DrawingTooLarge
         The number of records exceeds the limit.
     """
@@ -126,7 +134,7 @@ class _Parser:
         self._commas = 0
 
     def _next(self) -> Iterator[str]:
-        """Yield the text lines that are not blank."""
+        """Yield the remaining text lines that are not blank, without blanks at their ends."""
         for line in self._lines:
             self.number += 1
             stripped = line.strip(" \t\r\f\x00\x1a")
@@ -181,7 +189,7 @@ class _Parser:
         return self.source.main
 
     def _next_number(self) -> int:
-        """Return the number of the next record, from 1.
+        """Count a record and return its number in the file, from 1.
 
         Raises
         ------
@@ -196,7 +204,10 @@ class _Parser:
         return self.source.records
 
     def _line(self, section: Section, line: str) -> None:
-        """Parse a record of a line (L) or an arc (A), and add it to a section."""
+        """Parse a record of a line (L) or an arc (A) and add it to a section.
+
+        ``line`` is the text of the record.
+        """
         kind = line[0].upper()
         fields = line.split(",")
         while not fields[-1].strip():

@@ -17,7 +17,7 @@ _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """The greatest deflection of one tool in this board."""
+    """The greatest deflection of one tool in the board that the file describes."""
 
     x: NotNegative = Field(description="greatest deflection in X (mm)")
     y: NotNegative = Field(description="greatest deflection in Y (mm)")

@@ -1,9 +1,8 @@
 """custom_profiles: parse and write the profiles of customers, which are stored as TOML text.
 
-    name, TOML text -> LineRules                 fields of a form -> TOML text
-
-The text is untrusted: its size is limited, it cannot refer to files, and it is either valid or
-refused with the path of the wrong field.
+``parse_text`` returns the rules in a TOML text; ``profile_text`` writes the fields of a form as
+TOML text.  The text is untrusted: its size is limited, it cannot refer to files, and it is either
+valid or refused with the path of the wrong field.
 """
 
 from __future__ import annotations
@@ -82,7 +81,7 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
 
 
 def library_text(name: str) -> str:
-    """Return the TOML text of a profile of the library."""
+    """Return the TOML text of a profile of the library that has this name."""
     return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
 
 
@@ -92,7 +91,10 @@ def parse_fields(text: str) -> dict[str, Any]:
 
 
 def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
-    """Return for each rule of a profile whether it comes from the extended profile."""
+    """Return for each rule of a profile whether it comes from the profile that it extends.
+
+    ``fields`` are the fields of the profile, ``rules`` its rules with the inherited ones.
+    """
     own = [False] * len(fields["rule"])
     base = [True] * (len(rules.rules) - len(own))
     return own + base if fields.get("overrules") else base + own

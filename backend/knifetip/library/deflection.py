@@ -1,7 +1,4 @@
-"""deflection: write the deflection of a tool into the TOML of a board.
-
-Deflection -> the lines of its table; text of a board -> text with that table
-"""
+"""deflection: write the deflection of a tool into the TOML text of a board."""
 
 from __future__ import annotations
 
@@ -25,7 +22,7 @@ def deflection_toml(deflection: Deflection) -> str:
 
 
 def replace_deflection(text: str, deflection: Deflection) -> str:
-    """Return the TOML of a board with the deflection of a tool added or replaced."""
+    """Return the TOML text of a board with the deflection of one tool added or replaced."""
     name = re.escape(deflection.tool)
     quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))
     head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{quoted}|'{name}')\s*\]")

@@ -1,7 +1,6 @@
-"""files: validate the fields of TOML files.
+"""files: validate the fields of TOML files against pydantic models.
 
-    fields of a document, model -> validated model, or an error with the path and fault of the field
-
+The result is a validated model, or an error with the path of each invalid field and the reason.
 Numbers must be finite, and types are not converted.  Unknown fields are errors.
 """
 
@@ -25,7 +24,7 @@ _MOST = 5
 
 
 class Table(BaseModel):
-    """Base class of the pydantic models of TOML tables."""
+    """Base class of the pydantic models of TOML tables; strict, immutable, no unknown fields."""
 
     model_config = ConfigDict(
         strict=True, extra="forbid", frozen=True, allow_inf_nan=False, hide_input_in_errors=True
@@ -44,15 +43,15 @@ def validate_fields(
     Parameters
     ----------
     shelf, name
-        Kind of the file ("machine", "board" or "profile") and its name, for the error.
+        Kind of the file ("machine", "board" or "profile") and its name, for the error message.
     error
-        Class of the error.
+        Class of the error that is raised; ``LibraryError`` by default.
 
     Raises
     ------
     LibraryError
         A field is missing, invalid or unknown; ``source`` is the path of the first such field.
-        ``error`` replaces this class.
+        Raised as ``error`` if that is another class.
     """
     try:
         return model.model_validate(fields)
@@ -71,7 +70,7 @@ def validate_fields(
 
 
 def _path(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the invalid field, such as ("station 2", "tool", "tilt")."""
+    """Return the path of the field that a pydantic error names: ("station 2", "tool", "tilt")."""
     path: list[str] = []
     before: int | str = ""
     for key in fault["loc"]:
@@ -85,7 +84,7 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def _field(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the invalid field, without the index of a value in a list of values."""
+    """Return the path of the field that a pydantic error names, without an index in a list."""
     path = _path(fault)
     if len(path) > 1 and isinstance(fault["loc"][-1], int):
         return (*path[:-1], path[-1].rpartition(" ")[0])
@@ -97,8 +96,10 @@ def field_error(code: str, **arguments: Any) -> PydanticCustomError:
 
     Parameters
     ----------
-    code, arguments
-        Code of the message, and its arguments except ``path``, which is added later.
+    code
+        Code of the message.
+    arguments
+        Arguments of the message except ``path``, which ``field_message`` adds.
     """
     return PydanticCustomError(code, code, arguments)
 

@@ -1,6 +1,6 @@
-"""load: load machines, boards and profiles of the library, or from TOML files of the user.
+"""load: load machines, boards and profiles from the library or from TOML files of the user.
 
-"demo-table" -> Machine        "e-flute" -> Board        "default" -> LineRules
+For example, "demo-table" gives a ``Machine``, "e-flute" a ``Board``, "default" a ``LineRules``.
 """
 
 from __future__ import annotations
@@ -142,6 +142,17 @@ def _load_file(
 ) -> Record:
     """Return the machine, board or profile that ``parse`` makes of a TOML file of the user.
 
+    Parameters
+    ----------
+    shelf
+        "machines", "boards" or "profiles".
+    name
+        Path of the file.
+    files
+        Whether files of the user may be read.
+    parse
+        Function that returns the record from the name, the fields and the path of the file.
+
     Raises
     ------
     LibraryError
@@ -180,7 +191,7 @@ def _parse_file(
 
 
 def find_cutter(machine: Machine, tool: str) -> Station:
-    """Return the station with a rotating cutter or a laser that has the name ``tool``.
+    """Return the station named ``tool``, which must have a rotating cutter or a laser.
 
     Raises
     ------
@@ -259,14 +270,15 @@ def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
     """Return the profile in a TOML document: a title and a list of ``[[rule]]``.
 
-    With ``extends``, the rules of that profile of the library come first, because the name of a
-    layer is better evidence than the colours that most profiles add.  With ``overrules = true``
-    they come last, as in profiles that were made from corrections.
+    With ``extends``, the rules of the extended profile of the library come before the profile's
+    own rules, because the name of a layer is better evidence than the colours that most profiles
+    add.  With ``overrules = true`` the extended profile's rules come last, as in profiles that
+    were made from corrections.
 
     Raises
     ------
     ProfileError
-        A field is missing, invalid or unknown; ``source`` is its path.
+        A field is missing, invalid or unknown; ``source`` is the path of the field.
     """
     from knifetip.library.profile_file import ProfileFile
 

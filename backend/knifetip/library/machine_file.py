@@ -1,4 +1,4 @@
-"""machine_file: the fields of a machine and its tools in TOML.
+"""machine_file: the pydantic models of a machine and its tools in TOML.
 
 The models of tools are generated from the records in ``knifetip.model.tool``, so a new kind of tool
 needs no change here.
@@ -22,7 +22,7 @@ from knifetip.model.tool.base import NotNegative, Positive
 
 
 class AxisTable(Table):
-    """One axis: travel, velocity and acceleration (mm or degrees, and seconds)."""
+    """One axis of a machine: its travel, velocity and acceleration (mm or degrees, and seconds)."""
 
     low: float = Field(description="least joint position")
     high: float = Field(description="greatest joint position")
@@ -39,7 +39,7 @@ class AxisTable(Table):
 
 
 class Axes(Table):
-    """The four axes."""
+    """The four axes of a machine: X, Y, Z, and C, which rotates the tool."""
 
     x: AxisTable
     y: AxisTable
@@ -48,7 +48,7 @@ class Axes(Table):
 
 
 class Datum(Table):
-    """The offset of a station: joint position = programmed position + datum."""
+    """The offset of a station: joint position = programmed position + offset."""
 
     x: float = Field(description="mm")
     y: float = Field(description="mm")
@@ -57,7 +57,7 @@ class Datum(Table):
 
 
 class ToolTable(Table):
-    """A tool: its kind and its dimensions."""
+    """The TOML table of a tool: its kind and its dimensions."""
 
     @model_validator(mode="after")
     def _consistent(self) -> ToolTable:
@@ -66,13 +66,13 @@ class ToolTable(Table):
         return self
 
     def record(self) -> Tool:
-        """Return the tool."""
+        """Return the tool that the table describes."""
         fields = self.model_dump()
         return _CLASSES[fields.pop("kind")](**fields)
 
 
 def _tool_table(kind: Kind) -> type[ToolTable]:
-    """Return the model of one kind of tool, from the fields of its record."""
+    """Return the pydantic model of a kind of tool in TOML, made from the fields of its record."""
     hints = get_type_hints(kind.tool, include_extras=True)
     fields: dict[str, Any] = {"kind": (Literal[kind.name], ...)}
     for one in dataclasses.fields(kind.tool):  # type: ignore[arg-type]  # all tools are dataclasses
@@ -88,7 +88,7 @@ _AnyTool: Any = reduce(or_, map(_tool_table, KINDS))
 
 
 class StationTable(Table):
-    """A place on the head that carries one tool."""
+    """The TOML table of a station: a place on the head that carries one tool."""
 
     number: int = Field(gt=0, lt=256, description="tool number in programs (T word)")
     name: str
@@ -100,13 +100,16 @@ class StationTable(Table):
     tool: Annotated[_AnyTool, Field(discriminator="kind")]
 
     def record(self) -> Station:
-        """Return the station."""
+        """Return the station that the table describes."""
         datum = self.datum.model_dump()
         return Station(self.number, self.name, self.tool.record(), **datum, output=self.output)
 
 
 class MachineFile(Table):
-    """A flatbed sample-maker.  Z0 is the top of the cutting mat; up is positive."""
+    """The TOML file of a flatbed sample-maker.
+
+    Z = 0 is the top of the cutting mat, and Z is positive upwards.
+    """
 
     title: str
     width: Positive = Field(description="width of the table, along X (mm)")
@@ -149,7 +152,7 @@ class MachineFile(Table):
         return value
 
     def record(self, name: str) -> Machine:
-        """Return the machine, without the settings of its controller."""
+        """Return the machine with this name, without the settings of its controller."""
         given = self.model_dump(exclude={"axes", "station", "origin", "controller"})
         axes: dict[str, Any] = {
             key: Axis(**limits) for key, limits in self.axes.model_dump().items()

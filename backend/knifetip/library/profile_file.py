@@ -1,4 +1,4 @@
-"""profile_file: the fields of a classification profile in TOML: a title and a list of ``[[rule]]``.
+"""profile_file: the pydantic models of a classification profile in TOML.
 
 Profiles are untrusted, so their size is limited, and they can refer only to the library.
 """
@@ -32,7 +32,13 @@ def _as_list(value: Any) -> Any:
 
 
 def _colour(value: Any) -> int | str:
-    """Return a valid colour: an AutoCAD colour index, or a true colour as "#rrggbb"."""
+    """Return a valid colour unchanged: a colour index 1…255, or a true colour "#rrggbb".
+
+    Raises
+    ------
+    PydanticCustomError
+        The value is not a colour.
+    """
     if isinstance(value, str) and re.fullmatch("#[0-9a-fA-F]{6}", value):
         return value
     if isinstance(value, bool) or not isinstance(value, int):
@@ -73,7 +79,7 @@ Colours = Annotated[
 
 
 class RuleTable(Table):
-    """A rule: an edge that matches all its conditions gets its line type."""
+    """The TOML table of a rule: an edge that matches all conditions gets the rule's line type."""
 
     type: Annotated[str, AfterValidator(_line_type)] = Field(
         json_schema_extra={"enum": [kind.word for kind in LineType]}
@@ -98,7 +104,7 @@ class RuleTable(Table):
 
 
 class ProfileFile(Table):
-    """A classification profile: rules from the layers, colours and linetypes of a customer."""
+    """The TOML file of a classification profile: rules on layers, colours and linetypes."""
 
     title: Annotated[str, StringConstraints(pattern=r"\S", max_length=MAX_TITLE_LENGTH)]
     extends: str | None = Field(None, description="profile of the library whose rules these extend")

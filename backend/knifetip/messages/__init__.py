@@ -1,8 +1,8 @@
-"""messages: records of a code and typed arguments, which a catalogue renders in a language.
+"""messages: records of a code with typed arguments, which are rendered as text in a language.
 
 ``catalogue`` has one module per area with all its messages: code, English text, hint and types of
-the arguments.  ``codes`` and ``english`` are tables made from it.  Another language is another
-module with the tables of ``english``.
+the arguments.  ``codes`` and ``english`` are tables made from the catalogue.  A module with the
+tables of ``english`` is needed for each further language.
 """
 
 from knifetip.messages.message import Argument, Message, finite, from_json, printable

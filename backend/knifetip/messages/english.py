@@ -1,6 +1,7 @@
 """english: the English texts and hints of all messages, and the names of units and tools.
 
-Another language is another module with these four tables.  ``render`` describes the templates.
+A module with the same four tables is needed for each further language.  ``messages.render``
+describes the templates.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""entry: one message of the catalogue, with the types of its arguments, its text and its hint."""
+"""entry: the record of one message of the catalogue: types of its arguments, text and hint."""
 
 from __future__ import annotations
 
@@ -22,5 +22,13 @@ Entries: TypeAlias = Mapping[str, Entry]
 
 
 def entry(text: str, hint: str = "", /, **arguments: Kind) -> Entry:
-    """Return the entry of a message, with the types of its arguments by name."""
+    """Return the catalogue entry of a message.
+
+    Parameters
+    ----------
+    text, hint
+        English templates of the text and the hint.
+    arguments
+        Type of each argument, as keyword arguments.
+    """
     return Entry(text, hint, arguments)

@@ -1,4 +1,4 @@
-"""message: the record of one message: a code with its arguments, without a sentence."""
+"""message: the record of one message: a code with its arguments, without the text."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NOT_FINITE: Final = 1e9
 
 @runtime_checkable
 class _Number(Protocol):
-    """Type of Python and NumPy numbers."""
+    """Protocol of Python and NumPy numbers."""
 
     def __float__(self) -> float: ...
 
@@ -29,7 +29,7 @@ Argument: TypeAlias = (
 
 
 class Message:
-    """One message for the user: a code and its arguments, but no sentence.
+    """One message for the user: a code and its arguments, without the text.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Message:
     Raises
     ------
     TypeError
-        The code is unknown, or its arguments have other names.
+        The code is unknown, or the names of the arguments are not those of the code.
     """
 
     __slots__ = ("_key", "arguments", "code")
@@ -83,10 +83,10 @@ class Message:
 
 
 def from_json(plain: Mapping[str, Any] | str) -> Message:
-    """Return the message that ``Message.as_json`` wrote.
+    """Return the message in data that ``Message.as_json`` returned.
 
-    Sentences from versions without codes, and messages from other versions whose code or arguments
-    are unknown, become ``stored.text``.
+    Older versions of knifetip stored sentences.  They, and messages of other versions whose code or
+    arguments are unknown, become a message with the code ``stored.text``.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")
@@ -124,14 +124,14 @@ def _plain(value: Any) -> Any:
 
 
 def finite(number: float) -> float:
-    """Return a number as JSON can represent it: ±1e9 for ±infinity, and 1e9 for NaN."""
+    """Return a number that JSON can represent: ±1e9 for ±infinity, 1e9 for NaN."""
     if math.isfinite(number):
         return float(number)
     return -_NOT_FINITE if number < 0.0 else _NOT_FINITE
 
 
 def printable(text: str) -> str:
-    """Return text as UTF-8 can encode it: lone surrogates become ``?``, and NUL is left out."""
+    """Return a text that UTF-8 can encode: lone surrogates become ``?``, and NUL is removed."""
     return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
 
 
@@ -142,9 +142,9 @@ def _texts(value: Iterable[object]) -> tuple[str, ...]:
 
 
 def _message(value: object) -> Message:
-    """Return a message as it is, and a text as the message ``stored.text``.
+    """Return a message unchanged, and a text as a message with the code ``stored.text``.
 
-    Older versions stored texts where this version has a message.
+    Older versions of knifetip stored a text where this version stores a message.
     """
     return value if isinstance(value, Message) else Message(STORED, text=str(value), hint="")
 

@@ -32,7 +32,7 @@ def render(message: Message) -> str:
 
 
 def hint(message: Message) -> str:
-    """Return what the user can do about a message, in English; empty if the user can do nothing."""
+    """Return the English hint of a message: what the user can do; empty if there is no hint."""
     text = _FORMATTER.vformat(english.HINTS.get(message.code, ""), (), message.arguments)
     return text.strip()  # a hint may begin or end with the empty hint of an argument
 

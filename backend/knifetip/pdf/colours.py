@@ -1,6 +1,7 @@
 """colours: convert colours of a PDF to a true colour and the name of the spot colour.
 
-    [/Separation /CutContour /DeviceCMYK {…}] and tint 1 -> Paint(0xFF00FF, "CutContour")
+For example, tint 1 of ``[/Separation /CutContour /DeviceCMYK {…}]`` gives
+``Paint(0xFF00FF, "CutContour")``.
 
 A spot colour is a separate ink.  Carton designers name it after the operation on the line, such as
 "CutContour".  Its true colour is the colour in which programs display it.
@@ -29,7 +30,7 @@ class Paint(NamedTuple):
 
 
 class ColourSpace(NamedTuple):
-    """A colour space of a PDF."""
+    """A colour space of a PDF: its kind, its components and, for spot colours, its inks."""
 
     kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty if unknown
     components: int
@@ -59,7 +60,11 @@ _MAX_DEPTH: Final = 4
 
 
 def parse_colour_space(file: PdfFile, given: object, deep: int = 0) -> ColourSpace:
-    """Return the colour space that a PDF object defines; ``deep`` is the depth of nested spaces."""
+    """Return the colour space that a PDF object defines.
+
+    The result has an empty ``kind`` if the colour space is unknown or nested too deeply.
+    ``deep`` is the number of colour spaces that contain this one.
+    """
     given = file.resolve(given)
     if isinstance(given, NameObject):
         return _DEVICE.get(str(given), _UNKNOWN_SPACE)
@@ -84,7 +89,10 @@ def _ink(name: object) -> str:
 
 
 def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
-    """Return the colour with the components ``given`` in the colour space ``where``."""
+    """Return the colour with the components ``given`` in the colour space ``where``.
+
+    The colour is ``UNKNOWN_COLOUR`` if it cannot be computed.
+    """
     if where.kind not in ("Separation", "DeviceN"):
         return Paint(_to_rgb(where.kind, given), "")
     inks = dict(zip(where.inks, given, strict=False))
@@ -99,7 +107,11 @@ def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
 
 
 def _to_rgb(kind: str, given: list[float]) -> int:
-    """Return a device colour as 0xRRGGBB, without colour management."""
+    """Return a device colour as 0xRRGGBB, without colour management.
+
+    ``kind`` is Gray, RGB or CMYK.  ``UNKNOWN_COLOUR`` is returned for other kinds and for invalid
+    components.
+    """
     parts = [min(max(part, 0.0), 1.0) for part in given]
     if not all(map(math.isfinite, given)):
         return UNKNOWN_COLOUR

@@ -63,14 +63,14 @@ class Name(str):
 
 
 def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
-    """Yield the operators of a content stream, with their numbers, names, strings and lists.
+    """Yield each operator of a content stream with its operands: numbers, names, strings, lists.
 
     An inline image is one operator, ``BI``.
 
     Raises
     ------
     TruncatedStream
-        The stream ends inside a string, an array or an image.
+        The stream ends inside a string, an array or an image, or arrays are nested too deeply.
     """
     given: list[Any] = []
     enclosing: list[list[Any]] = []
@@ -123,7 +123,13 @@ def _name(raw: bytes) -> Name:
 
 
 def _string_end(data: bytes, at: int) -> int:
-    """Return the index after the parenthesis that closes a string that starts before ``at``."""
+    """Return the index after the closing parenthesis of a string whose content starts at ``at``.
+
+    Raises
+    ------
+    TruncatedStream
+        The string is not closed.
+    """
     deep = 1
     for found in _IN_STRING.finditer(data, at):
         if found[0] == b"(":
@@ -136,7 +142,7 @@ def _string_end(data: bytes, at: int) -> int:
 
 
 def _unescape(found: re.Match[bytes]) -> bytes:
-    """Return the bytes of an escape sequence in a string."""
+    """Return the bytes that an escape sequence in a string stands for."""
     if found[1]:
         return bytes((int(found[1], 8) & 255,))
     if found[2] in (b"\n", b"\r", b"\r\n"):
@@ -145,7 +151,7 @@ def _unescape(found: re.Match[bytes]) -> bytes:
 
 
 def _end_of_image(data: bytes, at: int) -> int:
-    """Return the index after an inline image."""
+    """Return the index after the inline image that starts before ``at``."""
     found = _PICTURE_ENDS.search(data, at)
     if found is None:
         raise TruncatedStream("pdf.open-image")

@@ -2,8 +2,8 @@
 
     bytes -> PdfFile (objects, in bounded time and size) -> Page
 
-pypdf parses the objects; the type of each is checked here.  Encrypted files are refused, and so are
-streams that cannot be unpacked to their end, because lines would be missing.
+pypdf parses the objects; this module checks the type of each object.  Encrypted files are refused.
+Streams that cannot be unpacked to their end are also refused, because lines would be missing.
 
 Source: ISO 32000-1, chapters 7.5, 7.7 and 14.11.2.
 """
@@ -88,7 +88,7 @@ class PdfFile:
     def resolve(self, value: object) -> Any:
         """Return the object that a reference refers to; other values are returned unchanged.
 
-        None is returned if the object does not exist.
+        None is returned if the object does not exist or is the null object.
         """
         for _ in range(16):
             if not isinstance(value, IndirectObject):
@@ -98,18 +98,24 @@ class PdfFile:
         return None
 
     def entry(self, holder: object, key: str) -> Any:
-        """Return an entry of a dictionary, None if the entry or the dictionary is missing."""
+        """Return the entry ``key`` of a dictionary, with its reference resolved.
+
+        None is returned if ``holder`` is not a dictionary or has no such entry.
+        """
         if not isinstance(holder, DictionaryObject) or key not in holder:
             return None
         return self.resolve(holder.raw_get(key))
 
     def array(self, holder: object, key: str) -> list[Any]:
-        """Return an array of a dictionary, with its references unresolved; empty if missing."""
+        """Return the items of the array ``key`` of a dictionary; empty if there is no such array.
+
+        References among the items are not resolved.
+        """
         found = self.entry(holder, key)
         return list(found) if isinstance(found, ArrayObject) else []
 
     def numbers(self, holder: object, key: str, count: int) -> list[float] | None:
-        """Return an array of ``count`` finite numbers of a dictionary; None for any other value."""
+        """Return the array ``key`` of a dictionary if it is ``count`` finite numbers, else None."""
         found = [number(self.resolve(value)) for value in self.array(holder, key)]
         if len(found) != count or not all(map(math.isfinite, found)):
             return None
@@ -138,7 +144,7 @@ class PdfFile:
 
 
 class _Reader(PdfReader):
-    """The reader of pypdf with a check of the time limit before each object of an object stream."""
+    """The reader of pypdf; it checks the time limit before each object of an object stream."""
 
     def __init__(self, stream: io.BytesIO, check_time: Callable[[], None]) -> None:
         self._check_time = check_time
@@ -150,7 +156,7 @@ class _Reader(PdfReader):
 
 
 class _TimedBytes(io.BytesIO):
-    """A file in memory with a check of the time limit before each read."""
+    """A file in memory that checks the time limit before each read."""
 
     def __init__(self, data: bytes, check_time: Callable[[], None]) -> None:
         super().__init__(data)
@@ -163,9 +169,10 @@ class _TimedBytes(io.BytesIO):
 
 @contextmanager
 def limit_pypdf(limits: Limits) -> Iterator[None]:
-    """Limit the size to which pypdf unpacks a stream to a quarter of the size limit of a file.
+    """Limit the unpacked size of a stream in pypdf, in a ``with`` statement.
 
-    Streams of objects are smaller; content streams, which may be larger, are unpacked here.
+    The limit is a quarter of the size limit of a file.  Streams of objects are smaller; content
+    streams may be larger, and this module unpacks them itself.
     """
     most = limits.bytes // 4
     with apply_configuration(
@@ -182,7 +189,15 @@ def limit_pypdf(limits: Limits) -> Iterator[None]:
 
 
 def _unpack(data: bytes, most: int) -> bytes:
-    """Return unpacked zlib data of at most ``most`` bytes."""
+    """Return the unpacked content of zlib data.
+
+    Raises
+    ------
+    NotADrawing
+        The data is truncated or damaged.
+    DrawingTooLarge
+        The content is larger than ``most`` bytes.
+    """
     stream = zlib.decompressobj()
     try:
         plain = stream.decompress(data, most + 1)
@@ -202,7 +217,7 @@ def number(value: object) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """The first page of a PDF."""
+    """The first page of a PDF, with its visible area, rotation and unit."""
 
     node: DictionaryObject
     resources: DictionaryObject

@@ -1,8 +1,7 @@
-"""page_lines: collect the lines of a page, and its import report.
+"""page_lines: collect the paths and texts of a PDF page, and its import report.
 
-    paths, each with its matrix and its style -> Table, Paths, Styles
-
-Every path, text and image has a row in the report; paths keep their matrix to page coordinates.
+Every path, text and image has a row in the report.  Paths keep their own coordinates, with the
+matrix to page coordinates and the style of each path.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ from knifetip.pdf.path_builder import PathBuilder
 
 
 class LayerMark(NamedTuple):
-    """The layer of an object on the page."""
+    """The layer of an object on the page, and the hidden layer that contains the object."""
 
     layer: str
     hidden: str  #: name of the hidden layer that contains it, empty if it is visible
@@ -43,7 +42,7 @@ class LineStyle(NamedTuple):
 
 
 class PageLine(NamedTuple):
-    """A path on the page."""
+    """A path on the page, with its import report row, matrix, visible area and style."""
 
     row: int
     size: int  #: number of segments
@@ -68,7 +67,7 @@ class PageLines:
         self._lines: list[PageLine] = []
 
     def row(self, path: str, kind: str, mark: LayerMark, dropped: Message | None = None) -> int:
-        """Add a row to the import report and return its number.
+        """Add a row for an object to the import report and return the number of the row.
 
         Parameters
         ----------
@@ -76,8 +75,10 @@ class PageLines:
             Names of the forms that contain the object, each followed by a slash.
         kind
             Type of the object.
+        mark
+            Layer of the object.
         dropped
-            Reason if the object gives no line.
+            Reason if the object gives no edge.
         """
         if len(self.report.handle) >= self._limits.entities:
             raise DrawingTooLarge(
@@ -87,12 +88,12 @@ class PageLines:
         return self.report.row(handle, kind, mark.layer or "0", dropped)
 
     def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
-        """Keep the current path of the path builder, and add it to the lines of the page.
+        """Keep the current path of the path builder, and add it to the paths of the page.
 
         Parameters
         ----------
         row
-            Row in the import report.
+            Row of the path in the import report.
         matrix
             From the coordinates of the path to points on the displayed page.
         clip
@@ -104,11 +105,14 @@ class PageLines:
 
     @property
     def empty(self) -> bool:
-        """Whether the page has no lines."""
+        """Whether the page has no paths that could be drawn."""
         return not self._lines
 
     def collect(self) -> tuple[Table, Paths, list[Style]]:
-        """Return segments, paths and styles of the whole page."""
+        """Return the segments, the paths and the styles of the visible paths of the page.
+
+        The reasons for dropped paths are written into the import report.
+        """
         lines = self._lines
         size = np.array([line.size for line in lines], np.int64)
         path = np.repeat(np.arange(len(lines), dtype=np.int64), size)
@@ -131,7 +135,7 @@ class PageLines:
         return table, Paths(row[keep], style, matrix[keep]), styles
 
     def _drop_invisible(self, box: F64) -> Bool:
-        """Drop the paths outside the visible area; return whether each of p paths remains, (p,).
+        """Drop the paths outside their visible areas; return the mask of the other paths, (p,).
 
         Parameters
         ----------
@@ -155,7 +159,7 @@ class PageLines:
         Returns
         -------
         keep : (p,)
-            Whether each of p paths remains.
+            Mask of the paths that are kept.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()
@@ -168,9 +172,9 @@ class PageLines:
         return ~areas | (not stroked)
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
-        """Return all styles, and the index of the style of each path.
+        """Return the list of all styles, and the index of each path's style in this list.
 
-        The layer of each path is written into its row of the import report.
+        The layer of each path is written into the path's row of the import report.
         """
         named = layer_names({(line.style.layer, line.style.paint.spot) for line in lines})
         styles: list[Style] = []

@@ -1,6 +1,6 @@
-"""page_reader: read a page with all copies of its forms.
+"""page_reader: read a PDF page with all copies of its forms (reusable content streams).
 
-    PdfFile, Page -> PageLines: the lines, and a row for every path, text and image
+    PdfFile, Page -> PageLines: the paths, and a row for every path, text and image
 
 Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The size of the
 expanded forms is limited.
@@ -46,7 +46,10 @@ def read_page(file: PdfFile, page: Page) -> PageLines:
 
 
 def _display_matrix(page: Page) -> tuple[Matrix, Box]:
-    """Return the matrix from page coordinates to displayed points, and the visible area."""
+    """Return the matrix from page coordinates to points on the displayed page.
+
+    The second value is the visible area of the displayed page (points).
+    """
     u = page.unit
     boundless = page.box == UNBOUNDED
     left, low, right, high = (0.0, 0.0, 0.0, 0.0) if boundless else page.box
@@ -63,7 +66,7 @@ def _display_matrix(page: Page) -> tuple[Matrix, Box]:
 
 
 class _PageReader:
-    """Reads the content streams of a page."""
+    """Interprets the content streams of a page and of the forms that the page contains."""
 
     def __init__(self, file: PdfFile) -> None:
         self.file = file
@@ -72,7 +75,7 @@ class _PageReader:
         self._read = 0
 
     def read_page(self, page: Page) -> None:
-        """Read a page; report annotations and other pages, which are not read."""
+        """Read a page; add its annotations and the other pages to the import report as dropped."""
         matrix, seen = _display_matrix(page)
         state = State(matrix, seen)
         none = LayerMark("", "")
@@ -98,14 +101,26 @@ class _PageReader:
         return b"\n".join(parts)
 
     def _check_size(self, size: int) -> None:
-        """Add to the expanded size; raise DrawingTooLarge beyond the limit."""
+        """Add ``size`` bytes to the expanded size of the page.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The expanded size exceeds the limit.
+        """
         self._read += size
         most = self.file.limits.bytes
         if self._read > most:
             raise DrawingTooLarge("pdf.expands-too-far", limit=most / 2**20)
 
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
-        """Interpret a content stream."""
+        """Interpret the content stream ``data``, starting with the graphics state ``state``.
+
+        Raises
+        ------
+        NotADrawing
+            The stream is truncated.
+        """
         try:
             Stream(self._page, state, context).interpret(data)
         except TruncatedStream as error:
@@ -116,7 +131,7 @@ class _PageReader:
             ) from None
 
     def form(self, node: StreamObject, state: State, context: StreamContext) -> None:
-        """Interpret the content of a form."""
+        """Interpret the content stream of a form, within the matrix and the clip of the form."""
         file = self.file
         if (matrix := file.numbers(node, "/Matrix", 6)) is not None:
             a, b, c, d, e, f = matrix

@@ -1,6 +1,6 @@
-"""path_builder: build paths from operators, in their own coordinates.
+"""path_builder: build paths from the operators of a content stream, in path coordinates.
 
-    m 10 20, l 30 20, h -> two lines, the second of which closes the path
+For example, ``10 20 m 30 20 l h`` gives two lines, the second of which closes the path.
 
 Source: ISO 32000-1, chapter 8.5.2.
 """
@@ -19,7 +19,7 @@ from knifetip.geometry.columns import F64
 
 
 class PathBuilder:
-    """The segments of all kept paths, followed by the segments of the current path."""
+    """The segments of all kept paths of a page, followed by the segments of the current path."""
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
@@ -31,7 +31,7 @@ class PathBuilder:
         self._start_path()
 
     def add(self, operator: str, given: list[float]) -> None:
-        """Add an operator, a key of ``BUILDERS``, to the current path."""
+        """Apply an operator, a key of ``BUILDERS``, with its operands to the current path."""
         try:
             BUILDERS[operator](self, *given)
         except TypeError:
@@ -51,14 +51,14 @@ class PathBuilder:
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
 
     def keep(self) -> int:
-        """Keep the segments of the current path, and return their number."""
+        """Keep the segments of the current path, start a new path, and return the number kept."""
         size = self.size
         self._kept = len(self.kind)
         self._start_path()
         return size
 
     def drop(self) -> None:
-        """Remove the current path."""
+        """Remove the segments of the current path and start a new path."""
         del self.kind[self._kept :]
         del self.numbers[8 * self._kept :]
         self._start_path()

@@ -3,9 +3,9 @@
     bytes -> Drawing: segments in mm, and a row of the import report for every path, text and image
 
 Line types are distinguished by layer, spot colour, colour and dashes.  The size is known: one unit
-is 1/72 in, or a multiple of it that UserUnit states.
+is 1/72 in, or the multiple of 1/72 in that UserUnit states.
 
-    bytes -> document (objects, page) -> page_reader (operators, forms) -> columns -> Drawing
+``document`` finds the page, ``page_reader`` interprets its operators and forms.
 """
 
 from __future__ import annotations
@@ -95,7 +95,10 @@ def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Draw
 
 
 def _refuse_empty(file: PdfFile, page: Page, drawn: PageLines) -> None:
-    """Raise NotADrawing for a PDF whose page has no drawing."""
+    """Raise NotADrawing if a page without paths is blank or its content is in another format.
+
+    Other formats are XFA forms and the private data of Illustrator.
+    """
     if file.entry(file.entry(file.root, "/AcroForm"), "/XFA") is not None:
         raise NotADrawing("pdf.form")
     if file.entry(file.entry(page.node, "/PieceInfo"), "/Illustrator") is not None:

@@ -1,7 +1,4 @@
-"""resources: look up and cache the named resources of content streams.
-
-"Cut" among the colour spaces of a page -> ColourSpace
-"""
+"""resources: look up and cache the named colour spaces, colours and fonts of content streams."""
 
 from __future__ import annotations
 
@@ -22,7 +19,10 @@ class Resources:
         self._fonts: dict[tuple[int, str], Font] = {}
 
     def find(self, resources: DictionaryObject, kind: str, name: str) -> object:
-        """Return a named resource: a reference or the object; None if it is missing."""
+        """Return the resource ``name`` of one kind, such as "/Font", from a resource dictionary.
+
+        The result may be a reference; it is None if there is no such resource.
+        """
         holder = self._file.entry(resources, kind)
         key = f"/{name}"
         return (
@@ -30,7 +30,7 @@ class Resources:
         )
 
     def space(self, resources: DictionaryObject, name: str) -> ColourSpace:
-        """Return the colour space with a name in a resource dictionary."""
+        """Return the colour space ``name`` of a resource dictionary, or the device colour space."""
         key = id(resources), name
         found = self._spaces.get(key)
         if found is None:
@@ -50,7 +50,7 @@ class Resources:
         return found
 
     def font(self, resources: DictionaryObject, name: str) -> Font:
-        """Return the font with a name in a resource dictionary."""
+        """Return the font ``name`` of a resource dictionary."""
         key = id(resources), name
         found = self._fonts.get(key)
         if found is None:

@@ -1,6 +1,4 @@
-"""stream: interpret the operators of a content stream.
-
-    operators, State, StreamContext -> rows and lines in PageLines
+"""stream: interpret the operators of a content stream, and add its paths and texts to the page.
 
 Only the part of the graphics state that determines position and style of lines is tracked.
 
@@ -105,7 +103,7 @@ class Stream:
         self._clips = False
 
     def interpret(self, data: bytes) -> None:
-        """Interpret all operators of the stream."""
+        """Interpret all operators of the content stream ``data``."""
         path = self._page.drawn.path
         for operator, given in parse_operations(data):
             if operator in BUILDERS:
@@ -120,9 +118,16 @@ class Stream:
             self._drop_path(Message("import.page-ends-early"))
 
     def _row(self, kind: str, why: Message | None, points: Sequence[Any] = ()) -> int:
-        """Add a row to the import report and return its number.
+        """Add a row for an object to the import report and return the number of the row.
 
-        ``why`` is the reason if the object is dropped; ``points`` are its corners.
+        Parameters
+        ----------
+        kind
+            Type of the object.
+        why
+            Reason if the object is dropped.
+        points
+            Points whose bounding box is the location of the object, before the current matrix.
         """
         mark, drawn = self._marks[-1], self._page.drawn
         why = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else why
@@ -132,13 +137,19 @@ class Stream:
         return row
 
     def _drop_path(self, why: Message | None) -> None:
-        """Drop the current path and add the reason ``why`` to the import report."""
+        """Drop the current path, and add a row with the reason ``why`` to the import report."""
         path = self._page.drawn.path
         self._row("path", why, [] if path.wrong else path.ends().tolist())
         path.drop()
 
     def _paint_path(self, closes: bool, strokes: bool, fills: bool) -> None:
-        """Keep the current path, or report why it is dropped."""
+        """End the current path: add it to the page if it is visible, else drop it with a reason.
+
+        Parameters
+        ----------
+        closes, strokes, fills
+            Whether the operator closes, strokes or fills the path.
+        """
         self._page.file.check_time()
         path, state = self._page.drawn.path, self._state
         if closes:
@@ -205,7 +216,7 @@ class Stream:
         self._state = self._state._replace(dashed=dashed)
 
     def _set_state(self, _operator: str, given: list[Any]) -> None:
-        """Apply a graphics state dictionary."""
+        """Apply a named graphics state dictionary: opacity and dashes."""
         file = self._page.file
         name = given[-1] if given else ""
         node = file.resolve(
@@ -262,7 +273,10 @@ class Stream:
             raise DrawingTooLarge("pdf.layers-too-deep", limit=_MAX_STACK)
 
     def _nested_mark(self, mark: LayerMark, given: object) -> LayerMark:
-        """Return the mark of a layer that lies inside another layer."""
+        """Return the mark of the layer ``given`` inside the layer ``mark``.
+
+        It is hidden if one of the two layers is hidden.
+        """
         if given is None:
             return mark
         layer = self._page.layers.layer(given)
@@ -276,7 +290,7 @@ class Stream:
     # ── Forms, images, texts ────────────────────────────────────────────────────────────────
 
     def _draw_object(self, _operator: str, given: list[Any]) -> None:
-        """Interpret a form; report an image, which is not cut."""
+        """Interpret a form; add an image, which is not cut, to the import report as dropped."""
         page, context = self._page, self._context
         page.file.check_time()
         name = str(given[-1]) if given else ""
@@ -367,7 +381,7 @@ _HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
 
 
 def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
-    """Return the bounding box of transformed points."""
+    """Return the bounding box of points after a transformation by ``matrix``."""
     a, b, c, d, e, f = matrix
     x = [a * x + c * y + e for x, y in points]
     y = [b * x + d * y + f for x, y in points]
@@ -375,7 +389,7 @@ def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
 
 
 def intersect(one: Box, other: Box) -> Box:
-    """Return the intersection of two bounding boxes."""
+    """Return the intersection of two bounding boxes; its minimum exceeds its maximum if empty."""
     return (
         max(one[0], other[0]),
         max(one[1], other[1]),

@@ -1,9 +1,9 @@
-"""text: decode the texts on a page, if their font allows it, with their positions.
+"""text: decode the texts on a page, with their positions, if their font has a known encoding.
 
-    BT /F1 12 Tf 10 20 Td (A carton) Tj ET -> "A carton" at (10, 20), 12 high
+For example, ``BT /F1 12 Tf 10 20 Td (A carton) Tj ET`` gives "A carton" at (10, 20), height 12.
 
 Texts are never cut, but they are evidence for the unit and the board.  The codes of a font are
-defined by a standard encoding or by a table to Unicode; fonts with neither are not decoded.
+defined by a standard encoding or by a ToUnicode table; fonts with neither are not decoded.
 
 Source: ISO 32000-1, chapters 9.6 and 9.10.
 """
@@ -33,7 +33,7 @@ _LISTED: Final = re.compile(rb"<([0-9A-Fa-f\s]*)>")
 
 
 class Font(NamedTuple):
-    """The encoding of a font."""
+    """The encoding of a font: a Python codec, or a table from codes to text."""
 
     codec: str  #: name of a Python codec, empty if there is a table or none
     wide: int  #: bytes in one code
@@ -53,7 +53,7 @@ UNDECODABLE: Final = Font("", 1, {})
 
 
 def parse_font(file: PdfFile, node: object) -> Font:
-    """Return the encoding of the font that a PDF object defines."""
+    """Return the encoding of the font that a PDF object defines; ``UNDECODABLE`` if unknown."""
     if not isinstance(node, DictionaryObject):
         return UNDECODABLE
     wide = 2 if file.entry(node, "/Subtype") == "/Type0" else 1
@@ -96,7 +96,7 @@ _BLANK: Final = -200.0
 
 
 class TextObject:
-    """The text between BT and ET, and the current font."""
+    """The text between the operators BT and ET, and the current font."""
 
     def __init__(self) -> None:
         self.font = UNDECODABLE
@@ -108,13 +108,13 @@ class TextObject:
         self._unread = False
 
     def begin(self) -> None:
-        """Start a new text object."""
+        """Remove the text and reset the position, at the operator BT."""
         self._begin, self._line, self._leading = None, IDENTITY, 0.0
         self._parts.clear()
         self._unread = False
 
     def operate(self, operator: str, given: list[Any]) -> None:
-        """Apply an operator, one of ``OPERATORS``."""
+        """Apply an operator, one of ``OPERATORS``, with its operands to the text."""
         numbers = [one for one in given if isinstance(one, float)]
         if operator == "Tm" and len(numbers) == 6:
             a, b, c, d, e, f = numbers
@@ -150,19 +150,21 @@ class TextObject:
 
     @property
     def empty(self) -> bool:
-        """Whether the text object has shown no text."""
+        """Whether no operator has shown text since the operator BT."""
         return self._begin is None
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """The start point of the text, in the coordinates outside the text object.
+        """A list with the start point of the text, in the coordinates outside the text object.
 
-        Empty if no text was shown.
+        The list is empty if no text was shown.
         """
         return [] if self._begin is None else [self._begin[4:]]
 
     def placed_text(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
-        """Return the text, x, y and height (points); None if the text cannot be decoded.
+        """Return the text, x, y and height (points) of the text object.
+
+        None is returned if the text is blank, cannot be decoded or has no finite position.
 
         Parameters
         ----------

@@ -1,9 +1,8 @@
 """tints: convert a tint of an ink to a colour in the alternate colour space.
 
-    {dup 0 exch 0.5 mul} and tint 1 -> components 0, 0.5 … in the alternate space
-
-A function is a power of the tint, a table, or a PostScript program.  Programs with other operators
-than arithmetic and stack operators are not evaluated, and neither are stitched functions.
+The PDF defines the conversion by a function: a power of the tint, a table, or a PostScript program.
+Programs with operators other than add, sub, mul, div, neg and stack operators are not evaluated.
+Stitched functions are not evaluated either.
 
 Source: ISO 32000-1, chapter 7.10.
 """
@@ -32,7 +31,10 @@ _TWO: Final[dict[str, Callable[[float, float], float]]] = {
 
 
 def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
-    """Return the components of a tint (0 … 1) in the alternate colour space; empty if unknown."""
+    """Return the components of a tint (0…1) in the alternate colour space.
+
+    The list is empty if the function is invalid or not supported.
+    """
     tint = min(max(tint, 0.0), 1.0)
     kind = number(file.entry(function, "/FunctionType"))
     if kind == 2.0:
@@ -50,7 +52,10 @@ def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
 
 
 def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
-    """Return the sample of a function table that is nearest to a tint."""
+    """Return the components of the sample of a function table that is nearest to a tint.
+
+    The list is empty if the table is invalid or not supported.
+    """
     size = [number(file.resolve(one)) for one in file.array(function, "/Size")]
     within = [number(file.resolve(one)) for one in file.array(function, "/Range")]
     bits = number(file.entry(function, "/BitsPerSample"))
@@ -71,7 +76,10 @@ def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
 
 
 def _run_program(program: bytes, tint: float) -> list[float]:
-    """Return the stack after a PostScript program; empty if it has unsupported operators."""
+    """Return the stack after a PostScript program whose input is ``tint``.
+
+    The list is empty if the program fails or has unsupported operators.
+    """
     stack = [tint]
     try:
         for word in re.findall(r"[^\s{}]+", program.decode("latin-1")):
@@ -105,7 +113,13 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a number as an integer of at least 0; raise ValueError for other numbers."""
+    """Return a number from 0 to the largest stack size as an integer.
+
+    Raises
+    ------
+    ValueError
+        The number is outside this range.
+    """
     if not 0.0 <= value <= _STACK:
         raise ValueError
     return int(value)

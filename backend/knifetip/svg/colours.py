@@ -1,6 +1,6 @@
 """colours: parse a CSS paint into a true colour.
 
-"#e02020", "rgb(224, 32, 32)", "crimson" -> 0xE02020
+For example, "#e02020" and "rgb(224, 32, 32)" give 0xE02020.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ _WITH_TEXT: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
 
 
 class Node:
-    """An XML element, or a text between elements (``tag`` is empty)."""
+    """An XML element, or a text between elements; a text has an empty ``tag``."""
 
     __slots__ = ("attributes", "children", "tag", "text")
 
@@ -100,7 +100,15 @@ _TRUNCATED: Final = frozenset(
 
 
 def _unpack(data: bytes, limits: Limits) -> bytes:
-    """Return the content of gzip data; raise DrawingTooLarge if it exceeds the limit."""
+    """Return the unpacked content of gzip data.
+
+    Raises
+    ------
+    NotADrawing
+        The data is truncated or damaged.
+    DrawingTooLarge
+        The content exceeds the limit.
+    """
     stream = zlib.decompressobj(31)
     try:
         plain = stream.decompress(data, limits.bytes + 1)

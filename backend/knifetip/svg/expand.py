@@ -1,8 +1,8 @@
-"""expand: list all drawn elements of a document, with the copies that ``use`` elements make.
+"""expand: list all drawn elements of an SVG, with the copies that ``use`` elements make.
 
-    root, page -> ReportWriter: one row per drawn element; DrawnPaths: path data, matrix and style
-
-Copies are counted before they are made: ten nested ``use`` elements can make a billion.
+Each element gets a row of the import report.  Each drawn element also gets its path data, matrix
+and style in ``DrawnPaths``.  Copies are counted before they are made: ten nested ``use`` elements
+can make a billion copies.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ _RULES: Final = 2000
 
 
 class OmittedShape(NamedTuple):
-    """The shape of an element that gives no line; the import report needs its location."""
+    """The shape of an element that gives no edge; the import report takes its location from it."""
 
     row: int  #: row of the import report
     data: str  #: path data
@@ -88,7 +88,7 @@ class OmittedShape(NamedTuple):
 
 @dataclass(slots=True)
 class DrawnPaths:
-    """The paths of n elements, in the order of the file."""
+    """The paths of n elements in the order of the file, with matrices, styles and report rows."""
 
     data: list[str] = field(default_factory=list)  #: path data
     matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
@@ -113,12 +113,13 @@ class _Context(NamedTuple):
 
 
 def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnPaths]:
-    """Return the report and the paths of a document.
+    """Return the import report and the paths of an SVG document.
 
     Raises
     ------
     DrawingTooLarge
-        The depth of ``use`` elements, or the number of their copies, exceeds the limits.
+        The depth of ``use`` elements, the number of their copies, the number of style rules or the
+        time exceeds the limits.
     """
     expansion = _Expansion(root, page, limits)
     expansion.visit_all()
@@ -190,12 +191,12 @@ class _Expansion:
                 stack += [(child, inside, uses) for child in node.children if child.tag]
 
     def _target(self, node: Node) -> Node | None:
-        """Return the element to which a ``use`` element refers; None if it does not exist."""
+        """Return the element that a ``use`` element copies; None if no element has the id."""
         href = _href(node)
         return self._named.get(href[1:]) if href.startswith("#") else None
 
     def visit_all(self) -> None:
-        """Visit all elements in the order of the file."""
+        """Add all elements to the import report and the drawn ones to the paths, in file order."""
         stack = [(self._root, self._start)]
         while stack:
             node, context = stack.pop()
@@ -210,9 +211,9 @@ class _Expansion:
                 stack.append(found)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
-        """Add an element to the import report; return the context of its content.
+        """Add an element to the import report; return the context of its children.
 
-        None is returned if the element has no content that is drawn.
+        None is returned if no children of the element are drawn.
         """
         if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
@@ -257,7 +258,7 @@ class _Expansion:
     def _omit(
         self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Store the shape of an element that gives no line, for the import report.
+        """Store the shape of an element that gives no edge, from which its location is computed.
 
         Parameters
         ----------
@@ -272,7 +273,7 @@ class _Expansion:
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the context inside an element: with its appearance and transform."""
+        """Return the inherited context with the appearance and transform of an element applied."""
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
         outer = context.matrix
@@ -287,12 +288,17 @@ class _Expansion:
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
-        """Return the context inside an ``svg`` or ``symbol`` element.
+        """Return the context of the children of an ``svg`` or ``symbol`` element.
+
+        The matrix maps the coordinates of the children to file units.
 
         Parameters
         ----------
+        node
+            The ``svg`` or ``symbol`` element.
         sizes
-            The element with the size of the window: ``node``, or the ``use`` that copies it.
+            The element with the attributes ``width`` and ``height``: ``node``, or the ``use``
+            element that copies it.
         """
         try:
             x, y = (
@@ -359,14 +365,14 @@ class _Expansion:
         return target, context
 
     def _handle(self, node: Node) -> str:
-        """Return the id of an element, or its number if the id is missing or already used."""
+        """Return the id of an element, or "#" and its row number if it has no id of its own."""
         identity = node.attributes.get("id", "")
         if identity and self._named.get(identity) is node:
             return identity
         return f"#{len(self.report.handle) + 1}"
 
     def _add_path(self, row: int, data: str, layer: str, context: _Context) -> None:
-        """Add a path with the style of its element.
+        """Add a path to the drawn paths, with the style of its element.
 
         ``row`` is the row of the element in the import report, ``data`` its path data.
         """
@@ -412,7 +418,7 @@ class _Expansion:
                 column[:] = [column[number] for number in kept]
 
     def _add_text(self, node: Node, context: _Context, layer: str) -> None:
-        """Add a visible text to the annotations."""
+        """Add a text element to the annotations if it is visible and not empty."""
         if context.left_out or not context.appearance.visible:
             return
         text = " ".join(_text_content(node).split())
@@ -439,12 +445,12 @@ class _Expansion:
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return the window of this width and height, to which percentages refer."""
+    """Return the lengths that percentages refer to in a window of this width and height."""
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 
 
 def _all_nodes(root: Node) -> Iterator[Node]:
-    """Yield all elements in the order of the file."""
+    """Yield an element and all its descendants in the order of the file, without texts."""
     stack = [root]
     while stack:
         node = stack.pop()
@@ -453,7 +459,10 @@ def _all_nodes(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return the children that are drawn; for ``switch``, the first child without an extension."""
+    """Return the children of an element that are drawn.
+
+    For ``switch`` this is the first child without the attribute ``requiredExtensions``.
+    """
     if node.tag != "switch":
         return node.children
     return [
@@ -475,7 +484,10 @@ def _text_content(node: Node) -> str:
 
 
 def _href(node: Node) -> str:
-    """Return the attribute ``href``, with or without a namespace; empty if there is none."""
+    """Return the attribute ``href`` or, if there is none, one with a prefix such as ``xlink:href``.
+
+    The result is empty if the element has neither.
+    """
     given = node.attributes
     return next((value for key, value in given.items() if key == "href"), None) or next(
         (value for key, value in given.items() if key.endswith(":href")), ""
@@ -483,6 +495,9 @@ def _href(node: Node) -> str:
 
 
 def _first_length(text: str) -> str:
-    """Return the first length of a list; a text may have one position per character."""
+    """Return the first length of a list of positions, "0" if the list is empty.
+
+    The attribute of a text may have one position per character.
+    """
     parts = text.replace(",", " ").split()
     return parts[0] if parts else "0"

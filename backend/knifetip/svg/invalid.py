@@ -6,7 +6,7 @@ from knifetip.messages import Argument, Message
 
 
 class InvalidValue(ValueError):
-    """Raised for a value that is not what its attribute requires.
+    """Raised if the value of an SVG attribute cannot be parsed.
 
     Parameters
     ----------

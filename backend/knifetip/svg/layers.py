@@ -1,10 +1,9 @@
-"""layers: find the layer name of an element.
-
-    inkscape:label of a layer, id of a group, label, id or class of the element -> name
+"""layers: find the layer name of an SVG element.
 
 SVG has no layers.  Inkscape marks groups as layers; Illustrator writes layers as groups with an id;
-other programs name the elements.  Names that a program generates, such as "path42", are ignored.
-An element without a name lies on layer 0, as in a DXF.
+other programs name the elements.  The name is therefore taken from the label of a layer, the id of
+a group, or the label, id or class of the element.  Names that a program generates, such as
+"path42", are ignored.  An element without a name is on layer 0, as in a DXF.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from knifetip.svg.document import Node
 
 
 class Layer(NamedTuple):
-    """The name of a layer, and whether the file marks the group as a layer."""
+    """The name of a layer, and whether the file marks the group of elements as a layer."""
 
     name: str
     marked: bool
@@ -48,7 +47,7 @@ _TRAILING_NUMBER: Final = re.compile(r"[-_ .]?\d+$")
 def layer_of_group(node: Node, inherited: Layer) -> Layer:
     """Return the layer of the elements inside a group.
 
-    ``inherited`` is the layer of the elements around the group.
+    ``inherited`` is the layer of the elements that contain the group.
     """
     given = node.attributes
     name = _label(node)
@@ -83,7 +82,10 @@ def layer_of_element(node: Node, inherited: Layer) -> str:
 
 
 def original_name(identity: str) -> str:
-    """Return the name that a user gave, without additions and escapes of drawing programs."""
+    """Return the name that a user gave, from the id that a drawing program wrote.
+
+    Escapes, prefixes such as "Layer " and suffixes of duplicates are removed.
+    """
     name = _ESCAPED.sub(lambda found: _character(int(found[1], 16)), identity)
     return _PREFIX.sub("", _DUPLICATE.sub("", name)).strip()
 

@@ -1,6 +1,7 @@
-"""lengths: parse lengths with units in attributes and styles.
+"""lengths: parse lengths with units in attributes and styles of an SVG.
 
-"12.5mm" -> 12.5, "mm"          "12.5mm" -> pixels of 1/96 in
+For example, ``parse_length`` returns 12.5 and "mm" for "12.5mm"; ``to_pixels`` converts such a text
+to pixels of 1/96 in.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ _LENGTH: Final = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(
 def parse_length(text: str) -> tuple[float, str]:
     """Return the number and the unit of a length.
 
-    The unit is in lower case, and empty if none is written.
+    The unit is in lower case, and empty if the text has no unit.
 
     Raises
     ------

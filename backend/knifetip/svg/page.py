@@ -1,9 +1,10 @@
 """page: find the physical size of an SVG.
 
-    width, height, viewBox of the root -> Page: a matrix with y upwards, and the unit
+    width, height and viewBox of the root element -> Page: a matrix with y upwards, and the unit
 
-Only the physical units mm, cm, in, pt, pc and Q define the size.  Numbers without a unit, or in px,
-do not: browsers and Inkscape use 96 pixels per inch, Illustrator 72, older versions of Inkscape 90.
+Only the physical units mm, cm, in, pt, pc and Q define the size.  Numbers without a unit and
+numbers in px do not: browsers and Inkscape use 96 pixels per inch, Illustrator 72, and older
+versions of Inkscape 90.
 
 Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapters 7.7 and 7.8.
 """
@@ -37,7 +38,7 @@ _ALIGN: Final = {"min": 0.0, "mid": 0.5, "max": 1.0}
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """The size of an SVG page, from its root element."""
+    """The unit of an SVG page, and the matrix from its coordinates to file units."""
 
     matrix: Matrix  #: from the root's coordinates to file units, y upwards
     scale: float  #: millimetres in one file unit, 0 if unknown
@@ -48,13 +49,14 @@ class Page:
 
 
 def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
-    """Return the size of the page of an SVG.
+    """Return the unit of an SVG and the matrix of its page, from the root element.
 
     Parameters
     ----------
     unit, given
-        The unit that the user gives, and its millimetres; "" and 0 if none.  It replaces the unit
-        of width and height if they have a physical unit, otherwise the unit of the coordinates.
+        The unit that the user gives, and the millimetres in it; "" and 0 if the user gives none.
+        If width or height of the page has a physical unit, it replaces that unit; otherwise it
+        becomes the unit of the coordinates.
     illustrator
         Whether the file was written by Adobe Illustrator.
     """
@@ -87,7 +89,7 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
 
 
 def view_box(node: Node) -> tuple[float, float, float, float] | None:
-    """Return x, y, width and height of the viewBox; None if it is absent or invalid."""
+    """Return x, y, width and height of the viewBox of an element; None if absent or invalid."""
     try:
         x, y, width, height = parse_numbers(node.attributes.get("viewBox", ""))
     except ValueError:
@@ -98,10 +100,12 @@ def view_box(node: Node) -> tuple[float, float, float, float] | None:
 def view_box_matrix(
     box: tuple[float, float, float, float], across: float | None, down: float | None, node: Node
 ) -> Matrix:
-    """Return the matrix that fits a viewBox into a window at (0, 0).
+    """Return the matrix that fits a viewBox into a window whose corner is (0, 0).
 
     Parameters
     ----------
+    box
+        x, y, width and height of the viewBox.
     across, down
         Width and height of the window; None if not given.
     node
@@ -127,9 +131,10 @@ def _flipped(
     across: float | None,
     down: float | None,
 ) -> Matrix:
-    """Return a page matrix with y upwards from the lower edge of the page.
+    """Return a page matrix flipped so that y = 0 is the lower edge of the page and y is upwards.
 
-    ``box`` is the viewBox; ``across`` and ``down`` are the width and height, None if not given.
+    ``box`` is the viewBox; ``across`` and ``down`` are width and height of the page, None if not
+    given.
     """
     a, _, _, d, e, f = matrix
     high = down or (across or 0.0) * box[3] / box[2]
@@ -137,7 +142,10 @@ def _flipped(
 
 
 def _side_length(root: Node, name: str) -> tuple[float, str] | None:
-    """Return number and unit of the width or height of the page; None if it is not fixed."""
+    """Return number and unit of the attribute ``name``, "width" or "height", of the root element.
+
+    None is returned if the attribute is missing, invalid, not positive or a percentage.
+    """
     try:
         value, unit = parse_length(root.attributes.get(name, ""))
     except ValueError:
@@ -146,9 +154,9 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
 
 
 def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None:
-    """Return a side of the page in a unit of ``millimetres`` mm.
+    """Return the length of a side of the page in a unit of ``millimetres`` mm; None for None.
 
-    ``side`` is its number and unit; a number without a unit is in CSS pixels.
+    ``side`` is the number and the unit of the side; a number without a unit is in CSS pixels.
     """
     if side is None:
         return None
@@ -169,5 +177,5 @@ def _unknown_unit(root: Node, illustrator: bool) -> Message:
 
 
 def _written_size(root: Node, names: Sequence[str]) -> list[str]:
-    """Return the named attributes of the root element as they are written in the file."""
+    """Return attributes of the root element as they are written in the file: 'width="90mm"'."""
     return [f'{name}="{root.attributes[name].strip()[:20]}"' for name in names]

@@ -2,9 +2,9 @@
 
     bytes -> Drawing: segments in mm, and a row of the import report for every drawable element
 
-Line types are distinguished by colour and dashes of the stroke, and by layer, group or id.
-
-    bytes -> document (tree) -> page (size) -> expand (use) -> segments (columns) -> Drawing
+Line types are distinguished by colour and dashes of the stroke, and by layer, group or id.  The
+modules are called in this order: ``document`` (tree of elements), ``page`` (size), ``expand``
+(copies of ``use``), ``segments`` (columns of lines and arcs).
 """
 
 from __future__ import annotations

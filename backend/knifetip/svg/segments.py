@@ -1,6 +1,6 @@
 """segments: convert path data and matrices to columns of lines and arcs.
 
-ReportWriter, DrawnPaths, scale -> Columns: ends, bulge and the style of each segment, in file order
+The columns contain the ends, the bulge and the style of each segment, in file order.
 """
 
 from __future__ import annotations
@@ -22,12 +22,14 @@ from knifetip.svg.path_data import scan_paths
 def segment_columns(
     report: ReportWriter, drawn: DrawnPaths, scale: float, limits: Limits
 ) -> Columns:
-    """Return all segments of a document; write the reason for dropped elements into the report.
+    """Return all segments of a document; write notes and reasons into the import report.
 
     Parameters
     ----------
     report
         Import report, which is changed.
+    drawn
+        Paths of the drawn elements.
     scale
         Millimetres in one file unit, 0 if unknown.
 
@@ -59,7 +61,7 @@ def segment_columns(
 
 
 def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> LocationBoxes:
-    """Return the bounding boxes of elements that give no line."""
+    """Return the bounding boxes of elements that give no edge, with their import report rows."""
     rows, data, matrices = zip(*omitted, strict=True)
     matrix = np.array(matrices, np.float64).reshape(-1, 6)
     table = scan_paths(data, limits.segments)

@@ -1,6 +1,6 @@
 """shapes: convert basic shapes to path data, so that all elements can be read as paths.
 
-<rect x="0" y="0" width="90" height="45" rx="3"/> -> "M3 0H87A3 3 0 0 1 90 3V42…Z"
+For example, ``<rect width="90" height="45"/>`` gives "M0 0H90V45H0Z", with floating-point numbers.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from knifetip.svg.lengths import to_pixels
 
 
 class Undrawable(Exception):
-    """Raised for an element that gives no line; ``svg.expand`` catches it.
+    """Raised for an element that gives no edge; ``svg.expand`` catches it.
 
-    The message is the reason in the import report.
+    The message becomes the reason in the import report.
     """
 
     def __init__(self, message: Message) -> None:
@@ -32,22 +32,27 @@ Window = tuple[float, float, float]
 def shape_path_data(node: Node, window: Window) -> str:
     """Return the path data of an element whose tag is in ``SHAPES``.
 
+    Percentages in its attributes refer to the size of ``window``.
+
     Raises
     ------
     Undrawable
-        The element gives no line.
+        The element has no size, or an attribute is missing or invalid.
     """
     return SHAPES[node.tag](node, window)
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return the path data of the diagonal of an element with x, y, width and height."""
+    """Return the path data of the diagonal of an element with x, y, width and height.
+
+    The bounding box of the diagonal is the bounding box of the element.
+    """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
 
 
 def point_path_data(node: Node, window: Window) -> str:
-    """Return the path data of a line of zero length at the position of an element."""
+    """Return the path data of a line of zero length at the x and y of an element."""
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 
 

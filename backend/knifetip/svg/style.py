@@ -1,6 +1,6 @@
 """style: compute how an element is drawn, from attributes, style sheet and inherited values.
 
-    Node, style sheet, Appearance of its parent -> Appearance
+    Node, style sheet, Appearance of the element's parent -> Appearance
 
 tinycss2 parses style sheets and declarations, cssselect2 matches selectors.  Only properties that
 decide whether and how a line is drawn are used.
@@ -21,7 +21,7 @@ from knifetip.svg.lengths import to_pixels
 
 
 class Appearance(NamedTuple):
-    """Properties of an element; each is inherited from its parent."""
+    """How an element is drawn: colours, dashes, visibility, font size.  Children inherit these."""
 
     stroke: int | None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
     fill: int | None
@@ -62,7 +62,7 @@ _COMBINATORS: Final = (" ", ">")
 
 
 class StyleSheet:
-    """The rules of the style sheets of a document."""
+    """The supported rules of all style sheets of a document."""
 
     def __init__(self, text: str) -> None:
         self.unsupported: list[str] = []  #: selectors and at-rules that are not applied
@@ -165,7 +165,7 @@ class Cascade:
         self._inline: dict[str, tuple[Declaration, ...]] = {}
 
     def appearance(self, node: Node, inherited: Appearance) -> Appearance:
-        """Return the appearance of an element whose parent has the appearance ``inherited``."""
+        """Return the appearance of an element; its parent has the appearance ``inherited``."""
         if not self._sheet.simple:
             return self._compute(node, inherited)
         given = node.attributes

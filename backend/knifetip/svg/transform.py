@@ -1,6 +1,6 @@
 """transform: parse the ``transform`` attribute into a matrix.
 
-"translate(3,4) rotate(90)" -> (a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
+The matrix (a, b, c, d, e, f) maps (x, y) to (a x + c y + e, b x + d y + f).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
 def parse_numbers(text: str) -> list[float]:
-    """Return the numbers in a list, separated by blanks, commas or only a sign.
+    """Return the numbers in a list, separated by blanks or commas, or only by a sign ("3-4").
 
     Raises
     ------
@@ -37,7 +37,7 @@ def parse_transform(text: str) -> Matrix:
     Raises
     ------
     InvalidValue
-        The text is not a list of transforms.
+        The text is not a valid list of transforms.
     """
     found = IDENTITY
     at = 0

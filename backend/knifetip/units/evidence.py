@@ -4,8 +4,8 @@
 
 The header is one kind of evidence among several.  Each kind gives every unit a weight: the
 natural logarithm of its likelihood relative to the least likely unit.  The weights are added.
-The unit that the header states is kept if it leads.  Another unit is chosen only if it leads by
-a large margin.  Otherwise the user is asked, with the likeliest unit first.
+The unit that the header states is kept if its total weight is the greatest by a margin.  A unit
+that the header does not state is chosen only by a larger margin.  Otherwise the user must choose.
 """
 
 from __future__ import annotations
@@ -31,10 +31,12 @@ from knifetip.units.text_evidence import text_evidence
 
 
 def find_unit(drawing: Drawing) -> UnitFinding:
-    """Return the unit of a drawing if the evidence is sufficient, the evidence, and warnings.
+    """Return the unit of a drawing, the evidence for each unit, and warnings.
 
-    The evidence is computed from the coordinates in the file, so it does not depend on the unit in
-    which the drawing was read.  The warnings compare this unit with the evidence.
+    The unit is empty if the evidence is not conclusive.  The evidence is computed from the
+    coordinates in the file, so it does not depend on the unit in which the drawing was read.  The
+    warnings report contradictions between the unit in which the drawing was read and the evidence,
+    and parts of the drawing that have different scales.
     """
     evidence = _header_evidence(drawing) + _hint_evidence(drawing)
     warnings: tuple[Message, ...] = ()
@@ -92,8 +94,10 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
 
     Parameters
     ----------
-    stated, best
-        Unit that the header states, empty for none, and likeliest unit.
+    stated
+        Unit that the header states, empty for none.
+    best
+        The likeliest unit.
     margin
         Weight of the likeliest unit minus the weight of the second likeliest unit.
     doubtful
@@ -107,10 +111,14 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
 
 
 def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[Message]:
-    """Return a warning if the unit of the drawing contradicts the header or the evidence.
+    """Return warnings if the unit in which the drawing was read contradicts header or evidence.
+
+    The list is empty if there is no contradiction or if the drawing has no unit.
 
     Parameters
     ----------
+    found
+        Lengths of the edges of the drawing.
     best
         The likeliest unit.
     lead
@@ -151,7 +159,7 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the header: the unit that it states, or none."""
+    """Return the evidence for each unit from the unit that the header states or does not state."""
     share = weights.STATED[drawing.stated]
     least = min(share.values())
     return [
@@ -162,14 +170,24 @@ def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
 
 
 def _header_message(stated: str, unit: str, share: float) -> Message:
-    """Return the message for one unit: the fraction of drawings with such a header in this unit."""
+    """Return the message that states the fraction of drawings with such a header in ``unit``.
+
+    Parameters
+    ----------
+    stated
+        The unit that the header states, empty for none.
+    unit
+        The unit for which the message is evidence.
+    share
+        Fraction of the drawings with such a header that are in ``unit``, 0…1.
+    """
     if not stated:
         return Message("unit.share-unstated", unit=unit, percent=100.0 * share)
     return Message("unit.share-stated", stated=stated, unit=unit, percent=100.0 * share)
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for each unit from other header variables that depend on the unit."""
+    """Return the evidence for units from settings of the file other than its stated unit."""
     evidence = []
     for hint in drawing.hints:
         favoured, weight = weights.HINTS[hint.kind]

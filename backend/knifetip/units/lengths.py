@@ -3,15 +3,16 @@
     Drawing -> Lengths in file units -> a weight for each unit: size, small features, grid
 
 The grid is the strongest evidence.  Designers who draw in millimetres choose panels of whole or
-half millimetres; those who draw in inches choose sixteenths.  If x is a length in file units and f
-the number of millimetres in one file unit, f x is a round number only with the right f:
+half millimetres; designers who draw in inches choose sixteenths.  If x is a length in file units
+and f the number of millimetres in one file unit, f x is a round number only with the right f:
 
-    p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)     over the grids gᵢ (mm) that f x lies on
+    p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)
 
-where ε is the precision of lengths in the file (file units), wᵢ the fraction of lengths that are
-multiples of gᵢ, and w₀ the fraction that are multiples of no grid.  A grid finer than the precision
-is not used.  The product over all lengths is averaged over the metric and the imperial table, each
-with its fraction of the drawings in that unit, and over the possible values of w₀.
+The sum is over the grid spacings gᵢ (mm) of which f x is a multiple.  ε is the precision of lengths
+in the file (file units), wᵢ the fraction of lengths that are multiples of gᵢ, and w₀ the fraction
+that are multiples of no grid spacing.  A grid finer than the precision is not used.  The product
+over all lengths is averaged over the metric and the imperial table of grids, each weighted with the
+fraction of drawings in that unit that use it, and over the possible values of w₀.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ _PAPER: Final = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Lengths:
-    """The different lengths of the straight edges of a drawing, in file units."""
+    """The different lengths of the straight edges of a drawing, and its size, in file units."""
 
     value: F64  #: (k,) lengths, ascending, at most 48
     total: F64  #: (k,) total length of the edges that have this length
@@ -77,11 +78,11 @@ class Lengths:
 
     @property
     def longer(self) -> float:
-        """The longer side of the bounding box."""
+        """The longer side of the bounding box of the drawing (file units)."""
         return max(self.width, self.height)
 
     def size_in(self, unit: str) -> tuple[float, float]:
-        """Return width and height (mm) if the file is in a unit."""
+        """Return width and height of the drawing (mm) if one file unit is one ``unit``."""
         return self.width * MILLIMETRES[unit], self.height * MILLIMETRES[unit]
 
 
@@ -161,7 +162,10 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return the weight of each unit minus the least weight, limited to ``weights.HEAVIEST``."""
+    """Return the weight of each unit minus the least weight.
+
+    Differences greater than ``weights.HEAVIEST`` are reduced to it.
+    """
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
     least = min(cut.values())
@@ -232,7 +236,7 @@ def paper_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def grid_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the lengths that are round numbers in this unit."""
+    """Return the evidence for each unit: how many lengths of edges are round numbers in it."""
     if not len(found.value):
         return []
     message = {unit: _grid_message(found, unit) for unit in MILLIMETRES}
@@ -283,7 +287,10 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
 
 
 def _grid_message(found: Lengths, unit: str) -> Message:
-    """Return the message with the best grid in a unit, and the number of lengths on this grid."""
+    """Return the message with the best grid in a unit, and how many lengths are multiples of it.
+
+    The best grid is the one with the greatest total length of edges.
+    """
     scale = MILLIMETRES[unit]
     fits = []
     for grid, name in _NAMED_GRIDS:
@@ -307,7 +314,7 @@ def _grid_message(found: Lengths, unit: str) -> Message:
 
 
 def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
-    """Return the weight of a size (mm), interpolated in log size between the points of a table.
+    """Return the weight of a size (mm) from a table, interpolated linearly in the log of the size.
 
     Parameters
     ----------

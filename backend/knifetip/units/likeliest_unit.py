@@ -1,6 +1,6 @@
 """likeliest_unit: choose the unit of a drawing for which the user has given none.
 
-Drawing -> Drawing in its likeliest unit, or in file units if the user must choose
+The result is the drawing in its likeliest unit, or in file units if the user must choose.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from knifetip.units.rescale import rescale
 def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
     """Return the drawing in the unit that the evidence supports.
 
-    The unit that the file states is kept unless another one is far likelier.  If the evidence is
-    not conclusive, the drawing is returned in file units, with ``unit`` empty.
+    The unit that the file states is kept unless a different unit is far likelier.  If the evidence
+    is not conclusive, the drawing is returned in file units, with ``unit`` empty.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
 
 
 def _unit_evidence(found: UnitFinding, drawing: Drawing) -> Message:
-    """Return the message that explains why the stated unit was not kept."""
+    """Return the message that explains why the unit that the file states was not kept."""
     best = found.ranking[0]
     if best == drawing.stated:
         return Message("unit.inconclusive", stated=drawing.evidence, unit=best)

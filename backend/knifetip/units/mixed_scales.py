@@ -2,8 +2,8 @@
 
     Drawing -> warnings
 
-There are two signs: the same shape at two sizes, and two parts whose lengths are round numbers in
-different units, as after a block was inserted 25.4 times too large.
+There are two signs.  Two parts have the same shape at different sizes, or the lengths of two parts
+are round numbers in different units, for example after a block was inserted 25.4 times too large.
 """
 
 from __future__ import annotations
@@ -44,7 +44,10 @@ def mixed_scale_warnings(drawing: Drawing) -> list[Message]:
 
 
 def _largest_parts(ends: F64) -> list[I64]:
-    """Return the indices of the edges of each of the largest connected parts."""
+    """Return the indices of the edges of each of the largest connected parts.
+
+    The list is empty if fewer than two parts can be compared.
+    """
     if len(ends) < 2 * _EDGES:
         return []
     flat = ends.reshape(-1, 2)
@@ -74,7 +77,8 @@ def _largest_parts(ends: F64) -> list[I64]:
 def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if two parts have the same shape at different sizes, else an empty list.
 
-    ``parts`` are the edge indices of each part, ``ends`` and ``bulge`` all edges in file units.
+    ``parts`` are the edge indices of each part; ``ends`` and ``bulge`` describe all edges of the
+    drawing, in file units.
     """
     shapes = []
     for rows in parts:
@@ -98,7 +102,8 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
 def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if the lengths of two parts are round numbers in different units.
 
-    ``parts`` are the edge indices of each part, ``ends`` and ``bulge`` all edges in file units.
+    The list is empty if they are not.  ``parts`` are the edge indices of each part; ``ends`` and
+    ``bulge`` describe all edges of the drawing, in file units.
     """
     candidates: list[tuple[dict[tuple[str, str], float], Lengths]] = []
     for rows in parts:
@@ -115,10 +120,10 @@ def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Messa
 
 
 def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
-    """Return the log-likelihood of the lengths of a part for pairs of unit and system of measures.
+    """Return the log-likelihood of a part's lengths for pairs of a unit and a system of measures.
 
     The systems are "metric" and "imperial".  Round numbers in cm or m are also round in mm, and
-    round numbers in feet in inches, so only one unit of each family is compared.
+    round numbers in feet are round in inches, so only one unit of each family is compared.
     """
     return {
         (unit, system): table_likelihood(found, MILLIMETRES[unit], table)
@@ -128,7 +133,7 @@ def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
 
 
 def _drawn_in(key: tuple[str, str]) -> Message:
-    """Return the message that names the measures of a part.
+    """Return the message that names the unit and the system of measures in which a part is drawn.
 
     ``key`` is the unit of the part and its system of measures, "metric" or "imperial".
     """
@@ -145,9 +150,9 @@ def _drawn_in(key: tuple[str, str]) -> Message:
 
 @kernel
 def _component_roots(node: OutI64_1, count: int) -> Any:
-    """Return the union-find root of each of ``count`` nodes, shape (count,).
+    """Return the union-find root of each of ``count`` graph nodes, shape (count,).
 
-    Edge i joins the nodes ``node[2 i]`` and ``node[2 i + 1]``.
+    ``node`` contains two node numbers per edge: edge i joins ``node[2 i]`` and ``node[2 i + 1]``.
     """
     root = np.arange(count)
     for edge in range(len(node) // 2):

@@ -1,6 +1,6 @@
-"""question: build the question about the unit of a drawing.
+"""question: build the question that asks the user for the unit of a drawing.
 
-Drawing, UnitFinding -> Question: the size in each unit, the likeliest first, and the evidence
+The question lists the size of the drawing in each unit, the likeliest first, and the evidence.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _SHOWN: Final = 2
 
 
 def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return the question about the unit of a drawing; None if the unit is known."""
+    """Return the question that asks the user for the unit; None if the unit is known."""
     if drawing.unit:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds

@@ -1,7 +1,4 @@
-"""rescale: change the unit of a drawing.
-
-Drawing, unit -> Drawing in mm whose file coordinates are in that unit
-"""
+"""rescale: interpret the file coordinates of a drawing in a different unit."""
 
 from __future__ import annotations
 
@@ -16,13 +13,14 @@ def rescale(drawing: Drawing, unit: str) -> Drawing:
     """Return the drawing with its file coordinates interpreted in another unit.
 
     Bulges, layers and the rows of the import report do not change.  Ellipses and splines were
-    fitted when the drawing was read, so a larger unit scales their deviation too; read the file
-    again with ``unit`` to fit them within the tolerance.
+    fitted when the drawing was read, so a larger unit also scales the deviation of the fitted
+    edges.  To fit them within the tolerance, read the file again with ``unit``.
 
     Parameters
     ----------
     unit
-        A key of ``model.unit.MILLIMETRES``; "" removes the unit: coordinates are those of the file.
+        A key of ``model.unit.MILLIMETRES``; "" removes the unit, so that coordinates are those in
+        the file.
 
     Raises
     ------

@@ -4,8 +4,8 @@
 
 A number that is the length of an edge relates the unit of the number to the unit of the file: with
 "350" beside an edge of 13.78, the file is in inches and the text in millimetres.  Some numbers
-match a length by chance, so each number is also compared at scales that no pair of units has.  A
-match counts only by how much more frequent it is than these chance matches.
+match a length by chance, so each number is also compared at scales that no pair of units has.  The
+weight of a match grows with the ratio of its probability to the frequency of these chance matches.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ _UNIT_OF_SIGN: Final = {'"': "in", "inch": "in", "inches": "in", "'": "ft"}
 
 @dataclass(frozen=True, slots=True)
 class TextEvidence:
-    """Evidence for the unit, and warnings, from the texts of a drawing."""
+    """The evidence for each unit, and the warnings, that result from the texts of a drawing."""
 
     evidence: tuple[UnitEvidence, ...]
     warnings: tuple[Message, ...]
@@ -68,7 +68,7 @@ class TextEvidence:
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A number in a text, and the measured length if the text belongs to a dimension."""
+    """A number in a text, and the length that the dimension measures if the text is its text."""
 
     written: WrittenLength
     measure: (
@@ -77,7 +77,10 @@ class _Number:
 
 
 def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
-    """Return the evidence for the unit, and warnings, from the texts of a drawing."""
+    """Return the evidence for each unit, and warnings, from the texts of a drawing.
+
+    ``found`` are the lengths of the edges of the drawing.
+    """
     scale = factor(drawing.unit)
     numbers: dict[tuple[float, str, float], _Number] = {}
     statements: dict[str, str] = {}
@@ -110,7 +113,7 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
 def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
     """Yield the lengths that are written in a text.
 
-    ``scale`` is the number of millimetres in one file unit.
+    ``scale`` is the number of millimetres in one file unit, which converts measured lengths.
     """
     measure = text.measure / scale
     if measured := _MEASURED.search(text.text):
@@ -175,14 +178,16 @@ def _number_evidence(
 
 
 def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message:
-    """Return the message with the numbers that equal lengths of the drawing if it is in a unit.
+    """Return the message that lists the numbers on the sheet that equal lengths of the drawing.
 
     Parameters
     ----------
+    unit
+        Unit in which the drawing is assumed to be.
     matches
         One message per number that equals a length.
     count
-        Number of all numbers on the sheet.
+        Number of all numbers on the sheet that were compared.
     """
     if not matches:
         return Message("unit.no-number-matches", unit=unit, all=count)
@@ -196,7 +201,7 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
     Returns
     -------
     gain : (n, ratios)
-        Log-likelihood of the match, or of its absence, relative to a chance match.
+        Log-likelihood of the match, or of no match, relative to a chance match.
     hits : (n, ratios)
         Whether the number equals a length.
     """
@@ -219,14 +224,14 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
 
 
 def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) -> Bool:
-    """Return at which ratios of units a written length equals a length of the drawing, (ratios,).
+    """Return the mask of the ratios at which a written length equals one of the lengths, (ratios,).
 
     Parameters
     ----------
     ratios
         File units per unit of the written length.
     against
-        Lengths in file units.
+        Lengths in the drawing, in file units.
     exact
         Precision of these lengths (file units).
     """
@@ -239,7 +244,10 @@ def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) ->
 
 
 def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[Message]:
-    """Return a warning if the dimensions imply more than one drawing scale, else an empty list."""
+    """Return a warning if the dimensions have more than one drawing scale, else an empty list.
+
+    The scale of a dimension is the length in its text divided by the length that it measures.
+    """
     ratio = np.array(
         [
             number.written.value * MILLIMETRES[number.written.unit or "mm"] / number.measure

@@ -3,7 +3,7 @@
 Weights are natural logarithms of likelihood ratios, so they are added: 2.3 is ten to one, 4.6 a
 hundred to one.  They are estimates.  They were set so that none of thousands of generated cartons,
 in every unit and with right, missing and wrong headers, is read in a wrong unit
-(tests/unit/units/test_generated.py).  If they are not conclusive, the user is asked.
+(tests/unit/units/test_generated.py).  If their total is not conclusive, the user must choose.
 """
 
 from __future__ import annotations

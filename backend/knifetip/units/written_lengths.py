@@ -81,7 +81,7 @@ _STATEMENT: Final = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class WrittenLength:
-    """A length in a text."""
+    """A length as it is written in a text: value, unit and precision."""
 
     text: str  #: the length with its unit, as written
     value: float

@@ -1,4 +1,4 @@
-"""classification: the reasons for line types."""
+"""classification: messages that give the reason for the line type of an edge."""
 
 from __future__ import annotations
 

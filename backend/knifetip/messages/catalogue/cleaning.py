@@ -1,4 +1,4 @@
-"""cleaning: what cleaning did with each edge."""
+"""cleaning: messages about the edges that cleaning changed, merged or dropped."""
 
 from __future__ import annotations
 

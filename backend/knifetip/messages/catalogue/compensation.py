@@ -1,4 +1,4 @@
-"""compensation: tools, and edges that they cannot make on a board."""
+"""compensation: messages about tools, and about edges that a tool cannot make on a board."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""controller: the machine's controller, and the connection to it."""
+"""controller: messages about the controller of a machine and the connection to it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""corner: corner types, and the deflection of a cutter and its calibration."""
+"""corner: messages about corner types, and about the deflection of a cutter and its calibration."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""drawing: drawings on the server, questions about them, and overrides of line types."""
+"""drawing: messages about drawings on the server, questions to the user, and changed line types."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""gateway: causes of the end of a job that a gateway reports."""
+"""gateway: messages about the causes of the end of a job, which a gateway reports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""general: messages that belong to no area: stored texts, places, and lists of errors."""
+"""general: messages that belong to no single area: stored texts, positions, lists of errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""geometry: curves, edges and offsets that have no valid result."""
+"""geometry: messages about curves, edges and offsets that are invalid or cannot be computed."""
 
 from __future__ import annotations
 

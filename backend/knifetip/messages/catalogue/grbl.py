@@ -1,4 +1,4 @@
-"""grbl: meanings of the error and alarm codes of grbl 1.1 and grblHAL."""
+"""grbl: messages with the meanings of the error and alarm codes of grbl 1.1 and grblHAL."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""hpgl: HPGL programs that cannot be emitted, or that the verifier rejects."""
+"""hpgl: messages about HPGL programs that cannot be emitted, or that the verifier rejects."""
 
 from __future__ import annotations
 

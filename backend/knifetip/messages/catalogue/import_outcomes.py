@@ -1,4 +1,4 @@
-"""import_outcomes: what became of each entity of a file when it was imported."""
+"""import_outcomes: messages about the outcome of importing each entity of a file."""
 
 from __future__ import annotations
 

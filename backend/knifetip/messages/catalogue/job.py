@@ -1,4 +1,4 @@
-"""job: jobs, the machines that run them, and the processes that compile them."""
+"""job: messages about jobs, the machines that run them, and the processes that compile them."""
 
 from __future__ import annotations
 

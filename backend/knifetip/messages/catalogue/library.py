@@ -1,4 +1,4 @@
-"""library: machines, boards, tools and profiles, and the fields of their TOML files."""
+"""library: messages about machines, boards, tools and profiles, and fields of their TOML files."""
 
 from __future__ import annotations
 

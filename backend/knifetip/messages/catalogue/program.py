@@ -1,4 +1,4 @@
-"""program: toolpaths and programs that cannot be made or read."""
+"""program: messages about toolpaths and programs that cannot be made or read."""
 
 from __future__ import annotations
 

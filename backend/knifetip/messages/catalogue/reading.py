@@ -1,4 +1,4 @@
-"""reading: files that cannot be read as a drawing."""
+"""reading: messages about files that cannot be read as a drawing."""
 
 from __future__ import annotations
 

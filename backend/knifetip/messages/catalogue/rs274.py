@@ -1,4 +1,4 @@
-"""rs274: lines of a G-code program that the verifier rejects."""
+"""rs274: messages about the lines of a G-code program that the verifier rejects."""
 
 from __future__ import annotations
 

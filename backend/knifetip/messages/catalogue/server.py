@@ -1,4 +1,4 @@
-"""server: requests, the server and the command line."""
+"""server: messages about requests, the server and the command line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""unit: the unit of length of a drawing: its evidence and warnings."""
+"""unit: messages about the unit of length of a drawing: its evidence and warnings."""
 
 from __future__ import annotations
 

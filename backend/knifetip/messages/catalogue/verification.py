@@ -1,4 +1,4 @@
-"""verification: findings of the verifier."""
+"""verification: messages of the verifier's findings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""waiting: what a job waits for, and what the operator can do."""
+"""waiting: messages about the event that a job waits for, and the operator's possible actions."""
 
 from __future__ import annotations
 
