@@ -101,10 +101,11 @@ def propose_rules(
 def _best_rule(
     styles: StyleTable, remaining: Bool, excluded: Bool, kind: LineType
 ) -> tuple[LineRule, Bool] | None:
-    """Return the rule that covers most of the remaining styles and no excluded style, and its mask.
+    """Return a rule for a line type and the mask of the styles that it covers, (c,), or None.
 
-    The mask (c,) contains the styles that the rule covers.  Of equally good rules the first in the
-    order of ``_TRAIT_SETS`` is returned, and None if no rule covers a style.
+    Of all rules that cover no ``excluded`` style it is the rule that covers the largest number of
+    ``remaining`` styles.  Of equally good rules it is the first in the order of ``_TRAIT_SETS``.
+    Returns None if there is no such rule.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}
@@ -132,7 +133,7 @@ def _best_rule(
 
 
 def _trait_codes(styles: StyleTable, trait: str) -> I64:
-    """Return an integer for each style, (c,), which is equal for styles with the same trait.
+    """Return an integer for each of c styles, (c,), which is equal for styles with the same trait.
 
     ``trait`` is the name of a column of ``StyleTable``, such as ``layer``.
     """

@@ -1,10 +1,10 @@
 """vocabulary: find the line type that the name of a layer or linetype suggests, in many languages.
 
 Examples of names are "Schnitt außen", "Línea de hendido" and "no cut".  The words are in the file
-``vocabulary.toml``.  A name is compared word by word, never by parts of words: ``SCHNITTKANTEN``
-does not contain ``Schnitt``, nor ``Cutout`` ``cut``.  A negating word cancels the meaning, and so
-do two words that contradict each other.  Chinese, Japanese and Korean do not separate words, so
-their names are searched for substrings.
+``vocabulary.toml``.  A name is compared word by word, never by parts of words: the word ``cut`` is
+not found in ``Cutout``, nor ``Schnitt`` in ``SCHNITTKANTEN``.  A negating word cancels the meaning,
+and so do two words that contradict each other.  Chinese, Japanese and Korean do not separate words,
+so that their names are searched for substrings.
 
 A name alone decides nothing; ``decision.classifier`` combines it with other evidence.
 """

@@ -1,9 +1,7 @@
 """subdivision: find the faces into which edges divide the plane.
 
-For each connected component of the edges the face that contains it is found, too.
-
-The edges meet only at their ends.  In contrast to ``planar_graph``, no edge is split and no gap is
-closed.
+The module also finds the face that contains each connected component of the edges.  The edges meet
+only at their ends: in contrast to ``planar_graph``, no edge is split and no gap is closed.
 """
 
 from __future__ import annotations
@@ -55,8 +53,9 @@ def subdivide(ends: F64, bulge: F64) -> Subdivision:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Edges in any order and direction, which meet only at their ends: otherwise the faces beside
-        them are wrong.  Of coincident edges only one divides the plane.
+        Start and end points and bulges of the edges, in any order and direction.  The edges must
+        meet only at their ends, otherwise the faces beside them are wrong.  Of coincident edges
+        only the first one divides the plane.
     """
     if len(ends) == 0:
         none = np.zeros(0, np.int64)

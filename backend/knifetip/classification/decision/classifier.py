@@ -36,7 +36,7 @@ _DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)
 #: Roles that are so certain that they override rules.
 _OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
 #: A style is the main fold style if it has more than this fraction of the length of all dividers …
-_MAIN_FOLD_SHARE: Final = 0.6
+_MAIN_FOLD_FRACTION: Final = 0.6
 #: … and if more than this fraction of the length of its own dividers must be folds.
 _MUST_FOLD_FRACTION: Final = 0.5
 #: Line types that a closed line inside a panel may have, besides cut.
@@ -155,7 +155,7 @@ class Classifier:
         )
         folds = np.where(only_divides, grouped[:, Role.DIVIDER], 0.0)
         must_fold = _divider_fraction(totals.must_fold, group, grouped) > _MUST_FOLD_FRACTION
-        main = grouped[:, Role.DIVIDER] > _MAIN_FOLD_SHARE * length[:, Role.DIVIDER].sum()
+        main = grouped[:, Role.DIVIDER] > _MAIN_FOLD_FRACTION * length[:, Role.DIVIDER].sum()
         return cls(
             styles,
             profile,
