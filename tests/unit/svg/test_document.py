@@ -172,6 +172,7 @@ texts = st.one_of(
 # Radii that are too small for the chord are increased, in the second example from 1e-174.
 @example([(1, "-0.08", "-934925", "-39639239", "-263996")], "1mm")
 @example([(4, "1.1e-174", "9.7e7", "1.8e248", "1.8e248")], "100mm")
+@example([(4, "9.5e-163", "1", "1", "1e308")], "1")
 @given(st.lists(st.tuples(st.integers(0, 7), texts, texts, texts, texts), max_size=5), texts)
 def test_any_numbers_give_a_drawing_or_a_knifetip_error(
     elements: list[tuple[int, str, str, str, str]], side: str
