@@ -15,7 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.encoding import spelled
+from knifetip.dxf.encoding import unescape
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Annotation
 
@@ -23,10 +23,10 @@ from knifetip.model.drawing import Annotation
 _CODED: Final = frozenset({"MTEXT", "DIMENSION"})
 #: Kinds of entities that contain text.
 WORDS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION"})
-#: Group codes of the lengths that are read; the first of each code counts.
+#: Group codes of the lengths that are read; only the first value of each code is used.
 LENGTHS: Final = (10, 20, 11, 21, 40, 42)
 
-#: The lower bits of a dimension's type, and those that measure an angle.
+#: Mask of the bits for the kind of a dimension, and the kinds that measure an angle.
 _TYPES: Final = 7
 _ANGULAR: Final = frozenset({2, 5})
 #: Longest text that is read (characters, with formatting codes).
@@ -34,7 +34,8 @@ _LONGEST: Final = 2000
 
 _SIGNS: Final = {"d": "°", "c": "⌀", "p": "±", "%": "%"}
 _SIGN: Final = re.compile(r"%%([dcpkou%])", re.IGNORECASE)
-#: A code of MTEXT: an escaped sign, a break, a stacked fraction, and what only changes its looks.
+#: A formatting code of MTEXT: an escaped character, a break, a stacked fraction, or a code that
+#: only changes the appearance.
 _CODE: Final = re.compile(
     r"\\(?P<sign>[\\{}])|(?P<gap>\\[PN~]|\^[IJM])|\\S(?P<stack>[^;\\]{0,60});"
     r"|\\[LlOoKkX]|\\[A-Za-z][^;\\]{0,60};|[{}]"
@@ -49,11 +50,11 @@ def annotation(
     Parameters
     ----------
     text
-        As written, with formatting codes.
+        Text as written, with formatting codes.
     lengths
-        Values of the group codes ``LENGTHS``, NaN if not in the file.
+        One value for each group code in ``LENGTHS``, NaN if not in the file.
     type_
-        Value of group code 70.
+        Type of a dimension, the value of its group code 70; not used for texts.
     """
     x, y, x_text, y_text, height, measure = lengths
     written = text[:_LONGEST]
@@ -71,7 +72,7 @@ def annotation(
     if "%%" in written:
         written = _SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)
     if "\\" in written:
-        written = spelled(written)
+        written = unescape(written)
     # Missing values are NaN, which is not equal to itself.
     return Annotation(
         written.strip(),
@@ -84,12 +85,12 @@ def annotation(
     )
 
 
-def is_coded(kind: str, text: str) -> bool:
-    """Return whether a text contains formatting codes."""
+def has_formatting(kind: str, text: str) -> bool:
+    """Return whether a text may contain formatting codes, or is too long to be read completely."""
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 
 
-def uncoded(
+def plain_annotations(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
 ) -> list[Annotation]:
     """Return the annotations for n texts without formatting codes.
@@ -97,7 +98,7 @@ def uncoded(
     Parameters
     ----------
     lengths : (n, 6)
-        Values of the group codes ``LENGTHS`` for each text, NaN if not in the file.
+        One value for each group code in ``LENGTHS`` and text, NaN if not in the file.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
@@ -105,8 +106,10 @@ def uncoded(
     return list(map(Annotation._make, rows))
 
 
-def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str) -> Annotation:
-    """Return the annotation for an entity, given its tags (group code, value)."""
+def annotation_of_tags(
+    kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str
+) -> Annotation:
+    """Return the annotation for a text or dimension entity, given its tags (group code, value)."""
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
     type_ = 0
@@ -114,7 +117,7 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
     in_group = False
     for code, value in tags:
         if code == 101:
-            # From here on, text in columns repeats itself.
+            # The embedded object that follows repeats the text, divided into columns.
             break
         if code == 102:
             in_group = _text(value, encoding).startswith("{")
@@ -131,11 +134,11 @@ def of_tags(kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: st
     return annotation(kind, layer, "".join(text), numbers.values(), type_)
 
 
-def of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
-    """Return the annotation for an entity, given its bytes in the file."""
+def annotation_of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
+    """Return the annotation for a text or dimension entity, given its bytes in the file."""
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])
-    return of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)
+    return annotation_of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)
 
 
 def _decoded(found: re.Match[str]) -> str:

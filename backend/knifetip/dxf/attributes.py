@@ -9,21 +9,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from knifetip.drawing_builder.columns import Style
-from knifetip.dxf.encoding import spelled
+from knifetip.dxf.encoding import unescape
 from knifetip.messages import Message
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
     from ezdxf.entities.dxfgfx import DXFGraphic
 
-#: Linetype of entities that give none.
+#: Linetype of entities that do not specify a linetype.
 BYLAYER: Final = "BYLAYER"
 _BYBLOCK = 0
 _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """Attributes that a layer passes on to BYLAYER entities, and notes for its entities."""
+    """Colour and linetype of the BYLAYER entities on a layer, and notes for all its entities."""
 
     colour: int
     true_colour: int
@@ -31,9 +31,9 @@ class Layer(NamedTuple):
     notes: tuple[Message, ...]
 
 
-#: Stands for a layer that is not in the layer table.
+#: Attributes of a layer that is not in the layer table.
 _SILENT = Layer(7, -1, "Continuous", ())
-#: Style for BYBLOCK outside of blocks.
+#: Style of BYBLOCK entities outside of blocks.
 _SHEET = Style("0", 7, -1, "Continuous")
 
 
@@ -65,10 +65,10 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
 def layers_of(document: Document) -> dict[str, Layer]:
     """Return the layers of an ezdxf document by their names in lower case."""
     return {
-        spelled(str(layer.dxf.get("name", ""))).lower(): layer_of(
+        unescape(str(layer.dxf.get("name", ""))).lower(): layer_of(
             int(layer.dxf.get("color", 7)),
             layer.dxf.get("true_color"),
-            spelled(str(layer.dxf.get("linetype", "Continuous"))),
+            unescape(str(layer.dxf.get("linetype", "Continuous"))),
             int(layer.dxf.get("flags", 0)),
             int(layer.dxf.get("plot", 1)),
         )
@@ -86,15 +86,18 @@ class Styles:
         """Return the notes for all entities on a layer, such as that the layer is off or frozen."""
         return self._layers.get(layer.lower(), _SILENT).notes
 
-    def of(self, entity: DXFGraphic, around: Style | None = None) -> Style:
-        """Return the style of an ezdxf entity; ``around`` is the style of its INSERT."""
+    def of(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:
+        """Return the style of an ezdxf entity.
+
+        ``insert_style`` is the style of the INSERT that places the entity, None in model space.
+        """
         dxf = entity.dxf
         return self.style(
-            spelled(str(dxf.get("layer", "0"))),
+            unescape(str(dxf.get("layer", "0"))),
             dxf.get("color", _BYLAYER),
             dxf.true_color if dxf.hasattr("true_color") else None,
-            spelled(str(dxf.get("linetype", BYLAYER))),
-            around,
+            unescape(str(dxf.get("linetype", BYLAYER))),
+            insert_style,
         )
 
     def style(
@@ -103,7 +106,7 @@ class Styles:
         written: int,
         true: int | None,
         linetype: str,
-        around: Style | None = None,
+        insert_style: Style | None = None,
     ) -> Style:
         """Return the style of an entity from its own attributes and those that it inherits.
 
@@ -117,13 +120,13 @@ class Styles:
             True colour 0xRRGGBB; None if not given.
         linetype
             Name of the linetype; "BYLAYER" if not given.
-        around
+        insert_style
             Style of the INSERT that places the entity, used for BYBLOCK, and as the layer of
             entities on layer 0.
         """
-        block = around or _SHEET
-        if around is not None and name == "0":
-            name = around.layer
+        block = insert_style or _SHEET
+        if insert_style is not None and name == "0":
+            name = insert_style.layer
         layer = self._layers.get(name.lower(), _SILENT)
         if written == _BYLAYER:
             colour, true_colour = layer.colour, layer.true_colour

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-#: A character that is written by its code point: ``\U+5200``.
+#: A character that is written as its code point: ``\U+5200``.
 _ESCAPE: Final = re.compile(r"\\U\+([A-Fa-f0-9]{4})")
 #: Python's names of the code pages in $DWGCODEPAGE, by the digits at its end.
 CODE_PAGES: Final = {
@@ -14,7 +14,7 @@ CODE_PAGES: Final = {
 }
 
 
-def spelled(name: str) -> str:
+def unescape(name: str) -> str:
     r"""Return a name with escaped characters, such as ``\U+5200``, replaced by the characters."""
     if "\\U+" not in name:
         return name
@@ -22,11 +22,11 @@ def spelled(name: str) -> str:
 
 
 def encoding_of(data: bytes, variables: dict[str, str]) -> str:
-    """Return Python's name of the encoding of the texts in a file.
+    """Return Python's name of the character encoding of the texts in a DXF file.
 
     ``variables`` are the header variables.  From R2007 on the encoding is UTF-8.  In older files
-    the header names a code page, but many programs write UTF-8 with code page ANSI_1252 or without
-    one: bytes that are valid UTF-8 are decoded as UTF-8 in these files.
+    the header names a code page, but many programs write UTF-8 and name the code page ANSI_1252 or
+    none.  Bytes of older files are therefore decoded as UTF-8 if they are valid UTF-8.
     """
     if variables.get("$ACADVER", "") >= "AC1021" or data.isascii():
         return "utf-8"

@@ -18,8 +18,9 @@ from knifetip.dxf.shapes import moved
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.kernels import F64_1, I64_1, I64_2, U8_1, OutF64_1, OutF64_2, OutI64_1, kernel
 
-# Columns of a rule: bits for the group codes, from 10 on, that are points; codes after which and
-# before which they count, -1 for the whole entity; whether an extrusion of −Z mirrors x.
+# Columns of a rule: bits for the group codes, from 10 on, that are points; group codes after which
+# and before which these points are used, -1 for the whole entity; whether an extrusion of −Z
+# mirrors x.
 _BITS, _SINCE, _UNTIL, _OWN_PLANE = range(4)
 _Rule = tuple[int, int, int, int]
 
@@ -37,12 +38,12 @@ _RULES: Final[dict[str, _Rule]] = {
     "MLINE": _rule(11),
     "DIMENSION": _rule(10, 11, 13, 14),
     "OLE2FRAME": _rule(10, 11),
-    # Its location is that of its vertices, which follow as separate entities.
+    # The location of a polyline is that of its vertices, which follow as separate entities.
     "POLYLINE": _rule(10, since=0, own_plane=True),
-    # Its height precedes its paths, and seed points follow them.
+    # The height of a hatch precedes its paths, and seed points follow the paths.
     "HATCH": _rule(10, since=91, until=75, own_plane=True),
     "MPOLYGON": _rule(10, since=91, until=75, own_plane=True),
-    # In other places, group code 10 is a scale.
+    # At other positions in the entity, group code 10 is a scale.
     "MULTILEADER": _rule(10, since=300, until=301),
     "MLEADER": _rule(10, since=300, until=301),
     **dict.fromkeys(
@@ -51,7 +52,7 @@ _RULES: Final[dict[str, _Rule]] = {
     ),
 }
 _OTHERS: Final = _rule(10)
-#: Start of an embedded object, which repeats points or has others.
+#: Group code at the start of an embedded object, whose points are not used.
 _EMBEDDED: Final = 101
 _EXTRUSION_Z: Final = 230
 
@@ -73,20 +74,20 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
     for row in np.flatnonzero(~sure).tolist():
         lines = data[slice(*spans[row].tolist())].split(b"\n")[2:]
         codes = [int(code) for code in lines[0:-1:2]]
-        box[row] = around(kinds[kind[row]], codes, lines[1::2])
+        box[row] = box_of_tags(kinds[kind[row]], codes, lines[1::2])
     return box
 
 
-def around(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
+def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
     """Return the bounding box of an entity, (4,), given its tags; NaN if it has no point."""
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
     rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
-    _around(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
+    _write_box(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
     found: F64 = box[0]
     return found
 
 
-def through(box: F64, linear: F64, shift: F64) -> F64:
+def transformed_box(box: F64, linear: F64, shift: F64) -> F64:
     """Return the bounding box, (4,), of k transformed copies of a box.
 
     ``linear`` (k, 2, 2) and ``shift`` (k, 2) transform the copies.  If ``box`` has the shape (k,
@@ -110,7 +111,7 @@ def _number(code: int, value: Any) -> float:
 
 
 @kernel(allocates=False)
-def _around(
+def _write_box(
     codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
 ) -> None:
     """Write the bounding box of the points of one entity into ``box``, if the entity has any."""
@@ -156,7 +157,7 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
     codes, numbers = np.empty(longest // 3 + 1, np.int64), np.empty(longest // 3 + 1)
     for row in range(len(spans)):
         count, sure[row] = _tags(data, spans[row, 0], spans[row, 1], codes, numbers)
-        _around(codes, numbers, count, rules, row, box)
+        _write_box(codes, numbers, count, rules, row, box)
     return box, sure
 
 

@@ -18,7 +18,7 @@ from knifetip.model.unit import factor
 
 __all__ = ["Limits", "read"]
 
-#: How a DXF begins.
+#: Pattern of the first bytes of an ASCII DXF file.
 _CODE: Final = re.compile(rb" *\d")
 
 
@@ -73,5 +73,5 @@ def _stripped(data: bytes) -> bytes:
     """Return the content without byte order mark and leading blank lines; UTF-16 becomes UTF-8."""
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         data = data.decode("utf-16", "replace").encode("utf-8")
-    # Most files begin with a group code, and need not be copied.
+    # Most files begin with a group code and are not copied.
     return data if _CODE.match(data) else data.removeprefix(b"\xef\xbb\xbf").lstrip()

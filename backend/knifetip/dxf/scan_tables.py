@@ -18,13 +18,13 @@ from knifetip.kernels import (
 class ScanTables(NamedTuple):
     """Arrays filled by a scan; the number of used rows of each array is in ``state``."""
 
-    entity: OutI32_2F  #: (e, ``fields.WIDTH``) what is written of each entity
-    value: OutF64_2F  #: (e, ``fields.VALUES``) its decimals
+    entity: OutI32_2F  #: (e, ``fields.WIDTH``) attributes of each entity, as written
+    value: OutF64_2F  #: (e, ``fields.VALUES``) decimal numbers of each entity
     vertex: OutF64_2  #: (v, 3) x, y and bulge of the vertices of polylines
-    block: OutI32_2  #: (b, 5) heads of blocks
-    base: OutF64_2  #: (b, 2) their base points
-    layer: OutI32_2  #: (l, 6) the layer table
+    block: OutI32_2  #: (b, 5) headers of blocks, columns ``fields.NAME`` …
+    base: OutF64_2  #: (b, 2) base points of blocks
+    layer: OutI32_2  #: (l, 6) rows of the layer table
     spans: OutI64_2  #: (n, 2) first and last byte of each name
     slots: OutI32_1  #: (2^16,) hash table of names, -1 where empty
     left: OutI64_2  #: (u, 5) table, row, column and bytes of numbers that are left to ``float``
-    others: OutI64_1  #: (h,) values of the handles of what is no entity
+    others: OutI64_1  #: (h,) values of the handles of objects that are not entities

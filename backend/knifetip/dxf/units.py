@@ -15,7 +15,7 @@ from knifetip.model.unit import UnitHint, factor
 #: $INSUNITS of the units that are read.
 _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 
-#: $INSUNITS of units that are not read.
+#: Values of $INSUNITS for units that are not supported.
 _OTHERS: Final = {
     3: "mi",
     7: "km",
@@ -39,7 +39,7 @@ _OTHERS: Final = {
 }
 
 
-#: $LUNITS that write lengths as feet and inches.
+#: Values of $LUNITS for lengths in feet and inches.
 _INCHES: Final = {"3": "unit.header-decimal-inches", "4": "unit.header-fractions"}
 
 #: Factors by which programs multiply dimensions for display.
@@ -65,7 +65,7 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
 
 
 def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
-    """Return the hints at the unit that header variables other than $INSUNITS give."""
+    """Return the evidence for a unit in header variables other than $INSUNITS."""
     found = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):

@@ -10,7 +10,7 @@ from ezdxf.lldxf.encoding import decode_dxf_unicode, has_dxf_unicode
 from ezdxf.lldxf.types import BINARY_DATA, POINT_CODES, TYPE_TABLE
 from ezdxf.tools.codepage import codepage_to_encoding
 
-from knifetip.dxf.encoding import CODE_PAGES, spelled
+from knifetip.dxf.encoding import CODE_PAGES, unescape
 from knifetip.dxf.fast_reader import group_codes
 from knifetip.dxf.fast_reader.tables import NO_ENTITIES
 
@@ -34,4 +34,4 @@ def test_code_pages_and_escaped_characters_equal_those_of_ezdxf() -> None:
     assert codepage_to_encoding == CODE_PAGES
     for name in ("CUT", r"\U+5200\U+7ebf_1", r"\U+12", r"\u+5200", r"a\\U+00E4b", r"\U+520g"):
         expected = decode_dxf_unicode(name) if has_dxf_unicode(name) else name
-        assert spelled(name) == expected
+        assert unescape(name) == expected

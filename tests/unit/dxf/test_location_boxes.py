@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from knifetip.dxf.location_boxes import around, boxes_of_entities
+from knifetip.dxf.location_boxes import box_of_tags, boxes_of_entities
 from knifetip.dxf.read import read
 from knifetip.model.drawing import Drawing
 from tests.support.truth.readers import difference, ours, read_by_both
@@ -76,7 +76,7 @@ def test_each_kind_stands_where_its_points_are(
     kind: str, marker: str, tags: tuple[Tag, ...], box: list[float]
 ) -> None:
     codes, values = zip(*tags, strict=True)
-    assert around(kind, codes, values).tolist() == box
+    assert box_of_tags(kind, codes, values).tolist() == box
     data = marked(entity(kind, (100, "AcDbEntity"), (8, "0"), (100, marker), *tags))
     assert ours(data)
     assert stands(read(data)) == {kind: box}

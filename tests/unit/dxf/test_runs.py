@@ -50,7 +50,7 @@ def in_runs(monkeypatch: pytest.MonkeyPatch) -> InRuns:
     """Make runs of 300 bytes, on so many cores."""
 
     def cores(number: int) -> None:
-        monkeypatch.setattr(scan, "_RUN", 300)
+        monkeypatch.setattr(scan, "_PART", 300)
         monkeypatch.setattr(scan, "core_count", lambda: number)
 
     return cores

@@ -22,7 +22,7 @@ def test_line_gives_its_four_numbers_and_its_layer() -> None:
     assert found.entity[0, f.KIND] == f.LINE
     assert_array_equal(found.value[0, [f.X, f.Y, f.X2, f.Y2]], [1.5, 2.0, -3.0, 40.0])
     assert found.names[found.entity[0, f.LAYER]] == b"CUT"
-    assert found.entity[0, f.ODD] == 0
+    assert found.entity[0, f.UNSUPPORTED] == 0
 
 
 def test_polyline_gives_its_vertices_with_their_bulges() -> None:
@@ -65,7 +65,7 @@ def test_numbers_of_many_digits_are_read_to_the_last_bit() -> None:
 )
 def test_unusual_entity_is_odd_and_the_next_is_plain(text: str) -> None:
     found = _scan(dxf(text, line(0, 0, 1, 1)))
-    assert found.entity[:, f.ODD].tolist() == [1, 0]
+    assert found.entity[:, f.UNSUPPORTED].tolist() == [1, 0]
 
 
 def test_odd_entity_is_found_again_by_its_bytes() -> None:

@@ -1,5 +1,5 @@
 """Reads any DXF file with ezdxf, which repairs many damaged files.
 
-The entities are counted in the bytes first (``prescan``); then ezdxf loads the file (``document``),
-blocks are expanded (``expand``), and shapes become lines and arcs (``place``).
+First, ``prescan`` counts the entities in the bytes.  Then ``document`` loads the file with ezdxf,
+``expand`` expands the blocks, and ``place`` converts shapes to lines and arcs.
 """

@@ -1,10 +1,10 @@
 """block_expansion: expand the blocks of a drawing at the INSERTs that place them.
 
 The result is the rows of the import report in file order, and the shapes with their placements.
-Both readers expand blocks here; each provides its entities as ``Found``.  The entities are counted
-before anything is expanded, because a few nested arrays can produce an astronomical number of
-lines. An entity that an INSERT repeats in rows and columns has one row in the report and one
-placement per repetition.
+The fast reader and the ezdxf reader use this module; each provides entities as ``SourceEntity``.
+The entities are counted before anything is expanded, because a few nested arrays can produce an
+astronomical number of lines.  An entity that an INSERT repeats in rows and columns has one row in
+the import report and one placement per repetition.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
-from knifetip.dxf.location_boxes import through
+from knifetip.dxf.location_boxes import transformed_box
 from knifetip.dxf.shapes import moved, turning
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
@@ -39,10 +39,10 @@ IN_PAPER_SPACE: Final = Message("import.paper-space")
 class Placed(NamedTuple):
     """A shape with k placements; placement i moves each point p to ``linear[i] @ p + shift[i]``."""
 
-    row: int  #: of the import report
+    row: int  #: row of the shape in the import report
     shape: Shape
-    linear: F64  #: (k, 2, 2)
-    shift: F64  #: (k, 2) file units
+    linear: F64  #: (k, 2, 2) linear maps
+    shift: F64  #: (k, 2) translations (file units)
     style: Style
 
 
@@ -54,21 +54,24 @@ class Reference(NamedTuple):
     at: tuple[float, float, float]
     scale: tuple[float, float]
     rotation: float  #: degrees
-    cells: tuple[int, int]  #: columns, rows
+    cells: tuple[int, int]  #: numbers of columns and rows in which the block is repeated
     spacing: tuple[float, float]
     clipped: bool
 
 
-class Found(Protocol):
-    """An entity, as the fast reader or the ezdxf reader provides it."""
+class SourceEntity(Protocol):
+    """Interface of an entity, implemented by the fast reader and the ezdxf reader."""
 
     @property
     def hidden(self) -> bool:
         """Whether the entity is marked as invisible."""
         ...
 
-    def style(self, styles: Styles, around: Style | None) -> Style:
-        """Return the style of the entity; ``around`` is the style of the INSERT that places it."""
+    def style(self, styles: Styles, insert_style: Style | None) -> Style:
+        """Return the style of the entity.
+
+        ``insert_style`` is the style of the INSERT that places the entity, None in model space.
+        """
         ...
 
     def drawn(self) -> Drawn:
@@ -77,7 +80,9 @@ class Found(Protocol):
         Raises
         ------
         Undrawable
-            The entity has no geometry; a damaged entity may raise any exception.
+            The entity has no geometry to cut.
+        Exception
+            The entity is damaged; ezdxf may raise any exception.
         """
         ...
 
@@ -92,27 +97,27 @@ class Found(Protocol):
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the name in lower case of the block that an INSERT places, and the repetitions."""
+        """Return the block that an INSERT places, by name in lower case, and how often."""
         ...
 
 
 class Entry(NamedTuple):
-    """An entity of the prescan, and the same entity as a reader provides it, if read."""
+    """An entity as the prescan counted it, its handle in the import report, and its content."""
 
     counted: PrescannedEntity
     handle: str
-    found: Found | None
+    found: SourceEntity | None
 
 
 @dataclass(eq=False)
 class Block:
-    """A block definition; its entities are created when an INSERT places the block first."""
+    """A block definition; ``entries`` are created when the block is expanded for the first time."""
 
     name: str
-    base: F64  #: (2,)
+    base: F64  #: (2,) base point
     external: bool
-    size: int  #: entities
-    inside: list[tuple[str, int]]  #: blocks in lower case that it places, and how often
+    size: int  #: number of entities
+    inside: list[tuple[str, int]]  #: blocks that it places, by name in lower case, and how often
     make: Callable[[], list[Entry]]
 
     @cached_property
@@ -120,17 +125,17 @@ class Block:
         return self.make()
 
 
-def not_read(kind: str) -> Message:
+def no_geometry_reason(kind: str) -> Message:
     """Return the reason for dropping entities of a kind that has no geometry to cut."""
     return REASONS.get(kind) or Message("import.not-a-line", kind=kind)
 
 
-def places(name: str) -> Message:
+def insert_note(name: str) -> Message:
     """Return the note in the import report for an INSERT that places a block."""
     return Message("import.places-block", block=name)
 
 
-def idle(name: str, number: int) -> Message:
+def unused_block_reason(name: str, number: int) -> Message:
     """Return the reason for dropping a block of ``number`` entities that no INSERT places."""
     code = "import.picture-block" if name.startswith("*") else "import.unused-block"
     return Message(code, block=name, entities=number)
@@ -144,7 +149,8 @@ class BlockExpansion:
     blocks
         Block definitions by their names in lower case.
     on_sheet
-        Name in lower case of the block that each INSERT in model space places, and its repetitions.
+        For each INSERT in model space: name in lower case of the block that it places, and how
+        often it places the block.
 
     Raises
     ------
@@ -166,7 +172,7 @@ class BlockExpansion:
         self._styles = styles
         self._limits = limits
         self._until = time.monotonic() + limits.seconds
-        self._endless = self._count(on_sheet)
+        self._recursive = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
         """Count the entities after expansion; return the blocks that contain themselves."""
@@ -178,19 +184,20 @@ class BlockExpansion:
         for name, below in children.items():
             for child in below:
                 parents[child].add(name)
-        # Blocks that remain after all leaves are removed, from both ends, are in cycles.
-        _, rest = _plucked(children, parents)
-        _, circles = _plucked(
+        # Blocks that place no other block are removed repeatedly, and then blocks that no other
+        # block places.  The blocks that remain are in cycles, or between two cycles.
+        _, rest = _topological_order(children, parents)
+        _, cyclic = _topological_order(
             {name: parents[name] & rest for name in rest},
             {name: children[name] & rest for name in rest},
         )
-        endless = frozenset(circles)
-        straight = {name: children[name] - endless for name in children if name not in endless}
+        recursive = frozenset(cyclic)
+        straight = {name: children[name] - recursive for name in children if name not in recursive}
         above: dict[str, set[str]] = {name: set() for name in straight}
         for name, below in straight.items():
             for child in below:
                 above[child].add(name)
-        order, _ = _plucked(straight, above)
+        order, _ = _topological_order(straight, above)
         size: dict[str, int] = {}
         depth: dict[str, int] = {}
         for name in order:
@@ -211,13 +218,15 @@ class BlockExpansion:
             raise DrawingTooLarge(
                 "dxf.blocks-expand-too-far", count=many, limit=self._limits.expanded
             )
-        return endless
+        return recursive
 
     def sheet_entity(self, entry: Entry) -> None:
         """Add an entity of model space, with its blocks expanded if it is an INSERT."""
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 
-    def _entry(self, entry: Entry, path: str, here: tuple[F64, F64], around: Style | None) -> None:
+    def _entry(
+        self, entry: Entry, path: str, here: tuple[F64, F64], insert_style: Style | None
+    ) -> None:
         if time.monotonic() > self._until:
             raise DrawingTooLarge(
                 "reading.too-slow", seconds=self._limits.seconds, format="drawing"
@@ -228,26 +237,26 @@ class BlockExpansion:
             self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
-            self._left(counted, handle, here, not_read(counted.kind))
+            self._add_dropped(counted, handle, here, no_geometry_reason(counted.kind))
             return
         if found is None:
-            self._left(counted, handle, here, Message("import.damaged-or-frame"))
+            self._add_dropped(counted, handle, here, Message("import.damaged-or-frame"))
             return
         if found.hidden:
-            self._left(counted, handle, here, Message("import.invisible"))
+            self._add_dropped(counted, handle, here, Message("import.invisible"))
             return
         try:
-            style = found.style(self._styles, around)
+            style = found.style(self._styles, insert_style)
             if counted.kind == "INSERT":
                 self._insert(found.reference(), handle, here, style)
                 return
             what = found.drawn()
         except (Undrawable, GeometryError) as reason:
-            self._left(counted, handle, here, reason.message)
+            self._add_dropped(counted, handle, here, reason.message)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
             # Damaged entities raise any of these in ezdxf.
-            self._left(counted, handle, here, Message("import.damaged", reason=reason))
+            self._add_dropped(counted, handle, here, Message("import.damaged", reason=reason))
             return
         notes = [*self._styles.notes(style.layer), *what.notes]
         if len(here[0]) > 1:
@@ -255,21 +264,23 @@ class BlockExpansion:
         row = self.sheet.row(handle, counted.kind, style.layer, None, notes)
         self.placed.append(Placed(row, what.shape, *here, style))
 
-    def _left(
+    def _add_dropped(
         self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: Message
     ) -> None:
-        """Add a row to the import report for an entity without geometry, with its location box."""
+        """Add a row to the import report for an entity that is dropped, with its bounding box."""
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
         if counted.box is not None:
             box = counted.box
-            self.sheet.set_location(row, box if here[0] is ON_SHEET else through(box, *here))
+            self.sheet.set_location(
+                row, box if here[0] is ON_SHEET else transformed_box(box, *here)
+            )
 
     def _insert(self, insert: Reference, handle: str, here: tuple[F64, F64], style: Style) -> None:
         name = insert.block
         block = self._blocks.get(name.lower())
         if block is None:
             raise Undrawable(Message("import.block-missing", block=name))
-        if name.lower() in self._endless:
+        if name.lower() in self._recursive:
             raise Undrawable(Message("import.block-in-itself", block=name))
         if block.external:
             raise Undrawable(Message("import.block-external", block=name))
@@ -295,7 +306,7 @@ class BlockExpansion:
             "INSERT",
             style.layer,
             None,
-            [places(block.name), *self._styles.notes(style.layer), *notes],
+            [insert_note(block.name), *self._styles.notes(style.layer), *notes],
         )
         cos, sin = turning(insert.rotation)
         turned = np.array([[cos, -sin], [sin, cos]])
@@ -316,13 +327,17 @@ class BlockExpansion:
 
 
 def _product(outer: F64, inner: F64) -> F64:
-    """Return the products, (k, 2, 2), of each outer and each inner linear map."""
+    """Return all products of an outer and an inner linear map, (k, 2, 2), inner maps first."""
     columns = moved(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
 
-def _plucked(below: dict[str, set[str]], above: dict[str, set[str]]) -> tuple[list[str], set[str]]:
-    """Return the names of blocks in topological order, and the names of blocks in cycles.
+def _topological_order(
+    below: dict[str, set[str]], above: dict[str, set[str]]
+) -> tuple[list[str], set[str]]:
+    """Return the names of blocks, each after all blocks that it places, and the remaining names.
+
+    The remaining blocks are those in cycles, and those that place a block in a cycle.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """document: load the bytes of a DXF file as an ezdxf document, repaired if necessary.
 
-Several attempts are made: the file unchanged, recovered by ezdxf, with subclass markers added, and
-at last only the complete tags of entities with geometry.
+The file is loaded in several attempts until one succeeds: unchanged; recovered by ezdxf; with
+subclass markers added; and with only the complete tags of entities that have geometry.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, as_text, lines_only, wit
 from knifetip.errors import NotADrawing
 from knifetip.formats.limits import Limits
 
-# ezdxf logs every tag that it repairs; the import report has what matters to the user.
+# ezdxf logs every tag that it repairs; users read the import report instead.
 logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 
 

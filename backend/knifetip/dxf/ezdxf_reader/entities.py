@@ -134,12 +134,12 @@ def drawn(entity: DXFGraphic) -> Drawn:
 
 
 def flat(heights: Iterable[float]) -> list[Message]:
-    """Return the notes for a shape whose points have these heights; no notes if all are 0.
+    """Return the notes for a shape whose points have the given z coordinates; none if all are 0.
 
     Raises
     ------
     Undrawable
-        The heights differ.
+        The z coordinates differ.
     """
     every = list(heights)
     low, high = min(every), max(every)

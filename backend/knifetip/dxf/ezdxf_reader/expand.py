@@ -15,7 +15,13 @@ from ezdxf.entities.dxfentity import DXFEntity
 
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles, layers_of
-from knifetip.dxf.ezdxf_reader.block_expansion import Block, BlockExpansion, Entry, Placed, idle
+from knifetip.dxf.ezdxf_reader.block_expansion import (
+    Block,
+    BlockExpansion,
+    Entry,
+    Placed,
+    unused_block_reason,
+)
 from knifetip.dxf.ezdxf_reader.ezdxf_entity import EzdxfEntity
 from knifetip.dxf.ezdxf_reader.prescan import Prescan, PrescannedEntity
 from knifetip.formats.limits import Limits
@@ -34,14 +40,14 @@ def expand(
     DrawingTooLarge
         INSERTs are nested deeper, or expand to more entities, than the limits allow.
     """
-    on_sheet = _matched(prescan.entities, list(document.modelspace()), paper=False)
+    on_sheet = _match(prescan.entities, list(document.modelspace()), paper=False)
     blocks: dict[str, Block] = {}
     for key, block in prescan.blocks.items():
         layout = document.blocks.get(block.name) if block.name else None
         if layout is None or layout.block is None:
             continue
         base = layout.block.dxf.get("base_point", (0.0, 0.0, 0.0))
-        pairs = _matched(block.entities, list(layout), paper=True)
+        pairs = _match(block.entities, list(layout), paper=True)
         blocks[key] = Block(
             block.name,
             np.array([float(base[0]), float(base[1])]),
@@ -50,18 +56,18 @@ def expand(
             _references(pairs),
             partial(_entries, pairs),
         )
-    walk = BlockExpansion(blocks, _references(on_sheet), Styles(layers_of(document)), limits)
+    expansion = BlockExpansion(blocks, _references(on_sheet), Styles(layers_of(document)), limits)
     for entry in _entries(on_sheet):
-        walk.sheet_entity(entry)
+        expansion.sheet_entity(entry)
     for key, block in prescan.blocks.items():
-        if key not in walk.used and block.entities:
-            why = idle(block.name, len(block.entities))
-            walk.sheet.row(block.handle or block.name, "BLOCK", block.layer, why)
-    return walk.sheet, walk.placed
+        if key not in expansion.used and block.entities:
+            why = unused_block_reason(block.name, len(block.entities))
+            expansion.sheet.row(block.handle or block.name, "BLOCK", block.layer, why)
+    return expansion.sheet, expansion.placed
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return the block that each INSERT places, in lower case, and its repetitions."""
+    """Return for each INSERT the block that it places, by name in lower case, and how often."""
     return [
         EzdxfEntity(entity).repeats()
         for counted, _, entity in pairs
@@ -76,7 +82,7 @@ def _entries(pairs: Iterable[_Pair]) -> list[Entry]:
     ]
 
 
-def _matched(
+def _match(
     counted: list[PrescannedEntity], entities: list[DXFEntity], *, paper: bool
 ) -> list[_Pair]:
     """Return pairs of prescanned and ezdxf entities, matched by handle or by order within a kind.

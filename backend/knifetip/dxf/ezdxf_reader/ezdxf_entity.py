@@ -25,7 +25,7 @@ from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
 
 
 class EzdxfEntity:
-    """An ezdxf entity with the interface ``block_expansion.Found``."""
+    """An ezdxf entity with the interface ``block_expansion.SourceEntity``."""
 
     def __init__(self, entity: Any) -> None:
         self._entity = entity
@@ -34,8 +34,8 @@ class EzdxfEntity:
     def hidden(self) -> bool:
         return bool(self._entity.dxf.get("invisible", 0))
 
-    def style(self, styles: Styles, around: Style | None) -> Style:
-        return styles.of(self._entity, around)
+    def style(self, styles: Styles, insert_style: Style | None) -> Style:
+        return styles.of(self._entity, insert_style)
 
     def drawn(self) -> Drawn:
         return drawn(self._entity)
@@ -55,7 +55,7 @@ class EzdxfEntity:
         )
 
     def repeats(self) -> tuple[str, int]:
-        """Return the name in lower case of the block that an INSERT places, and the repetitions."""
+        """Return the block that an INSERT places, by name in lower case, and how often."""
         columns, rows = _cells(self._entity)
         return _block_name(self._entity).lower(), columns * rows
 
@@ -76,7 +76,7 @@ def _clipped(insert: Any) -> bool:
 
 
 class EntityReader:
-    """Reads single entities from bytes, as if they were in a document of a given DXF version."""
+    """Reads single entities from bytes with ezdxf, as entities of a file of a given DXF version."""
 
     def __init__(self, version: str, encoding: str) -> None:
         self._document = Document()
@@ -86,15 +86,15 @@ class EntityReader:
         self._encoding = encoding
 
     def read(self, data: bytes) -> EzdxfEntity:
-        """Return the entity at the start of the bytes; vertices of a polyline follow it.
+        """Return the entity at the start of the bytes; a polyline is followed by its vertices.
 
         Raises
         ------
         Exception
-            Any exception of ezdxf, if the entity is damaged or ezdxf can only read it by recovering
-            the whole file.
+            Any exception of ezdxf, if the entity is damaged, or if ezdxf can read it only by
+            recovering the whole file.
         """
-        # ezdxf looks for a z behind each point, so that something must follow.
+        # ezdxf looks for a z coordinate after each point, so at least one more tag must follow.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))
         stream = io.TextIOWrapper(ended, encoding=self._encoding, errors="replace")
         linked = entity_linker()

@@ -65,7 +65,7 @@ def columns(
     """
     until = time.monotonic() + limits.seconds
     reach = REACH / (scale or 1.0)
-    near = [_reach(placed) for placed in shapes]
+    near = [_bounds(placed) for placed in shapes]
     parts: dict[int, tuple[F64, F64]] = {}
     curved: list[int] = []
     total = 0 if others is None else len(others)
@@ -78,18 +78,18 @@ def columns(
         if isinstance(placed.shape, Lines):
             total += len(placed.linear) * len(placed.shape.bulge)
             refuse_beyond(total, limits)
-        if (done := _moved(placed)) is None:
+        if (done := _transform_exactly(placed)) is None:
             curved.append(number)
             boxes.append((low, high))
         else:
             parts[number] = done
             boxes.append(_box(done[0]))
-    tolerance = CURVE / scale if scale else _relative(boxes)
+    tolerance = CURVE / scale if scale else _relative_tolerance(boxes)
     for number in curved:
         placed = shapes[number]
         refuse_after(until, limits)
         try:
-            ends, bulge = _realised(placed, tolerance)
+            ends, bulge = _approximate(placed, tolerance)
         except GeometryError as reason:
             sheet.dropped[placed.row] = reason.message
             continue
@@ -117,7 +117,11 @@ def columns(
 
 
 def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
-    """Return the columns with indices into the distinct styles, and these styles by first use."""
+    """Return the columns with new style indices, and the list of used styles without repetition.
+
+    The indices of ``found`` refer to ``styles``, the new indices to the returned list, which is
+    ordered by first use.
+    """
     first, number = unique_rows(found.style)
     used = [styles[style] for style in found.style[first].tolist()]
     return replace(found, style=number.astype(np.int32)), used
@@ -139,8 +143,11 @@ def _box(ends: F64) -> tuple[F64, F64]:
     return ends.min(axis=(0, 1)), ends.max(axis=(0, 1))
 
 
-def _relative(boxes: list[tuple[F64, F64]]) -> float:
-    """Return the tolerance for a drawing of unknown unit with these bounding boxes."""
+def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
+    """Return the tolerance of approximation for a drawing of unknown unit, in file units.
+
+    ``boxes`` are the lower and upper corners of the bounding boxes of all shapes.
+    """
     if not boxes:
         return CURVE
     low = np.min([box[0] for box in boxes], axis=0)
@@ -149,7 +156,7 @@ def _relative(boxes: list[tuple[F64, F64]]) -> float:
     return min(CURVE, size * _SHARE) if size > 0.0 else CURVE
 
 
-def _reach(placed: Placed) -> tuple[F64, F64]:
+def _bounds(placed: Placed) -> tuple[F64, F64]:
     """Return the lower and upper corner of a box that contains all placements of a shape."""
     shape = placed.shape
     if isinstance(shape, Lines) and not shape.bulge.any():
@@ -170,10 +177,10 @@ def _reach(placed: Placed) -> tuple[F64, F64]:
     return (at - around).min(axis=0), (at + around).max(axis=0)
 
 
-def _moved(placed: Placed) -> tuple[F64, F64] | None:
+def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     """Return ends (n, 2, 2) and bulges (n,) of all placements of a shape.
 
-    None if the shape must be approximated first.
+    None if a placement changes arcs to ellipses, or if the shape is an ellipse or a spline.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
@@ -192,13 +199,13 @@ def _moved(placed: Placed) -> tuple[F64, F64] | None:
     return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1)
 
 
-def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Return ends (n, 2, 2) and bulges (n,) of all placements of an approximated shape."""
+def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
+    """Approximate all placements of a shape by arcs; return ends (n, 2, 2) and bulges (n,)."""
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []
     bulge_of: list[F64] = []
     different, kind = np.unique(linear.reshape(-1, 4), axis=0, return_inverse=True)
-    fits = [_fitted(shape, one.reshape(2, 2), tolerance) for one in different]
+    fits = [_fit(shape, one.reshape(2, 2), tolerance) for one in different]
     for number, move in zip(kind.reshape(-1), shift, strict=True):
         start, end, bulge = fits[number]
         ends_of.append(np.stack([start, end], axis=1) + move)
@@ -206,7 +213,7 @@ def _realised(placed: Placed, tolerance: float) -> tuple[F64, F64]:
     return np.concatenate(ends_of), np.concatenate(bulge_of)
 
 
-def _fitted(shape: Shape, linear: F64, tolerance: float) -> Segments:
+def _fit(shape: Shape, linear: F64, tolerance: float) -> Segments:
     """Return a shape, transformed by a linear map, as lines and arcs within the tolerance."""
     if isinstance(shape, Ellipse):
         return Ellipse(

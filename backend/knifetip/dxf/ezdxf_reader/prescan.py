@@ -12,9 +12,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-from knifetip.dxf.annotations import WORDS, of_tags
-from knifetip.dxf.encoding import encoding_of, spelled
-from knifetip.dxf.location_boxes import around
+from knifetip.dxf.annotations import WORDS, annotation_of_tags
+from knifetip.dxf.encoding import encoding_of, unescape
+from knifetip.dxf.location_boxes import box_of_tags
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Annotation
 
@@ -29,11 +29,11 @@ class PrescannedEntity:
     """One entity as written in the file."""
 
     kind: str  #: LINE, ARC, INSERT …
-    handle: str  #: empty where the file gives none
+    handle: str  #: empty if the file gives no handle
     layer: str
-    paper: bool  #: whether it is in paper space
+    paper: bool  #: whether the entity is in paper space
     words: Annotation | None = None
-    box: F64 | None = None  #: (4,) around its points, see ``location_boxes``
+    box: F64 | None = None  #: (4,) bounding box, see ``location_boxes``
 
 
 @dataclass(slots=True)
@@ -50,16 +50,16 @@ class PrescannedBlock:
 class Prescan:
     """Header variables, entities and blocks of a file, and what is unusual about the file."""
 
-    sections: set[str] = field(default_factory=set)  #: names of the sections that it has
-    variables: dict[str, str] = field(default_factory=dict)  #: $NAME -> its first value
+    sections: set[str] = field(default_factory=set)  #: names of the sections of the file
+    variables: dict[str, str] = field(default_factory=dict)  #: first values by $NAME
     entities: list[PrescannedEntity] = field(default_factory=list)
     blocks: dict[str, PrescannedBlock] = field(default_factory=dict)  #: by name in lower case
     encoding: str = "cp1252"
-    markers: bool = False  #: entities have subclass markers, which R12 does not know
-    unmarked: bool = False  #: an entity has none
+    markers: bool = False  #: whether an entity has subclass markers, which R12 does not define
+    unmarked: bool = False  #: whether an entity has no subclass markers
     open_section: str = ""  #: the section in which the file ends, "" if all are closed
-    ended: bool = False  #: the file has its end mark, EOF
-    broken: int = 0  #: the first line that is no DXF, 0 if there is none
+    ended: bool = False  #: whether the file has the end mark EOF
+    broken: int = 0  #: number of the first line that is not DXF, 0 if there is none
 
     @property
     def size(self) -> int:
@@ -82,8 +82,8 @@ def prescan(data: bytes) -> Prescan:
 
     def text(value: Any) -> str:
         if isinstance(value, bytes):
-            return spelled(value.decode(result.encoding, "replace").strip())
-        return spelled(str(value).strip())
+            return unescape(value.decode(result.encoding, "replace").strip())
+        return unescape(str(value).strip())
 
     section = ""
     block: PrescannedBlock | None = None
@@ -120,10 +120,10 @@ def prescan(data: bytes) -> Prescan:
             words = None
             if kind in WORDS:
                 tags = zip(codes[row + 1 : after], values[row + 1 : after], strict=True)
-                words = of_tags(kind, layer, tags, result.encoding)
-            last = _behind(kind, number, starts, values)
+                words = annotation_of_tags(kind, layer, tags, result.encoding)
+            last = _index_after(kind, number, starts, values)
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
-            box = around(kind, codes[span], values[span])
+            box = box_of_tags(kind, codes[span], values[span])
             counted = PrescannedEntity(kind, handle, layer, paper, words, box)
             if section == "ENTITIES":
                 result.entities.append(counted)
@@ -140,8 +140,12 @@ def prescan(data: bytes) -> Prescan:
     return result
 
 
-def _behind(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return the index into ``starts`` of the entity after entity ``number`` and its vertices."""
+def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
+    """Return the index into ``starts`` of the first entity after an entity and its vertices.
+
+    ``starts`` contains the first row of each entity in ``values``, and ``number`` is the index of
+    the entity.
+    """
     number += 1
     if kind == "POLYLINE":
         while number < len(starts) and _plain(values[starts[number]]) == "VERTEX":
@@ -181,7 +185,7 @@ def _ascii_tags(data: bytes, found: Prescan) -> tuple[list[int], list[bytes]]:
 
 
 def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
-    from ezdxf.lldxf.tagger import binary_tags_loader  # slow to import; the fast reader does not
+    from ezdxf.lldxf.tagger import binary_tags_loader  # slow to import
 
     codes: list[int] = []
     values: list[Any] = []
@@ -207,7 +211,7 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
 
 
 def header_of(section: bytes) -> dict[str, str]:
-    """Return the header variables in section HEADER; the first value of each counts."""
+    """Return the header variables in the bytes of section HEADER, each with its first value."""
     lines = section.split(b"\n")
     found: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):

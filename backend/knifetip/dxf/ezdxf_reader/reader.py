@@ -1,7 +1,7 @@
 """reader: read any DXF file with ezdxf.
 
-Entities that ezdxf skips are in the import report all the same, because they are counted in the
-bytes before ezdxf reads the file (``prescan``).
+Entities that ezdxf skips also have a row in the import report, because ``prescan`` counts the
+entities in the bytes before ezdxf reads the file.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ from knifetip.dxf.ezdxf_reader.entities import READ
 UNMARKED: Final = "AC1009"
 
 _MARKERS: Final = {b"LWPOLYLINE": b"AcDbPolyline", b"SPLINE": b"AcDbSpline"}
-#: Group codes of all entities; they are not repeated after the marker.
+#: Group codes that all kinds of entities have; their tags are not repeated after the marker.
 _COMMON: Final = frozenset(
     {5, 6, 8, 48, 60, 62, 67, 330, 347, 348, 360, 370, 380, 390, 410, 420, 430, 440, 999}
 )
@@ -43,7 +43,7 @@ class _Records(NamedTuple):
 
     lines: list[bytes]
     codes: list[int]  #: group code of each tag (two lines)
-    spans: list[tuple[int, int]]  #: of tags, from one group code 0 to the next
+    spans: list[tuple[int, int]]  #: first and last tag of each record, which starts at group code 0
 
     def name(self, tag: int) -> bytes:
         return self.lines[2 * tag + 1].strip()
@@ -52,18 +52,19 @@ class _Records(NamedTuple):
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
     def joined(self, made: list[bytes]) -> bytes:
-        """Return all lines, with the lines of each record replaced by the given new lines."""
+        """Return the lines of the file, with the new lines in ``made`` for each record."""
         first = self.lines[: 2 * self.spans[0][0]]
         return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
-    """Return the lines with subclass markers added where they are missing.
+    """Return the lines of a DXF file with subclass markers added where they are missing.
 
     Parameters
     ----------
     every
-        Also process entities that have markers: repeat the tags after the markers before them.
+        Also change entities that have markers: the tags that follow the markers are repeated
+        before the markers.
     """
     records = _records(data)
     if records is None:
@@ -74,7 +75,7 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
         if marker is None or (100 in records.codes[tag:after] and not every):
             made.extend(records.text(range(tag, after)))
             continue
-        head, own, added = _parted(records, tag, after)
+        head, own, added = _split_tags(records, tag, after)
         made.extend(records.text(head))
         made.extend((b"100", b"AcDbEntity", b"100", marker))
         made.extend(records.text(own))
@@ -112,7 +113,7 @@ def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
 
 
 def _records(data: bytes) -> _Records | None:
-    """Return the lines split into records; None if they are not tags or do not start a record."""
+    """Return the lines of a DXF file as records; None if they are not group codes and values."""
     lines = data.split(b"\n")
     try:
         codes = list(map(int, lines[: len(lines) // 2 * 2 : 2]))
@@ -124,7 +125,7 @@ def _records(data: bytes) -> _Records | None:
     return _Records(lines, codes, list(zip(starts, [*starts[1:], len(codes)], strict=True)))
 
 
-def _parted(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
+def _split_tags(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
     """Return the common tags of an entity, the tags of its kind, and its extension data."""
     codes = records.codes
     end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)

@@ -41,22 +41,22 @@ from knifetip.kernels import (
 def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
     """Return the number of segments of each entity, (e,), 0 for an entity without geometry.
 
-    Entities with invalid numbers are marked in the column ``ODD``.
+    Entities with invalid numbers are marked in the column ``UNSUPPORTED`` of ``entity``.
     """
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
         kind = entity[row, f.KIND]
-        if entity[row, f.PAPER] != 0 or entity[row, f.ODD] != 0:
+        if entity[row, f.PAPER] != 0 or entity[row, f.UNSUPPORTED] != 0:
             continue
         if kind == f.LINE:
             count[row] = 1
         elif kind == f.ARC or kind == f.CIRCLE:
             if not value[row, f.RADIUS] > 0.0:
-                entity[row, f.ODD] = 1
+                entity[row, f.UNSUPPORTED] = 1
             elif kind == f.CIRCLE:
                 count[row] = round_count(360.0)
             elif value[row, f.ANGLE] == value[row, f.ANGLE2]:
-                entity[row, f.ODD] = 1
+                entity[row, f.UNSUPPORTED] = 1
             else:
                 count[row] = round_count(swept(value[row, f.ANGLE], value[row, f.ANGLE2]))
         elif (kind == f.LWPOLYLINE or kind == f.POLYLINE) and entity[row, f.COUNT] >= 2:

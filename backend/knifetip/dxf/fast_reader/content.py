@@ -9,7 +9,7 @@ from knifetip.dxf.fast_reader import keywords as w
 from knifetip.dxf.fast_reader import state as s
 from knifetip.dxf.fast_reader.group_values import name_at, whole_at
 from knifetip.dxf.fast_reader.keywords import is_word
-from knifetip.dxf.fast_reader.structure import mark_odd
+from knifetip.dxf.fast_reader.structure import mark_unsupported
 from knifetip.dxf.scan_tables import ScanTables
 from knifetip.kernels import (
     U8_1,
@@ -32,7 +32,7 @@ def take_decimal(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Store a decimal number of an entity, or mark the entity as odd; return ON or REFUSED.
+    """Store a decimal number of an entity, or mark the entity as unsupported; return ON or REFUSED.
 
     Parameters
     ----------
@@ -58,12 +58,12 @@ def take_decimal(
         value[row, column] = read
     elif code == 30 or code == 31 or code == 38:
         if not abs(read) <= g.FLAT or sure != EXACT:
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         return s.ON
     elif code >= 210:
         alone = code > 210 and before != code - 10
         if alone or sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         elif code == 230 and mode == s.IN_ENTITY:
             entity[row, f.MIRROR] = 1 if read < 0.0 else 0
         return s.ON
@@ -76,14 +76,14 @@ def take_decimal(
             or (code == 20 and before != 10)
             or (code == 21 and before != 11)
         ):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
             return s.ON
         if mode == s.IN_VERTEX or kind == f.LWPOLYLINE:
             column = 0 if code == 10 else 1 if code == 20 else 2
             if mode == s.IN_VERTEX:
                 bit = 1 << (g.B_VALUE + column)
                 if state[s.SEEN] & bit:
-                    mark_odd(entity, state)
+                    mark_unsupported(entity, state)
                     return s.ON
                 state[s.SEEN] |= bit
             elif code == 10:
@@ -93,7 +93,7 @@ def take_decimal(
                 state[s.VERTICES] += 1
                 entity[row, f.COUNT] += 1
             elif entity[row, f.COUNT] == 0:
-                mark_odd(entity, state)
+                mark_unsupported(entity, state)
                 return s.ON
             table, line = 1, state[s.VERTICES] - 1
             vertex[line, column] = read
@@ -101,7 +101,7 @@ def take_decimal(
             column = g.COLUMN_OF[code]
             bit = 1 << (g.B_VALUE + column)
             if state[s.SEEN] & bit:
-                mark_odd(entity, state)
+                mark_unsupported(entity, state)
                 return s.ON
             state[s.SEEN] |= bit
             value[row, column] = read
@@ -137,7 +137,7 @@ def take_tag(
         return s.ON
     if state[s.MODE] == s.IN_VERTEX:
         if code == 70 and plain and whole_at(data, low, high) & 16:
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         return s.ON
     if code == 5:
         if high == low or (marks < 2 and seen & (1 << g.B_HANDLE)):
@@ -145,14 +145,14 @@ def take_tag(
         if not seen & (1 << g.B_HANDLE):
             entity[row, f.HANDLE], entity[row, f.HANDLE_SIZE] = low, high - low
         elif plain:
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         state[s.SEEN] |= 1 << g.B_HANDLE
     elif code == 8:
         name = name_at(data, low, high, spans, slots, state)
         if name < 0:
             return s.REFUSED
         if plain and (seen & (1 << g.B_LAYER) or marks > 1):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         entity[row, f.LAYER] = name
         state[s.SEEN] |= 1 << g.B_LAYER
     elif code == 67:
@@ -160,7 +160,7 @@ def take_tag(
         if whole != 0 and whole != 1:
             return s.REFUSED
         if plain and (seen & (1 << g.B_PAPER) or marks > 1):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         entity[row, f.PAPER] = whole
         state[s.SEEN] |= 1 << g.B_PAPER
     elif code == 66:
@@ -175,7 +175,7 @@ def take_tag(
 
 @inline_kernel
 def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Store a subclass marker of the open entity, or mark the entity as odd."""
+    """Store a subclass marker of the open entity, or mark the entity as unsupported."""
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
     marks = state[s.OPEN_MARKS]
@@ -191,7 +191,7 @@ def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI
     elif marks == 3:
         expected = g.THIRD[kind]
     if expected < 0 or not is_word(data, low, high, expected):
-        mark_odd(entity, state)
+        mark_unsupported(entity, state)
 
 
 @inline_kernel
@@ -201,11 +201,11 @@ def _of_words(
     """Store a tag of a text or dimension entity."""
     row, seen = state[s.ROW], state[s.SEEN]
     if code == 101:
-        # From here on, text in columns repeats itself.
+        # The embedded object that follows repeats the text, divided into columns.
         state[s.OPEN_KIND] = f.OTHER
         state[s.CONTEXT] = g.UNREAD
     elif code == 3 and state[s.IS_MTEXT] != 0:
-        mark_odd(entity, state)
+        mark_unsupported(entity, state)
     elif code == 1 and not seen & (1 << g.B_NAME):
         entity[row, f.FIRST], entity[row, f.COUNT] = low, high - low
         state[s.SEEN] |= 1 << g.B_NAME
@@ -234,7 +234,7 @@ def _of_plain(
             return s.REFUSED
         column, bit = (f.LINETYPE, 1 << g.B_LINETYPE) if code == 6 else (f.REFERENCE, 1 << g.B_NAME)
         if seen & bit or marks != (min(marks, 1) if code == 6 else 2 * min(marks, 1)):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
             return s.ON
         entity[row, column] = name
         state[s.SEEN] |= bit
@@ -242,7 +242,7 @@ def _of_plain(
         column, bit = (f.COLOUR, 1 << g.B_COLOUR) if code == 62 else (f.TRUE_COLOUR, 1 << g.B_TRUE)
         whole = whole_at(data, low, high)
         if seen & bit or marks > 1 or whole < 0 or (code == 62 and whole > 256):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
             return s.ON
         entity[row, column] = whole & 0xFFFFFF
         state[s.SEEN] |= bit
@@ -258,7 +258,7 @@ def _of_plain(
             or (marks != 0 and marks != 2)
             or (kind == f.POLYLINE and whole & 88)
         ):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
             return s.ON
         entity[row, column] = whole
         state[s.SEEN] |= bit
@@ -267,5 +267,5 @@ def _of_plain(
         or (code == 410 and not is_word(data, low, high, w.MODEL))
         or code == 101
     ):
-        mark_odd(entity, state)
+        mark_unsupported(entity, state)
     return s.ON

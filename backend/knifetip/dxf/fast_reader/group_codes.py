@@ -11,7 +11,7 @@ from knifetip.dxf.fast_reader import keywords as w
 
 #: Heights up to this count as 0 (file units), as in ``entities``.
 FLAT: Final = 1e-6
-#: Kind of an entity by its word; VERTEX and others are handled separately.
+#: Kind of an entity by its keyword; VERTEX and other keywords are handled separately.
 KIND_OF: Final = np.zeros(w.COUNT, np.int64)
 KIND_OF[[w.LINE, w.ARC, w.CIRCLE, w.LWPOLYLINE, w.POLYLINE, w.INSERT]] = range(1, 7)
 #: The second and the third subclass marker of each kind; the first is AcDbEntity.
@@ -39,17 +39,17 @@ IS_POINT: Final = np.isin(
     [*range(10, 19), *range(110, 113), *range(210, 214), *range(1010, 1014)],
 )
 
-#: Codes that are read; the others are skipped.
+#: Mask of the group codes that are read; other group codes are skipped.
 MEANS: Final = np.zeros(LAST_CODE + 1, np.bool_)
 MEANS[[1, 2, 3, 5, 6, 8, 60, 62, 66, 67, 70, 71, 100, 101, 410, 420]] = True
-#: Column of the value for each code up to 255, or -1.
+#: Column of the value for each group code up to 255, or -1.
 COLUMN_OF: Final = np.full(256, -1)
 for _code, _column in (
     (10, f.X), (20, f.Y), (11, f.X2), (21, f.Y2), (40, f.RADIUS), (50, f.ANGLE), (51, f.ANGLE2),
     (41, f.SCALE_X), (42, f.SCALE_Y), (44, f.SPACE_X), (45, f.SPACE_Y),
 ):  # fmt: skip
     COLUMN_OF[_code] = _column
-#: Values of each kind, texts last; other numbers are skipped.
+#: Mask of the columns of values that each kind has, texts last; other numbers are skipped.
 OF_WORDS: Final = 7
 HAS: Final = np.zeros((8, f.VALUES), np.bool_)
 for _kind, _columns in (
@@ -61,11 +61,11 @@ for _kind, _columns in (
 ):
     HAS[_kind, list(_columns)] = True
 
-# Context of a tag: one of the kinds, a text, or one of these.
+# Context of a tag: a kind of entity, OF_WORDS for texts, or one of the following.
 VERTEX: Final = 8
 UNREAD: Final = 9
 ELSEWHERE: Final = 10
-# Action for a tag: by context, skip, read its number, store it.
+# Action for a tag: decide by the context, skip it, parse its decimal number, or store it.
 BY_PLACE, SKIPPED, NUMBER, TAKEN = range(4)
 ACTION: Final = np.zeros((ELSEWHERE + 1, LAST_CODE + 1), np.uint8)
 _OF_TEXT: Final = (TYPE == TEXT_VALUE) & (np.arange(LAST_CODE + 1) < 1000)
@@ -81,9 +81,9 @@ ACTION[f.LWPOLYLINE, [10, 20, 42, 38]] = NUMBER
 ACTION[VERTEX, [10, 20, 30, 42, 210, 220, 230]] = NUMBER
 ACTION[VERTEX, 5] = BY_PLACE
 
-# Bits for the tags that an entity has had.
+# Bits of ``state.SEEN`` for the tags that an entity already has.
 B_HANDLE, B_LAYER, B_LINETYPE, B_COLOUR, B_TRUE, B_FLAGS, B_NAME = range(7)
-B_VALUE: Final = 7  # and one more bit for each value
+B_VALUE: Final = 7  # one bit for each column of the values, from this bit on
 B_COLUMNS: Final = B_VALUE + f.VALUES
 B_ROWS: Final = B_COLUMNS + 1
 B_PAPER: Final = B_ROWS + 1

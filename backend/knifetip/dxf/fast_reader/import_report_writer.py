@@ -1,4 +1,4 @@
-"""import_report_writer: import report and annotations of a file, computed in columns."""
+"""import_report_writer: compute the import report and the annotations of a file in columns."""
 
 from __future__ import annotations
 
@@ -9,12 +9,21 @@ from typing import NamedTuple
 import numpy as np
 
 from knifetip.drawing_builder.report import ReportRows, ReportWriter, SharedOutcome
-from knifetip.dxf.annotations import annotation, is_coded, of_lines, uncoded
-from knifetip.dxf.ezdxf_reader.block_expansion import IN_PAPER_SPACE, not_read, places
+from knifetip.dxf.annotations import (
+    annotation,
+    annotation_of_lines,
+    has_formatting,
+    plain_annotations,
+)
+from knifetip.dxf.ezdxf_reader.block_expansion import (
+    IN_PAPER_SPACE,
+    insert_note,
+    no_geometry_reason,
+)
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.handle_set import paths_of
 from knifetip.dxf.fast_reader.tables import Tables
-from knifetip.dxf.location_boxes import boxes_of_entities, through
+from knifetip.dxf.location_boxes import boxes_of_entities, transformed_box
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.unique_rows import unique_rows
@@ -24,51 +33,53 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """Outcomes and styles of the entities of a block that INSERTs of one style place."""
+    """Outcomes and styles of the entities of one block, for all INSERTs of one style."""
 
-    layers: list[str]  #: of its entities
+    layers: list[str]  #: layer of each entity
     outcomes: dict[
         int, tuple[Message | None, tuple[Message, ...]]
-    ]  #: by the number of the entity, as in ``SharedOutcome``
-    first: int  #: where the styles of its segments begin
+    ]  #: reason for dropping and notes, by index of the entity in the block
+    first: int  #: index of the first style of its segments
 
 
 class Inserts(NamedTuple):
     """The k INSERTs in model space whose blocks are processed in columns."""
 
-    spot: I64  #: (k,) which of the entities of the sheet
-    block: I64  #: (k,)
-    variant: I64  #: (k,) which of the variants
+    position: I64  #: (k,) index of each INSERT among the entities of model space
+    block: I64  #: (k,) row of the block of each INSERT
+    variant: I64  #: (k,) index of the variant of each INSERT
     variants: list[Variant]
-    move: F64  #: (k, 2, 3) linear map and shift, from the block to the sheet
+    move: F64  #: (k, 2, 3) linear map and translation, from block to model space
 
 
 class Order(NamedTuple):
     """The n entities of model space, and their rows in the import report."""
 
-    rows: I64  #: (n,) of the Scan
-    report_row: I64  #: (n,)
-    drawn: Bool  #: (n,) they are lines that are drawn in columns
-    walked: I64  #: (w,) rows of the import report for those of what was walked through
+    rows: I64  #: (n,) row of each entity in the Scan
+    report_row: I64  #: (n,) row of each entity in the import report
+    drawn: Bool  #: (n,) whether the segments of the entity are computed in columns
+    expanded: I64  #: (w,) row in the import report of each row of the expansion
 
 
-def left_out(tables: Tables, row: int) -> Message | None:
+def drop_reason(tables: Tables, row: int) -> Message | None:
     """Return the reason for dropping an entity, None if the entity has geometry."""
     line = tables.found.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
     kind = line[f.KIND]
     if kind == f.OTHER:
-        return not_read(tables.words[line[f.WORD]])
+        return no_geometry_reason(tables.words[line[f.WORD]])
     if kind in (f.LWPOLYLINE, f.POLYLINE) and line[f.COUNT] < 2:
         return Message("import.few-vertices", vertices=line[f.COUNT])
     return None
 
 
-def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWriter) -> ReportRows:
+def report_rows(
+    tables: Tables, order: Order, inserts: Inserts, expansion: ReportWriter
+) -> ReportRows:
     """Return the rows of the import report for model space, blocks and expanded entities.
 
-    ``walk`` contains the rows of entities that were expanded one by one.
+    ``expansion`` contains the rows of the entities that were expanded one by one.
     """
     entity, span = tables.found.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
@@ -80,15 +91,15 @@ def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWrit
     )
     # For entities in blocks: row, entity and INSERT.
     step = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
-    under = np.repeat(order.report_row[inserts.spot] + 1, size) + step
+    under = np.repeat(order.report_row[inserts.position] + 1, size) + step
     inserted = np.repeat(low, size) + step
     # An expanded entity has its own row, followed by the rows of its block.
     total = 1 + int(
-        max(column.max(initial=-1) for column in (order.report_row, under, order.walked))
+        max(column.max(initial=-1) for column in (order.report_row, under, order.expanded))
     )
     own, insert = np.empty(total, np.int64), np.full(total, -1, np.int64)
     own[order.report_row], own[under] = order.rows, inserted
-    insert[under] = np.repeat(order.rows[inserts.spot], size)
+    insert[under] = np.repeat(order.rows[inserts.position], size)
     kind, layer = np.empty(total, np.int32), np.empty(total, np.int32)
     kind[order.report_row], kind[under] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
     layer[order.report_row] = entity[order.rows, f.LAYER]
@@ -99,54 +110,56 @@ def report_rows(tables: Tables, order: Order, inserts: Inserts, walk: ReportWrit
         np.repeat(begin, size) + step
     ]
     # Last, because these rows replace those of the entity.
-    own[order.walked] = len(entity) + np.arange(len(order.walked))
-    for column, words in ((kind, walk.kind), (layer, walk.layer)):
-        column[order.walked] = [numbers.setdefault(word, len(numbers)) for word in words]
-    there = order.walked.tolist()
+    own[order.expanded] = len(entity) + np.arange(len(order.expanded))
+    for column, words in ((kind, expansion.kind), (layer, expansion.layer)):
+        column[order.expanded] = [numbers.setdefault(word, len(numbers)) for word in words]
+    there = order.expanded.tolist()
     left = ~order.drawn
-    left[inserts.spot] = False
-    left[np.isin(order.report_row, order.walked)] = False
-    spots = np.flatnonzero(left)
+    left[inserts.position] = False
+    left[np.isin(order.report_row, order.expanded)] = False
+    dropped = np.flatnonzero(left)
     handles, (alike, standing) = parallel_pair(
-        lambda: paths_of(tables.handles, walk.handle, own, insert),
+        lambda: paths_of(tables.handles, expansion.handle, own, insert),
         lambda: (
-            [*_of_sheet(tables, order, inserts, spots), *_of_blocks(order, inserts)],
-            [*_on_sheet(tables, order, spots), *_in_blocks(tables, order, inserts)],
+            [*_of_sheet(tables, order, inserts, dropped), *_of_blocks(order, inserts)],
+            [*_on_sheet(tables, order, dropped), *_in_blocks(tables, order, inserts)],
         ),
     )
-    walked = [
-        LocationBoxes(order.walked[one.rows].astype(np.int32), one.box)
-        for one in walk.location_boxes
+    expanded = [
+        LocationBoxes(order.expanded[one.rows].astype(np.int32), one.box)
+        for one in expansion.location_boxes
     ]
     return ReportRows(
         handles,
         Repeated(tuple(numbers), kind),
         Repeated(tuple(numbers), layer),
-        {there[row]: why for row, why in walk.dropped.items()},
-        {there[row]: notes for row, notes in walk.notes.items()},
+        {there[row]: why for row, why in expansion.dropped.items()},
+        {there[row]: notes for row, notes in expansion.notes.items()},
         alike,
-        walked + standing,
+        expanded + standing,
     )
 
 
 def _of_sheet(
-    tables: Tables, order: Order, inserts: Inserts, spots: I64
+    tables: Tables, order: Order, inserts: Inserts, dropped: I64
 ) -> Iterator[SharedOutcome]:
     """Yield the outcomes of entities in model space.
 
     Parameters
     ----------
-    spots
-        Indices of the entities that are dropped.
+    dropped
+        Indices, among the entities of model space, of the entities that are dropped.
     """
     entity, rows = tables.found.entity, order.rows
     paper, sort, word, count = (
-        entity[rows[spots], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
+        entity[rows[dropped], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
     )
-    # The length of a text does not matter.
+    # For texts, which have the kind OTHER, the column COUNT is the length, which is irrelevant.
     first, kind = unique_rows(paper, sort, word, np.where(sort == f.OTHER, 0, count))
-    for spot, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
-        yield SharedOutcome(order.report_row[spots[same]], left_out(tables, int(rows[spots[spot]])))
+    for position, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
+        yield SharedOutcome(
+            order.report_row[dropped[same]], drop_reason(tables, int(rows[dropped[position]]))
+        )
     of_layer = {
         layer: notes
         for layer in np.flatnonzero(np.bincount(entity[rows, f.LAYER] + 1)).tolist()
@@ -155,19 +168,19 @@ def _of_sheet(
     for layer, notes in of_layer.items():
         there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
         yield SharedOutcome(order.report_row[there], None, notes)
-    layer = entity[rows[inserts.spot], f.LAYER]
+    layer = entity[rows[inserts.position], f.LAYER]
     first, kind = unique_rows(layer, inserts.block)
     for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
-        note = places(tables.block_name(int(inserts.block[one])))
+        note = insert_note(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
-        yield SharedOutcome(order.report_row[inserts.spot[same]], None, (note, *notes))
+        yield SharedOutcome(order.report_row[inserts.position[same]], None, (note, *notes))
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
     """Yield the outcomes of entities in the blocks that INSERTs place."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
-        first = order.report_row[inserts.spot[same]] + 1
+        first = order.report_row[inserts.position[same]] + 1
         for number, (dropped, notes) in variant.outcomes.items():
             yield SharedOutcome(first + number, dropped, notes)
 
@@ -181,12 +194,12 @@ def boxes(tables: Tables, rows: I64) -> F64:
     return boxes_of_entities(tables.found.data, kinds, kind, spans)
 
 
-def _on_sheet(tables: Tables, order: Order, spots: I64) -> Iterator[LocationBoxes]:
+def _on_sheet(tables: Tables, order: Order, dropped: I64) -> Iterator[LocationBoxes]:
     """Yield the location boxes of the dropped entities in model space."""
-    spots = spots[tables.found.entity[order.rows[spots], f.PAPER] == 0]
-    if len(spots):
+    dropped = dropped[tables.found.entity[order.rows[dropped], f.PAPER] == 0]
+    if len(dropped):
         yield LocationBoxes(
-            order.report_row[spots].astype(np.int32), boxes(tables, order.rows[spots])
+            order.report_row[dropped].astype(np.int32), boxes(tables, order.rows[dropped])
         )
 
 
@@ -202,26 +215,26 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Locat
         numbers, rows = numbers[on_model], rows[on_model]
         if not len(rows):
             continue
-        first = np.repeat(order.report_row[inserts.spot[same]] + 1, len(rows))
+        first = np.repeat(order.report_row[inserts.position[same]] + 1, len(rows))
         move = np.repeat(inserts.move[same], len(rows), axis=0)
         box = np.tile(boxes(tables, rows), (len(same), 1))
         yield LocationBoxes(
             (first + np.tile(numbers, len(same))).astype(np.int32),
-            through(box, move[:, :, :2], move[:, :, 2]),
+            transformed_box(box, move[:, :, :2], move[:, :, 2]),
         )
 
 
 def _grouped(kind: I64, kinds: int) -> list[I64]:
-    """Return for each of ``kinds`` kinds the indices of the entities of that kind."""
+    """Return for each kind 0 … ``kinds`` - 1 the indices at which ``kind`` has this value."""
     order = np.argsort(kind, kind="stable")
     return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
 
 
 def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
-    """Return the texts and dimensions in model space."""
+    """Return the annotations of the texts and dimensions in ``rows`` that are in model space."""
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
-    # By columns: building a list per row would take as long again.
+    # Column by column: creating a list for each row would double the time.
     words, layers, first, count = (
         entity[rows, column].tolist() for column in (f.WORD, f.LAYER, f.FIRST, f.COUNT)
     )
@@ -233,12 +246,12 @@ def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
         for low, size in zip(first, count, strict=True)
     ]
     lengths = tables.found.value[rows][:, f.LENGTHS]
-    found = uncoded(kinds, layers, texts, lengths)
+    found = plain_annotations(kinds, layers, texts, lengths)
     pairs = zip(kinds, texts, strict=True)
-    for at in [at for at, (kind, text) in enumerate(pairs) if is_coded(kind, text)]:
+    for at in [at for at, (kind, text) in enumerate(pairs) if has_formatting(kind, text)]:
         flags = int(entity[rows[at], f.FLAGS])
         found[at] = annotation(kinds[at], layers[at], texts[at], lengths[at].tolist(), flags)
-    for at in np.flatnonzero(entity[rows, f.ODD]).tolist():
+    for at in np.flatnonzero(entity[rows, f.UNSUPPORTED]).tolist():
         lines = data[slice(*entity[rows[at], [f.START, f.END]].tolist())]
-        found[at] = of_lines(kinds[at], layers[at], lines, tables.encoding)
+        found[at] = annotation_of_lines(kinds[at], layers[at], lines, tables.encoding)
     return tuple(found)

@@ -3,8 +3,8 @@
 The result equals that of the ezdxf reader bit by bit, in about a hundredth of the time.  Entities
 in model space, and blocks that INSERTs move, rotate and scale evenly, are processed in columns.
 All other entities are expanded one by one: curves that must be approximated, blocks that are
-nested, repeated or unevenly scaled, and odd entities, which the scan does not support and ezdxf
-reads.
+nested, repeated or unevenly scaled, and entities that the scan does not support, which are read
+with ezdxf.
 """
 
 from __future__ import annotations
@@ -21,7 +21,13 @@ from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportRows, ReportWriter
 from knifetip.dxf.annotations import WORDS
 from knifetip.dxf.attributes import Styles
-from knifetip.dxf.ezdxf_reader.block_expansion import Block, BlockExpansion, Entry, Reference, idle
+from knifetip.dxf.ezdxf_reader.block_expansion import (
+    Block,
+    BlockExpansion,
+    Entry,
+    Reference,
+    unused_block_reason,
+)
 from knifetip.dxf.ezdxf_reader.entities import Drawn, Lines, Undrawable
 from knifetip.dxf.ezdxf_reader.place import columns, refuse_after, refuse_beyond, styled
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
@@ -43,7 +49,7 @@ from knifetip.dxf.fast_reader.import_report_writer import (
     Order,
     Variant,
     boxes,
-    left_out,
+    drop_reason,
     read_annotations,
     report_rows,
 )
@@ -70,12 +76,12 @@ class FastReading(NamedTuple):
 
     sheet: ReportRows
     columns: Columns  #: file units
-    styles: list[Style]  #: of the columns
+    styles: list[Style]  #: styles to which the column ``style`` refers
     annotations: tuple[Annotation, ...]
 
 
-class _AsWritten:
-    """An entity of a Scan with the interface ``block_expansion.Found``."""
+class _ScannedEntity:
+    """An entity of a Scan with the interface ``block_expansion.SourceEntity``."""
 
     hidden = False
 
@@ -83,12 +89,12 @@ class _AsWritten:
         self._reader = reader
         self._row = row
 
-    def style(self, styles: Styles, around: Style | None) -> Style:  # noqa: ARG002
-        # The tables of the file have the same styles.
-        return self._reader.tables.style(self._row, around)
+    def style(self, styles: Styles, insert_style: Style | None) -> Style:  # noqa: ARG002
+        # ``tables`` contains its own ``Styles`` of this file, equal to the argument.
+        return self._reader.tables.style(self._row, insert_style)
 
     def drawn(self) -> Drawn:
-        if why := left_out(self._reader.tables, self._row):
+        if why := drop_reason(self._reader.tables, self._row):
             raise Undrawable(why)
         low, high = self._reader.first[self._row : self._row + 2]
         return Drawn(Lines(self._reader.ends[low:high], self._reader.bulge[low:high]))
@@ -101,8 +107,18 @@ class _AsWritten:
         return insert.block.lower(), insert.cells[0] * insert.cells[1]
 
 
-def _drawn(found: Scan) -> tuple[I64, I64, F64, F64]:
-    """Return the number of segments of each entity, the first segment, all ends and all bulges."""
+def _segments(found: Scan) -> tuple[I64, I64, F64, F64]:
+    """Return the segments of all e entities of a Scan, in the coordinates of each entity.
+
+    Returns
+    -------
+    count : (e,)
+        Number of segments of each entity.
+    first : (e + 1,)
+        First segment of each entity, and the total number n of segments.
+    ends : (n, 2, 2)
+    bulge : (n,)
+    """
     count: I64 = counts(found.entity, found.value, found.vertex)
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
@@ -132,43 +148,45 @@ class FastReader:
         self.ends: F64
         self.bulge: F64
         (self.count, self.first, self.ends, self.bulge), self.tables = parallel_pair(
-            lambda: _drawn(found), lambda: Tables(found)
+            lambda: _segments(found), lambda: Tables(found)
         )
-        # First entity of each block, and how many.
+        # First entity and number of entities of each block.
         spans = [self.tables.span.get(number, (0, 0)) for number in range(len(found.block))]
         self._low, self._size = np.array(spans, np.int64).reshape(-1, 2).T
         self._is_word = np.isin(
             np.arange(len(self.tables.names)),
             [number for number, word in self.tables.words.items() if word in WORDS],
         )
-        self._odd = self._read_odd()
+        self._unsupported = self._read_unsupported()
         self._simple = self._simple_blocks()
         self._numbers: dict[Style, int] = {}
         self._variant_styles: list[I32] = []
 
-    def _read_odd(self) -> dict[int, EzdxfEntity]:
+    def _read_unsupported(self) -> dict[int, EzdxfEntity]:
         """Return the entities that the scan does not support, read with ezdxf, by their rows."""
-        is_odd = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
-        if not is_odd.any():
+        is_unsupported = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[
+            self.entity[:, f.WORD]
+        ]
+        if not is_unsupported.any():
             return {}
         from knifetip.dxf.ezdxf_reader.ezdxf_entity import EntityReader  # imports ezdxf: slow
 
         singles = EntityReader(self.tables.version, self.tables.encoding)
         until = time.monotonic() + self.limits.seconds
-        odd = {}
-        for row in np.flatnonzero(is_odd).tolist():
+        unsupported = {}
+        for row in np.flatnonzero(is_unsupported).tolist():
             refuse_after(until, self.limits)
             low, high = self.entity[row, [f.START, f.END]].tolist()
             try:
-                odd[row] = singles.read(self.found.data[low:high])
+                unsupported[row] = singles.read(self.found.data[low:high])
             except Exception as damage:
                 raise Unsupported from damage
-        return odd
+        return unsupported
 
     def _simple_blocks(self) -> dict[int, bool]:
         """Return the blocks that can be processed in columns, and whether each contains arcs."""
         entity = self.entity
-        special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.ODD] != 0)
+        special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.UNSUPPORTED] != 0)
         special &= entity[:, f.PAPER] == 0
         simple = {}
         for block in self.tables.blocks.values():
@@ -195,8 +213,8 @@ class FastReader:
             )
         return blocks
 
-    def _found(self, row: int) -> EzdxfEntity | _AsWritten:
-        return self._odd.get(row) or _AsWritten(self, row)
+    def _found(self, row: int) -> EzdxfEntity | _ScannedEntity:
+        return self._unsupported.get(row) or _ScannedEntity(self, row)
 
     def _entries(self, rows: Iterable[int]) -> list[Entry]:
         return list(map(self._entry, rows))
@@ -211,7 +229,7 @@ class FastReader:
         return Entry(counted, handle, self._found(row))
 
     def reference(self, row: int) -> Reference:
-        """Return the block placement of the INSERT entity in a row."""
+        """Return the placement of a block by the INSERT in a row of the Scan."""
         line, value = self.entity[row].tolist(), self.found.value[row].tolist()
 
         def given(column: int, silent: float) -> float:
@@ -247,8 +265,8 @@ class FastReader:
         rows = np.flatnonzero(self.entity[:, f.BLOCK] < 0)
         reach = REACH / (scale or 1.0)
         alone = self._alone(rows, reach)
-        spot, block, given = self._inserts(rows, alone)
-        walk = BlockExpansion(
+        position, block, given = self._inserts(rows, alone)
+        expansion = BlockExpansion(
             self._all_blocks(),
             self._references(rows, alone, block),
             self.tables.styles,
@@ -258,27 +276,27 @@ class FastReader:
         refuse_beyond(int(shown.sum()), self.limits)
 
         children = np.zeros(len(rows), np.int64)
-        children[spot] = self._size[block]
+        children[position] = self._size[block]
         segments = shown.copy()
         low = self._low[block]
-        segments[spot] = self.first[low + self._size[block]] - self.first[low]
+        segments[position] = self.first[low + self._size[block]] - self.first[low]
         # First report row of each expanded entity.
-        walked = np.flatnonzero(alone)
-        begin = np.zeros(len(walked), np.int64)
-        for number, one in enumerate(walked.tolist()):
-            begin[number] = len(walk.sheet.handle)
-            walk.sheet_entity(self._entry(int(rows[one])))
-        children[walked] = np.diff(begin, append=len(walk.sheet.handle)) - 1
+        expanded = np.flatnonzero(alone)
+        begin = np.zeros(len(expanded), np.int64)
+        for number, one in enumerate(expanded.tolist()):
+            begin[number] = len(expansion.sheet.handle)
+            expansion.sheet_entity(self._entry(int(rows[one])))
+        children[expanded] = np.diff(begin, append=len(expansion.sheet.handle)) - 1
         refuse_beyond(int(segments.sum()), self.limits)
 
         report_row = np.cumsum(children + 1) - children - 1
         before = np.cumsum(segments) - segments
-        there = np.arange(len(walk.sheet.handle)) + np.repeat(
-            report_row[walked] - begin, children[walked] + 1
+        there = np.arange(len(expansion.sheet.handle)) + np.repeat(
+            report_row[expanded] - begin, children[expanded] + 1
         )
         move = np.empty((len(given), 2, 3))
         inserts(given, self.found.base[block], move)
-        placed = Inserts(spot, block, *self._variants(rows[spot], block), move)
+        placed = Inserts(position, block, *self._variants(rows[position], block), move)
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
         sheet = SheetRows(rows, report_row, before, shown)
@@ -290,18 +308,22 @@ class FastReader:
         farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
         if not 3.0 * float(farthest) <= reach:
             raise Unsupported
-        if len(walked):
-            done = self._with_walked(done, walk, before[walked], begin, there, scale)
-        self._name_idle_blocks(walk.sheet, {*walk.used, *map(self._key, np.unique(block).tolist())})
+        if len(expanded):
+            done = self._with_expanded(done, expansion, before[expanded], begin, there, scale)
+        self._report_unused_blocks(
+            expansion.sheet, {*expansion.used, *map(self._key, np.unique(block).tolist())}
+        )
         last = len(rows) + int(children.sum())
-        idle_ = np.arange(last, last + len(walk.sheet.handle) - len(there))
-        order = Order(rows, report_row, shown > 0, np.concatenate([there, idle_]))
+        unused_rows = np.arange(last, last + len(expansion.sheet.handle) - len(there))
+        order = Order(rows, report_row, shown > 0, np.concatenate([there, unused_rows]))
         done, known = styled(done, list(self._numbers))
-        return FastReading(report_rows(self.tables, order, placed, walk.sheet), done, known, words)
+        return FastReading(
+            report_rows(self.tables, order, placed, expansion.sheet), done, known, words
+        )
 
     def _alone(self, rows: I64, reach: float) -> Bool:
-        """Return the mask of the entities to expand one by one: odd or beyond ``reach``."""
-        alone: Bool = (self.entity[:, f.ODD] != 0) & ~self._is_word[self.entity[:, f.WORD]]
+        """Return the mask of entities to expand one by one: unsupported, or beyond ``reach``."""
+        alone: Bool = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[self.entity[:, f.WORD]]
         alone &= self.entity[:, f.PAPER] == 0
         alone |= distant(self.ends, self.first, reach / 3.0)
         return alone[rows]
@@ -313,7 +335,7 @@ class FastReader:
 
         Returns
         -------
-        spot : (k,)
+        position : (k,)
             Index of each INSERT into ``rows``.
         block : (k,)
             Row of the block of each INSERT.
@@ -321,8 +343,8 @@ class FastReader:
             x, y, scale in x and in y, rotation in degrees of each INSERT.
         """
         inserts = (self.entity[:, f.KIND] == f.INSERT) & (self.entity[:, f.PAPER] == 0)
-        spot = np.flatnonzero(inserts[rows])
-        at = rows[spot]
+        position = np.flatnonzero(inserts[rows])
+        at = rows[position]
         mirror, wide, high, reference = (
             self.entity[at, column] for column in (f.MIRROR, f.COLUMNS, f.ROWS, f.REFERENCE)
         )
@@ -330,7 +352,7 @@ class FastReader:
         given = np.column_stack([self.found.value[at, column] for column in wanted])
         for column, silent in ((2, 1.0), (3, 1.0), (4, 0.0)):
             given[np.isnan(given[:, column]), column] = silent
-        # Row of the block of each name; whether each block is simple, and has no arcs.
+        # Row of the block with each name; whether each block is simple, and whether it has no arcs.
         known = [self.tables.blocks.get(name.lower(), -1) for name in self.tables.names]
         block = np.array([*known, -1], np.int64)[reference]
         simple = np.zeros(len(self.found.block) + 1, np.bool_)
@@ -339,18 +361,18 @@ class FastReader:
             simple[number], straight[number] = True, not arcs
         scale = given[:, 2:4]
         columnar = (
-            ~alone[spot]
+            ~alone[position]
             & simple[block]
             & (mirror == 0)
             & (np.maximum(wide, high) <= 1)
             & (scale != 0.0).all(axis=1)
             & (straight[block] | (np.abs(scale[:, 0]) == np.abs(scale[:, 1])))
         )
-        alone[spot[~columnar]] = True
-        return spot[columnar], block[columnar], given[columnar]
+        alone[position[~columnar]] = True
+        return position[columnar], block[columnar], given[columnar]
 
     def _references(self, rows: I64, alone: Bool, block: I64) -> list[tuple[str, int]]:
-        """Return the block that each INSERT in model space places, and its repetitions."""
+        """Return the blocks that INSERTs in model space place, in lower case, and how often."""
         numbers, times = np.unique(block, return_counts=True)
         found = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
         others = rows[alone]
@@ -384,7 +406,7 @@ class FastReader:
             sheet,
             EntitySegments(self.ends, self.bulge, self.first, styles),
             PlacedBlocks(
-                placed.spot,
+                placed.position,
                 np.column_stack([low, self.first[low], begin]),
                 self._size[placed.block],
                 placed.move,
@@ -394,22 +416,29 @@ class FastReader:
         )
         return done
 
-    def _with_walked(
-        self, done: Columns, walk: BlockExpansion, before: I64, begin: I64, there: I64, scale: float
+    def _with_expanded(
+        self,
+        done: Columns,
+        expansion: BlockExpansion,
+        before: I64,
+        begin: I64,
+        there: I64,
+        scale: float,
     ) -> Columns:
         """Return the columns with the segments of expanded entities inserted in file order.
 
         Parameters
         ----------
         before, begin
-            For each entity: number of segments before it, and its first row in ``there``.
+            For each expanded entity: number of segments in ``done`` before it, and index of its
+            first row in ``there``.
         there
-            Row in the import report of each expanded entity.
+            Row in the import report of each row of ``expansion``.
         """
-        more = columns(walk.sheet, walk.placed, scale, self.limits, done.ends)
+        more = columns(expansion.sheet, expansion.placed, scale, self.limits, done.ends)
         where = before[np.searchsorted(begin, more.row, side="right") - 1]
         styles = np.array(
-            [self._numbers.setdefault(one.style, len(self._numbers)) for one in walk.placed],
+            [self._numbers.setdefault(one.style, len(self._numbers)) for one in expansion.placed],
             np.int32,
         )
         return Columns(
@@ -438,17 +467,17 @@ class FastReader:
             self._variant(int(block[one]), self.tables.style(int(rows[one]))) for one in first
         ]
 
-    def _variant(self, block: int, around: Style) -> Variant:
+    def _variant(self, block: int, insert_style: Style) -> Variant:
         low, size = self.tables.span.get(block, (0, 0))
         layers: list[str] = []
         given: dict[int, tuple[Message | None, tuple[Message, ...]]] = {}
         styles = np.zeros(size, np.int32)
         for number, row in enumerate(range(low, low + size)):
-            if why := left_out(self.tables, row):
+            if why := drop_reason(self.tables, row):
                 given[number] = why, ()
                 layers.append(self.tables.layer(row))
                 continue
-            style = self.tables.style(row, around)
+            style = self.tables.style(row, insert_style)
             styles[number] = self._numbers.setdefault(style, len(self._numbers))
             layers.append(style.layer)
             if notes := self.tables.styles.notes(style.layer):
@@ -460,7 +489,7 @@ class FastReader:
     def _key(self, block: int) -> str:
         return self.tables.block_name(block).lower()
 
-    def _name_idle_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
+    def _report_unused_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
         """Add rows to the import report for blocks that no INSERT places."""
         for key, number in self.tables.blocks.items():
             if key in used or number not in self.tables.span:
@@ -470,7 +499,12 @@ class FastReader:
             name = self.tables.block_name(number)
             layer = self.tables.names[line[f.BLOCK_LAYER]] if line[f.BLOCK_LAYER] >= 0 else "0"
             handle = self.found.data[low : low + size].decode("ascii", "replace").strip().upper()
-            sheet.row(handle or name, "BLOCK", layer, idle(name, self.tables.span[number][1]))
+            sheet.row(
+                handle or name,
+                "BLOCK",
+                layer,
+                unused_block_reason(name, self.tables.span[number][1]),
+            )
 
 
 def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:

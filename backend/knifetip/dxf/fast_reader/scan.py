@@ -3,7 +3,7 @@
 Supported are lines, arcs, circles, polylines and INSERTs in the XY plane, with each tag once and in
 its usual position; nothing is repaired or guessed.  For a file with an unsupported structure
 ``scan`` returns None, and ``dxf.read`` uses the ezdxf reader.  Unsupported entities in a supported
-file are marked in the column ``ODD`` and read with ezdxf one by one (``ezdxf_entity``).
+file are marked in the column ``UNSUPPORTED`` and read with ezdxf one by one (``ezdxf_entity``).
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.parallel import core_count, parallel_map
 from knifetip.kernels import I32_1, OutF64_2F, OutI32_2F, kernel
 
-#: Most numbers that are left to ``float``.
+#: Largest number of decimals that are left to ``float``.
 _MOST_LEFT: Final = 100_000
 #: Least average size of an entity or a vertex (bytes).
 _SHORTEST: Final = 16
 #: Size of the sample for the average size of entities (bytes).
 _SAMPLE: Final = 1 << 16
-#: Least size of a run (bytes).
-_RUN: Final = 1 << 21
-#: Beginnings of entities, with their group code, which no value can be mistaken for.
+#: Least size of a part (bytes).
+_PART: Final = 1 << 21
+#: Start of an entity with its group code; no value of a tag has this form.
 _ENTITY: Final = re.compile(rb"(?<=\n) *0\r?\n(?:LINE|ARC|CIRCLE|LWPOLYLINE|POLYLINE|INSERT)\r?\n")
-#: The group code of the layer, which every entity has.
+#: Group code of the layer; every entity has one.
 _LAYER: Final = re.compile(rb"\n *8\r?\n")
 
 
@@ -45,16 +45,16 @@ class Scan:
     """The entities, blocks, layers and names of a DXF file, in file order."""
 
     data: bytes
-    entity: I32  #: (e, 21) columns ``KIND`` … ``ODD``, each contiguous
+    entity: I32  #: (e, 21) columns ``KIND`` … ``UNSUPPORTED``, each contiguous
     value: F64  #: (e, 11) columns ``X`` … ``SPACE_Y``, file units and degrees; NaN if not given
     vertex: F64  #: (v, 3) x, y, bulge
     block: I32  #: (b, 5)
     base: F64  #: (b, 2) base points
     layer: I32  #: (l, 6)
-    others: I64  #: handles of other objects, by value
+    others: I64  #: values of the handles of objects that are not entities
     names: tuple[bytes, ...]  #: names by index
     header: tuple[int, int]  #: span of section HEADER, (0, 0) without one
-    markers: bool  #: entities have subclass markers
+    markers: bool  #: whether an entity has subclass markers
 
 
 def scan(data: bytes) -> Scan | None:
@@ -69,27 +69,27 @@ def scan(data: bytes) -> Scan | None:
     """
     most = len(data) // _SHORTEST + 64
     expected = min(most, _expected(data))
-    if cuts := _cuts(data):
-        whole = _whole(data, _passed(data, [0, *cuts, len(data)], expected))
+    if cuts := _split_positions(data):
+        whole = _merge_parts(data, _scan_parts(data, [0, *cuts, len(data)], expected))
         if whole is not None:
             return whole
-    # One run, and a second one if there are more entities than estimated.
-    found = _passed(data, [0, len(data)], expected)
-    if not found.plain and found.state[0, s.ENTITIES] == expected < most:
-        found = _passed(data, [0, len(data)], most)
-    return _whole(data, found)
+    # Scan the file as one part, and again if it has more entities than estimated.
+    found = _scan_parts(data, [0, len(data)], expected)
+    if not found.supported and found.state[0, s.ENTITIES] == expected < most:
+        found = _scan_parts(data, [0, len(data)], most)
+    return _merge_parts(data, found)
 
 
 def _expected(data: bytes) -> int:
-    """Return an estimated upper bound of the number of entities, from a sample of the file."""
+    """Return an estimate, rarely too low, of the number of entities, from a sample of the file."""
     sample = data[len(data) // 2 :][:_SAMPLE]
     found = len(_LAYER.findall(sample)) + 8
     return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
 
 
-def _cuts(data: bytes) -> list[int]:
+def _split_positions(data: bytes) -> list[int]:
     """Return the positions at which a large file is split, each at the start of an entity."""
-    cores = min(core_count(), len(data) // _RUN)
+    cores = min(core_count(), len(data) // _PART)
     first = data.find(b"ENTITIES")
     if cores < 2 or first < 0:
         return []
@@ -99,11 +99,11 @@ def _cuts(data: bytes) -> list[int]:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class _Passed:
+class _PartScans:
     """Results of scanning k parts of a file, in shared arrays."""
 
-    plain: bool  #: all of them are
-    state: I64  #: (k, STATES) at the end of each
+    supported: bool  #: whether all parts are supported
+    state: I64  #: (k, STATES) state at the end of each part
     entity: I32
     value: F64
     vertex: F64
@@ -111,18 +111,18 @@ class _Passed:
     block: I32
     base: F64
     layer: I32
-    spans: list[I64]  #: of each run the names that it has found
+    spans: list[I64]  #: spans of the names in each part
     left: list[I64]
-    first: list[tuple[int, int, int]]  #: where the entities, vertices and others of each begin
+    first: list[tuple[int, int, int]]  #: first rows of each part in entity, vertex and others
 
 
-def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
+def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     """Scan the parts of a file between ``bounds``, for at most ``entities`` entities."""
-    runs = list(pairwise(bounds))
-    rows = [entities * (end - begin) // max(len(data), 1) for begin, end in runs]
-    points = [(end - begin) // _SHORTEST + 64 for begin, end in runs]
+    parts = list(pairwise(bounds))
+    rows = [entities * (end - begin) // max(len(data), 1) for begin, end in parts]
+    points = [(end - begin) // _SHORTEST + 64 for begin, end in parts]
     row, point = np.cumsum([0, *rows]).tolist(), np.cumsum([0, *points]).tolist()
-    state = np.zeros((len(runs), s.STATES), np.int64)
+    state = np.zeros((len(parts), s.STATES), np.int64)
     state[:, [s.SECTION, s.INSIDE, s.ROW, s.CHAIN, s.TABLE]] = -1
     state[1:, s.SECTION] = w.ENTITIES
     state[1:, s.SECTIONS] = 1 << w.ENTITIES
@@ -130,21 +130,21 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
     state[:, s.ENTITIES], state[:, s.MOST_ENTITIES] = row[:-1], row[1:]
     for begin, end in ((s.VERTICES, s.MOST_VERTICES), (s.OTHERS, s.MOST_OTHERS)):
         state[:, begin], state[:, end] = point[:-1], point[1:]
-    # Untouched pages cost no memory; columns are contiguous because they are read whole.
-    # Two rows at least: with one, or none, an array has its rows contiguous as well for numba.
-    room = max(row[-1], 2)
-    entity = np.empty((room, f.WIDTH), np.int32, order="F")
-    value = np.empty((room, f.VALUES), order="F")
+    # Unused rows cost no memory.  Columns are contiguous because a column is read as a whole.
+    # At least two rows: arrays of one row or none are C-contiguous too, another type for numba.
+    capacity = max(row[-1], 2)
+    entity = np.empty((capacity, f.WIDTH), np.int32, order="F")
+    value = np.empty((capacity, f.VALUES), order="F")
     vertex, others = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
     block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
     layer = np.empty((MOST_NAMES, 6), np.int32)
-    spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in runs]
-    left = [np.empty((_MOST_LEFT, 5), np.int64) for _ in runs]
+    spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in parts]
+    left = [np.empty((_MOST_LEFT, 5), np.int64) for _ in parts]
     text = np.frombuffer(data, np.uint8)
 
-    def passed(run: int) -> bool:
-        # Only the first run has blocks and layers.
-        size = None if run == 0 else 0
+    def scan_part(part: int) -> bool:
+        # Only the first part has blocks and layers.
+        size = None if part == 0 else 0
         slots = np.full(1 << 16, -1, np.int32)
         tables = ScanTables(
             entity,
@@ -153,30 +153,30 @@ def _passed(data: bytes, bounds: list[int], entities: int) -> _Passed:
             block[:size],
             base[:size],
             layer[:size],
-            spans[run],
+            spans[part],
             slots,
-            left[run],
+            left[part],
             others,
         )
-        return bool(scan_tags(text, *runs[run], tables, state[run]))
+        return bool(scan_tags(text, *parts[part], tables, state[part]))
 
-    plain = all(parallel_map(passed, range(len(runs))))
+    supported = all(parallel_map(scan_part, range(len(parts))))
     tables = (value, vertex, base)
-    plain = plain and all(
+    supported = supported and all(
         _finish(data, tables, some[: end[s.UNSURES]]) for some, end in zip(left, state, strict=True)
     )
     spans = [some[: end[s.NAMES]] for some, end in zip(spans, state, strict=True)]
-    first = list(zip(row, point, point, strict=False))[: len(runs)]
-    return _Passed(
-        plain, state, entity, value, vertex, others, block, base, layer, spans, left, first
+    first = list(zip(row, point, point, strict=False))[: len(parts)]
+    return _PartScans(
+        supported, state, entity, value, vertex, others, block, base, layer, spans, left, first
     )
 
 
-def _whole(data: bytes, found: _Passed) -> Scan | None:
+def _merge_parts(data: bytes, found: _PartScans) -> Scan | None:
     """Merge the results of all parts of a file; None if a part is not supported."""
     sections = found.state[:, s.SECTIONS].copy()
     sections[1:] &= ~(1 << w.ENTITIES)
-    if not found.plain or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
+    if not found.supported or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
         return None
     number_of: dict[bytes, int] = {}
     rows = points = handles = 0
@@ -187,7 +187,7 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
         numbers = [number_of.setdefault(name, len(number_of)) for name in names]
         more = int(state[s.ENTITIES]) - row
         if row:
-            # After the results of the runs before.
+            # Move the rows of this part behind the rows of the parts before.
             known = np.array([*numbers, -1], np.int32)
             _move_up(found.entity, found.value, row, rows, more, known, point - points)
         corners, named = int(state[s.VERTICES]) - point, int(state[s.OTHERS]) - other
@@ -215,7 +215,10 @@ def _whole(data: bytes, found: _Passed) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Move the rows of a part behind those of earlier parts, with names and vertices renumbered."""
+    """Move the rows of a part of the file up to directly behind the rows of the parts before it.
+
+    Writes into ``entity`` and ``value``, and renumbers names and vertices.
+    """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
         for i in range(count):

@@ -35,23 +35,26 @@ def context(state: I64_1) -> Any:
 
 
 @inline_kernel
-def mark_odd(entity: OutI32_2F, state: OutI64_1) -> None:
-    """Mark the open entity as unsupported, in the column ``ODD``."""
-    entity[state[s.ROW], f.ODD] = 1
+def mark_unsupported(entity: OutI32_2F, state: OutI64_1) -> None:
+    """Mark the open entity as unsupported, in the column ``UNSUPPORTED``."""
+    entity[state[s.ROW], f.UNSUPPORTED] = 1
     state[s.OPEN_KIND] = f.OTHER
     state[s.CONTEXT] = context(state)
 
 
 @inline_kernel
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Close the open entity, which ends before position ``start``; mark it as odd if incomplete."""
+    """Close the open entity, which ends before position ``start``.
+
+    The entity is marked as unsupported if it is incomplete.
+    """
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     if row < 0:
         return
     entity[row, f.END] = start
     if state[s.MODE] == s.IN_VERTEX:
         if kind != f.OTHER and ((seen & g.POINT) != g.POINT or (marks > 0 and marks != 3)):
-            mark_odd(entity, state)
+            mark_unsupported(entity, state)
         return
     entity[row, f.MARKS] = marks
     if kind in (f.OTHER, g.OF_WORDS):
@@ -59,7 +62,7 @@ def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
     if (seen & g.NEEDED[kind]) != g.NEEDED[kind] or (
         marks > 0 and marks != (3 if kind == f.ARC else 2)
     ):
-        mark_odd(entity, state)
+        mark_unsupported(entity, state)
 
 
 @inline_kernel
@@ -162,7 +165,7 @@ def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
     tables.entity[chain, f.COUNT] += 1
     state[s.ROW] = chain
     state[s.MODE] = s.IN_VERTEX
-    state[s.OPEN_KIND] = f.OTHER if tables.entity[chain, f.ODD] else f.POLYLINE
+    state[s.OPEN_KIND] = f.OTHER if tables.entity[chain, f.UNSUPPORTED] else f.POLYLINE
     return s.ON
 
 
@@ -198,7 +201,7 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
     entity[row, f.COLUMNS] = entity[row, f.ROWS] = 1
     entity[row, f.START] = start
     # Curves are read with ezdxf, one by one.
-    entity[row, f.ODD] = 1 if word in (w.ELLIPSE, w.SPLINE) else 0
+    entity[row, f.UNSUPPORTED] = 1 if word in (w.ELLIPSE, w.SPLINE) else 0
     for column in range(f.VALUES):
         if g.HAS[state[s.OPEN_KIND], column]:
             value[row, column] = np.nan

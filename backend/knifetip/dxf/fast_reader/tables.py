@@ -11,7 +11,7 @@ import numpy as np
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import BYLAYER, Layer, Styles, layer_of
-from knifetip.dxf.encoding import encoding_of, spelled
+from knifetip.dxf.encoding import encoding_of, unescape
 from knifetip.dxf.ezdxf_reader.prescan import header_of
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.handle_set import handles_of
@@ -19,8 +19,8 @@ from knifetip.dxf.fast_reader.scan import Scan
 
 #: Characters that DXF does not allow in names; ezdxf reads such files.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
-#: Records of the DXF reference that are no entities.  ezdxf refuses a file with one of them among
-#: its entities, but accepts unknown names there.
+#: Kinds of records that are not entities.  ezdxf refuses a file with such a record among its
+#: entities, but accepts unknown kinds there.
 NO_ENTITIES: Final = {
     "ACDBDICTIONARYWDFLT", "ACDBPLACEHOLDER", "APPID", "BLOCK", "BLOCK_RECORD", "CLASS",
     "DGNDEFINITION", "DICTIONARY", "DICTIONARYVAR", "DIMSTYLE", "DWFDEFINITION", "ENDBLK",
@@ -36,7 +36,7 @@ _VERSIONS: Final = (
 
 
 class Unsupported(Exception):
-    """Raised when the fast reader cannot read the file; ``read`` falls back to ezdxf."""
+    """Raised if the fast reader does not support a file; ``dxf.read`` then reads it with ezdxf."""
 
 
 class Tables:
@@ -65,7 +65,7 @@ class Tables:
         if handles is None:
             raise Unsupported
         self.handles = handles
-        # First row and number of rows of each block; -1 is the sheet.
+        # First row and number of rows of each block; -1 is model space.
         blocks, first, size = np.unique(
             found.entity[:, f.BLOCK], return_index=True, return_counts=True
         )
@@ -84,8 +84,11 @@ class Tables:
         """Return the name of a block, as written."""
         return self.names[int(self.found.block[block, f.NAME])]
 
-    def style(self, row: int, around: Style | None = None) -> Style:
-        """Return the style of an entity; ``around`` is the style of its INSERT."""
+    def style(self, row: int, insert_style: Style | None = None) -> Style:
+        """Return the style of an entity.
+
+        ``insert_style`` is the style of the INSERT that places the entity, None in model space.
+        """
         line = self.found.entity[row].tolist()
         true, linetype = line[f.TRUE_COLOUR], line[f.LINETYPE]
         return self.styles.style(
@@ -93,7 +96,7 @@ class Tables:
             line[f.COLOUR],
             true if true >= 0 else None,
             self.names[linetype] if linetype >= 0 else BYLAYER,
-            around,
+            insert_style,
         )
 
     def _words(self) -> dict[int, str]:
@@ -118,7 +121,7 @@ class Tables:
         ):
             for number in np.flatnonzero(np.bincount(column + 1)[1:]).tolist():
                 name = self.names[number]
-                if not name or not _NOT_IN_NAMES.isdisjoint(name) or spelled(name) != name:
+                if not name or not _NOT_IN_NAMES.isdisjoint(name) or unescape(name) != name:
                     raise Unsupported
 
     def _layers(self) -> dict[str, Layer]:

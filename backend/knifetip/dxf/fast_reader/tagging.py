@@ -2,8 +2,8 @@
 
 A tag is a line with a group code and a line with a value.  The tags fill arrays of entities,
 values, vertices, blocks and layers; ``state`` holds the state of the scan.  A file with an
-unsupported structure is refused.  An unsupported entity is marked in the column ``ODD``, and the
-scan continues.
+unsupported structure is refused.  An unsupported entity is marked in the column ``UNSUPPORTED``,
+and the scan continues.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _of_layer(
             whole &= 0xFFFFFF
         layer[row, column] = whole
     elif code in (8, 60, 67):
-        # These belong to entities.
+        # Only entities have these group codes.
         return s.REFUSED
     return s.ON
 
@@ -130,7 +130,7 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
             and entity[state[s.ROW], f.KIND] == f.INSERT
             and is_word(data, low, high, w.XDICTIONARY)
         ):
-            # It may be followed by a clipping boundary.
+            # The dictionary may contain a clipping boundary.
             return s.REFUSED
         state[s.GROUP] = 1 if opens else 0
     elif code >= 1000:
@@ -218,7 +218,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
     last = -1
     while at < size:
         if at >= stop:
-            # A run must end between two tags.
+            # A part of a file must end between two tags.
             here: Any = np.int64(at)
             return bool(at == stop and pause(here, last, entity, state))
         # The line of the group code.
