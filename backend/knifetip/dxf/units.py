@@ -12,10 +12,10 @@ from knifetip.drawing_builder.assemble import KnownUnit
 from knifetip.messages import Message
 from knifetip.model.unit import UnitHint, factor
 
-#: $INSUNITS of the units that are read.
+#: Names of the supported units, by value of $INSUNITS.
 _CODES: Final = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 
-#: Values of $INSUNITS for units that are not supported.
+#: Names of the unsupported units, by value of $INSUNITS.
 _OTHERS: Final = {
     3: "mi",
     7: "km",
@@ -39,7 +39,7 @@ _OTHERS: Final = {
 }
 
 
-#: Values of $LUNITS for lengths in feet and inches.
+#: Messages for formats of lengths in inches, by value of $LUNITS.
 _INCHES: Final = {"3": "unit.header-decimal-inches", "4": "unit.header-fractions"}
 
 #: Factors by which programs multiply dimensions for display.

@@ -43,7 +43,7 @@ class _Records(NamedTuple):
 
     lines: list[bytes]
     codes: list[int]  #: group code of each tag (two lines)
-    spans: list[tuple[int, int]]  #: first and last tag of each record, which starts at group code 0
+    spans: list[tuple[int, int]]  #: first tag of each record, and the tag after its last
 
     def name(self, tag: int) -> bytes:
         return self.lines[2 * tag + 1].strip()
@@ -52,19 +52,21 @@ class _Records(NamedTuple):
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
     def joined(self, made: list[bytes]) -> bytes:
-        """Return the lines of the file, with the new lines in ``made`` for each record."""
+        """Return the content of the file, with all records replaced by the lines ``made``."""
         first = self.lines[: 2 * self.spans[0][0]]
         return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
-    """Return the lines of a DXF file with subclass markers added where they are missing.
+    """Return a DXF file with subclass markers added to LWPOLYLINE and SPLINE entities.
+
+    All tags of such an entity are written before the markers, and the tags of its kind again after
+    the markers.  A file that cannot be split into records is returned unchanged.
 
     Parameters
     ----------
     every
-        Also change entities that have markers: the tags that follow the markers are repeated
-        before the markers.
+        Whether entities that have markers are rewritten too; otherwise they are unchanged.
     """
     records = _records(data)
     if records is None:
@@ -84,9 +86,9 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
 
 
 def lines_only(data: bytes) -> bytes:
-    """Return the lines of a DXF without entities that have no geometry to cut.
+    """Return a DXF file without entities that have no geometry to cut.
 
-    The prescan has counted them, and the import report contains the reason for each.
+    The prescan has counted these entities, and the import report contains the reason for each.
     """
     records = _records(data)
     if records is None:
@@ -126,7 +128,11 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _split_tags(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
-    """Return the common tags of an entity, the tags of its kind, and its extension data."""
+    """Return all tags of an entity, those tags that only its kind has, and its extension data.
+
+    The tags are indices into ``records.codes``, from ``tag`` to ``after``.  Subclass markers and
+    extension data are not in the first list.
+    """
     codes = records.codes
     end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)
     head = [n for n in range(tag, end) if codes[n] != 100]

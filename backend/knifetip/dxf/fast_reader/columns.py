@@ -156,37 +156,37 @@ class SheetRows(NamedTuple):
     """The k entities of model space in file order."""
 
     entity: I64_1  #: (k,) row of each entity
-    report_row: I64_1  #: (k,) row of each in the import report
-    first: I64_1  #: (k,) number of segments written before each
-    segments: I64_1  #: (k,) number of segments that each draws itself, 0 for INSERTs
+    report_row: I64_1  #: (k,) row of each entity in the import report
+    first: I64_1  #: (k,) number of segments before the segments of each entity
+    segments: I64_1  #: (k,) number of segments of each entity, 0 for INSERTs
 
 
 class EntitySegments(NamedTuple):
     """The segments of e entities, in coordinates of model space or of the entity's block."""
 
-    ends: F64_3  #: (n, 2, 2)
+    ends: F64_3  #: (n, 2, 2) ends of the segments
     bulge: F64_1  #: (n,)
     first: I64_1  #: (e + 1,) first segment of each entity
-    style: I32_1  #: (e,) number of the style of each entity on the sheet
+    style: I32_1  #: (e,) style index of each entity in model space
 
 
 class PlacedBlocks(NamedTuple):
     """The j INSERTs in model space whose blocks are processed in columns."""
 
-    row: I64_1  #: (j,) place of each among the entities of the sheet
+    row: I64_1  #: (j,) index of each INSERT among the entities of model space
     source: I64_2  #: (j, 3) first entity of the block, its first segment, and its first style
     entities: I64_1  #: (j,) number of entities in the block
-    move: F64_3  #: (j, 2, 3) linear map and shift
-    style: I32_1  #: style numbers of the segments of blocks
+    move: F64_3  #: (j, 2, 3) linear map and translation
+    style: I32_1  #: style indices of the segments of blocks
 
 
 class SheetSegments(NamedTuple):
     """Output arrays for the m segments of the drawing."""
 
-    ends: OutF64_3  #: (m, 2, 2)
+    ends: OutF64_3  #: (m, 2, 2) file units
     bulge: OutF64_1  #: (m,)
     row: OutI32_1  #: (m,) row in the import report
-    style: OutI32_1  #: (m,) number of the style
+    style: OutI32_1  #: (m,) style index
 
 
 @kernel
@@ -196,7 +196,7 @@ def place(
     """Write all segments in file order into ``out``, with the segments of blocks transformed."""
     rows, report_row, first_out, shown = sheet
     ends, bulge, first, style_of = drawn
-    spots, source, children, move, styles = inserts
+    position, source, children, move, styles = inserts
     out_ends, out_bulge, out_row, out_style = out
     for number in range(len(rows)):
         row = rows[number]
@@ -209,8 +209,8 @@ def place(
             out_row[at] = report_row[number]
             out_style[at] = style_of[row]
             at += 1
-    for number in range(len(spots)):
-        at = first_out[spots[number]]
+    for number in range(len(position)):
+        at = first_out[position[number]]
         low, start, style = source[number]
         m = move[number]
         turn = np.sign(m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0])
@@ -221,6 +221,6 @@ def place(
                     out_ends[at, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]
                     out_ends[at, end, 1] = m[1, 0] * x + m[1, 1] * y + m[1, 2]
                 out_bulge[at] = turn * bulge[i]
-                out_row[at] = report_row[spots[number]] + 1 + child
+                out_row[at] = report_row[position[number]] + 1 + child
                 out_style[at] = styles[style + i - start]
                 at += 1

@@ -12,10 +12,10 @@ from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import state as s
 from knifetip.kernels import U8_1, OutI32_1, OutI64_1, OutI64_2, inline_kernel
 
-#: Most names in a file, and size of the hash table.
+#: Largest number of names in a file, and size of the hash table of names.
 MOST_NAMES: Final = 20_000
 _SLOTS: Final = 1 << 16
-#: Most probes: a longer run of collisions is an attack.
+#: Largest number of probes; a file with more collisions is an attack.
 _MOST_STEPS: Final = 64
 #: Returned by ``whole_at`` for a value that is no integer.
 NONE: Final = -(1 << 62)

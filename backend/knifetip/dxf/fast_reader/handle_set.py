@@ -16,11 +16,12 @@ from knifetip.geometry.columns import I32, I64
 from knifetip.kernels import I32_1, I64_1, U8_1, OutI64_1, OutU8_1, inline_kernel, kernel
 from knifetip.model.words import Spelled
 
-#: Most digits of a handle.
+#: Largest number of digits of a handle.
 _DIGITS: Final = 15
-#: Handles are numbered consecutively: a bitmap is used up to this many numbers per handle.
+#: Handles are mostly consecutive numbers.  A table of all numbers is used up to this many numbers
+#: per handle, and sorting beyond it.
 _DENSE: Final = 4
-#: A number sign, and as many digits as the number of an entity may have.
+#: Length of the handle ``#17`` of an entity without a handle: a number sign and up to 11 digits.
 _NUMBER: Final = 12
 
 
@@ -44,12 +45,12 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
     if not _spell(np.frombuffer(data, np.uint8), start, size, block, count, text, end, number):
         return None
     number = np.concatenate([number[number > 0], others])
-    if _twice(number):
+    if _has_duplicate(number):
         return None
     return Spelled(text[: end[-1] if len(end) else 0].tobytes(), end)
 
 
-def _twice(number: I64) -> bool:
+def _has_duplicate(number: I64) -> bool:
     """Return whether any positive number occurs twice."""
     if number.max(initial=0) <= _DENSE * len(number):
         return bool(np.bincount(number).max(initial=0) > 1)
