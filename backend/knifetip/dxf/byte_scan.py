@@ -12,9 +12,10 @@ import numpy as np
 from knifetip.geometry.columns import I64
 from knifetip.kernels import U8_1, U64, inline_kernel
 
-#: A place without a sign takes no time to count from the end; 1 keeps it so.
+#: Positions are unsigned, because numba then does not check for negative indices; a sum with this
+#: constant remains unsigned.
 ONE: Final = np.uint64(1)
-#: Returned by ``code_at`` where there is no group code.
+#: Returned by ``code_at`` if the line is not a group code.
 NO_CODE: Final = -1
 _THREE: Final = np.uint64(3)
 _EIGHT: Final = np.uint64(8)

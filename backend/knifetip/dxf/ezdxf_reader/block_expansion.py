@@ -175,7 +175,15 @@ class BlockExpansion:
         self._recursive = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Count the entities after expansion; return the blocks that contain themselves."""
+        """Count the entities after expansion; return the names of the blocks that contain themselves.
+
+        ``references`` are the blocks that INSERTs in model space place, with a number of times each.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The depth of INSERTs or the number of entities exceeds a limit.
+        """
         inside = {name: block.inside for name, block in self._blocks.items()}
         children = {
             name: {child for child, _ in found if child in inside} for name, found in inside.items()

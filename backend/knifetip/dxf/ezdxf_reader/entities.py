@@ -54,7 +54,7 @@ class Drawn:
 
 
 class Undrawable(Exception):
-    """Raised for an entity without geometry to cut, with the reason for the import report."""
+    """Exception for an entity without geometry to cut; its message is the reason in the import report."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

@@ -33,7 +33,7 @@ _Pair = tuple[PrescannedEntity, str, DXFEntity | None]
 def expand(
     document: Document, prescan: Prescan, limits: Limits
 ) -> tuple[ReportWriter, list[Placed]]:
-    """Return the report rows and the placed shapes of a document.
+    """Return the rows of the import report and the placed shapes of a document.
 
     Raises
     ------

@@ -45,7 +45,15 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
 
 
 def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
-    """Raise if a file is not a DXF file, has too many entities, or is incomplete."""
+    """Raise an error if a file is not a DXF file, has too many entities, or is incomplete.
+
+    Raises
+    ------
+    NotADrawing
+        The file is not a DXF file, or is incomplete.
+    DrawingTooLarge
+        The file has too many entities.
+    """
     if not counted.sections:
         if counted.broken:
             line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()
