@@ -175,9 +175,9 @@ class BlockExpansion:
         self._recursive = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Count the entities after expansion; return the names of the blocks that contain themselves.
+        """Count the entities after expansion; return the names of blocks that contain themselves.
 
-        ``references`` are the blocks that INSERTs in model space place, with a number of times each.
+        ``references`` are the blocks that INSERTs in model space place, and how often.
 
         Raises
         ------

@@ -54,7 +54,7 @@ class Drawn:
 
 
 class Undrawable(Exception):
-    """Exception for an entity without geometry to cut; its message is the reason in the import report."""
+    """Raised for an entity without geometry to cut; ``message`` is the reason for the report."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

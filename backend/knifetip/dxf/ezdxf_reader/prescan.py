@@ -154,7 +154,7 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
 
 
 def _unpack_layouts(found: Prescan) -> None:
-    """Move the entities of the blocks *Model_Space and *Paper_Space to the entities of the prescan."""
+    """Move the entities in blocks *Model_Space and *Paper_Space to the entities of the prescan."""
     for name in [
         name for name in found.blocks if name.startswith(("*model_space", "*paper_space"))
     ]:
