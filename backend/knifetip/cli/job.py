@@ -188,10 +188,10 @@ def register(app: typer.Typer) -> None:
 
 
 _PLAIN_COMMANDS = {
-    "hold": "Pause a running job; the job is held when the machine has stopped.",
+    "hold": "Pause a running job until it is resumed.",
     "resume": "Continue a held job.",
     "finish": "Declare an interrupted job finished: all its sheets are complete.",
-    "requeue": "Queue an interrupted job again, from the first line of its program.",
+    "requeue": "Queue an interrupted job again, from its first program line.",
 }
 
 
