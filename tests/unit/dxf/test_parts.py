@@ -1,4 +1,4 @@
-"""A large file, passed over in runs by several cores: what one run finds, to the bit."""
+"""A large file is scanned in parts by several cores; the result equals that of one part."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ _WHOLE = dxf(
 )
 
 
-InRuns = Callable[[int], None]
+SetParts = Callable[[int], None]
 
 
 @pytest.fixture
-def in_runs(monkeypatch: pytest.MonkeyPatch) -> InRuns:
-    """Make runs of 300 bytes, on so many cores."""
+def set_parts(monkeypatch: pytest.MonkeyPatch) -> SetParts:
+    """Return a function that sets the number of cores, with parts of at least 300 bytes."""
 
     def cores(number: int) -> None:
         monkeypatch.setattr(scan, "_PART", 300)
@@ -66,14 +66,14 @@ def _drawing(data: bytes) -> Drawing | KnifetipError:
 
 
 @pytest.mark.parametrize("number", [2, 3, 7, 40])
-def test_several_runs_find_what_one_finds(in_runs: InRuns, number: int) -> None:
-    in_runs(1)
-    assert scan._cuts(_WHOLE) == []
+def test_several_parts_give_the_result_of_one(set_parts: SetParts, number: int) -> None:
+    set_parts(1)
+    assert scan._split_positions(_WHOLE) == []
     one, before = scan.scan(_WHOLE), _drawing(_WHOLE)
-    in_runs(number)
-    cuts = scan._cuts(_WHOLE)
+    set_parts(number)
+    cuts = scan._split_positions(_WHOLE)
     assert len(cuts) >= min(number - 1, 5)
-    assert scan._passed(_WHOLE, [0, *cuts, len(_WHOLE)], 5000).plain
+    assert scan._scan_parts(_WHOLE, [0, *cuts, len(_WHOLE)], 5000).supported
     many = scan.scan(_WHOLE)
     np.testing.assert_array_equal(one.vertex, many.vertex)
     np.testing.assert_array_equal(one.others, many.others)
@@ -88,14 +88,14 @@ def test_several_runs_find_what_one_finds(in_runs: InRuns, number: int) -> None:
     assert difference(before, _drawing(_WHOLE)) == ""
 
 
-def test_a_run_that_ends_in_another_section_is_none(in_runs: InRuns) -> None:
+def test_a_part_that_ends_in_another_section_is_not_supported(set_parts: SetParts) -> None:
     # Most of the file is blocks, or what comes after the sheet.
     lines = [line(0, 0, x, 1) for x in range(60)]
     long = dxf(insert("A"), blocks=(block("A", *lines),))
-    in_runs(1)
+    set_parts(1)
     before = _drawing(long)
-    in_runs(4)
-    assert not scan._passed(long, [0, *_before_lines(long), len(long)], 5000).plain
+    set_parts(4)
+    assert not scan._scan_parts(long, [0, *_before_lines(long), len(long)], 5000).supported
     assert difference(before, _drawing(long)) == ""
 
 
@@ -113,37 +113,39 @@ def _before_lines(data: bytes) -> list[int]:
         _CHAIN,
     ],
 )
-def test_what_is_left_open_where_a_run_ends_is_not_overlooked(in_runs: InRuns, broken: str) -> None:
+def test_structure_left_open_at_the_end_of_a_part_is_refused(
+    set_parts: SetParts, broken: str
+) -> None:
     data = dxf(*_SHEET, broken, *[line(x, 0, x, 9) for x in range(30)])
-    in_runs(1)
+    set_parts(1)
     before = _drawing(data)
     at = data.rindex(broken.encode()) + len(broken)
-    assert not scan._passed(data, [0, at, len(data)], 5000).plain
-    in_runs(9)
+    assert not scan._scan_parts(data, [0, at, len(data)], 5000).supported
+    set_parts(9)
     assert difference(before, _drawing(data)) == ""
 
 
-def test_a_second_sheet_behind_the_first_is_seen(in_runs: InRuns) -> None:
+def test_a_second_sheet_behind_the_first_is_seen(set_parts: SetParts) -> None:
     data = dxf(*[line(x, 0, x, 9) for x in range(60)])
     second = b"0\nSECTION\n2\nTABLES\n0\nENDSEC\n0\nEOF\n"
     data = data.replace(b"0\nEOF\n", second)
-    in_runs(1)
+    set_parts(1)
     before = _drawing(data)
-    in_runs(5)
+    set_parts(5)
     assert scan.scan(data) is None
     assert difference(before, _drawing(data)) == ""
 
 
-def test_generated_drawings_in_runs_and_in_one(in_runs: InRuns) -> None:
+def test_generated_drawings_in_parts_and_as_one(set_parts: SetParts) -> None:
     tally: Counter[bool] = Counter()
 
     @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
     @given(drawings(plain=True))
     def same(data: bytes) -> None:
-        in_runs(1)
+        set_parts(1)
         before = _drawing(data)
-        in_runs(6)
-        tally[bool(scan._cuts(data))] += 1
+        set_parts(6)
+        tally[bool(scan._split_positions(data))] += 1
         assert difference(before, _drawing(data)) == ""
 
     same()
