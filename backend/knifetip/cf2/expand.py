@@ -77,10 +77,10 @@ class ExpandedFile:
 class _Shape:
     """The segments of the lines and arcs of a CF2 section, in the coordinates of the section."""
 
-    ends: F64  #: (n, 2, 2)
-    bulge: F64  #: (n,)
-    row: I64  #: (n,) of the section
-    style: I64  #: (n,)
+    ends: F64  #: (n, 2, 2) start and end points of n segments
+    bulge: F64  #: (n,) bulge of each segment
+    row: I64  #: (n,) row of each segment in the section
+    style: I64  #: (n,) index of the style of each segment
     dropped: dict[int, Message]  #: row -> reason why the record is dropped
     notes: dict[int, list[Message]]  #: row -> notes in the import report
 
@@ -282,7 +282,7 @@ class _Expander:
             )
 
     def _shape_of(self, section: Section) -> _Shape:
-        """Return the lines and arcs of a section, its notes, and the reasons for bad records."""
+        """Return the lines, arcs and notes of a section, and the reasons for dropped records."""
         dropped: dict[int, Message] = {}
         notes: dict[int, list[Message]] = {}
         lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
@@ -474,7 +474,7 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
 def _fit_ellipses(
     shape: _Shape, arcs: I64, linear: F64, shift: F64, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Approximate arcs that a non-uniform scale makes elliptic by lines and arcs.
+    """Approximate the elliptic arcs, which result from a non-uniform scale, by lines and arcs.
 
     Parameters
     ----------
@@ -482,6 +482,8 @@ def _fit_ellipses(
         Indices of the elliptic arcs in ``shape``.
     linear, shift
         Matrix (2, 2) and translation (2,) from section coordinates to file units.
+    tolerance
+        Largest error of the approximation (file units).
 
     Returns
     -------

@@ -49,7 +49,7 @@ class TextRecord(NamedTuple):
 
 @dataclass(slots=True)
 class Section:
-    """The m records of MAIN or of one subroutine, in the order of the file."""
+    """The records of MAIN or of one subroutine, in the order of the file; m is their number."""
 
     name: str
     entity: list[int] = field(
@@ -60,9 +60,9 @@ class Section:
         default_factory=dict
     )  #: row -> reason why the record is dropped
     line_row: list[int] = field(default_factory=list)
-    line: list[list[str]] = field(default_factory=list)  #: fields of each L
+    line: list[list[str]] = field(default_factory=list)  #: fields of each L record
     arc_row: list[int] = field(default_factory=list)
-    arc: list[list[str]] = field(default_factory=list)  #: fields of each A
+    arc: list[list[str]] = field(default_factory=list)  #: fields of each A record
     calls: list[Call] = field(default_factory=list)
     texts: list[TextRecord] = field(default_factory=list)
 
@@ -87,14 +87,14 @@ class Section:
 
 @dataclass(slots=True)
 class Cf2File:
-    """The parsed content of a CF2."""
+    """The parsed content of a CF2: unit, scale and corners from its header, and its sections."""
 
     main: Section | None = None
     subs: dict[str, Section] = field(default_factory=dict)  #: by upper-case name
     unit: str = ""  #: "UM", "UI" or empty
     scale: tuple[float, float] = (1.0, 1.0)
-    low: tuple[float, float] | None = None  #: LL
-    high: tuple[float, float] | None = None  #: UR
+    low: tuple[float, float] | None = None  #: lower left corner (record LL)
+    high: tuple[float, float] | None = None  #: upper right corner (record UR)
     ended: bool = False  #: whether $EOF was found
     records: int = 0
 
@@ -125,7 +125,7 @@ class _Parser:
 
     def __init__(self, text: str, limits: Limits) -> None:
         self.source = Cf2File()
-        self.number = 0  # of the line
+        self.number = 0  # number of the current text line, from 1
         #: Sections that have not ended; None for records without a section.
         self.open: list[Message | None] = []
         self._limits = limits

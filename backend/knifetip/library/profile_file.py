@@ -22,8 +22,8 @@ from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
 MAX_RULES: Final = 500
-MAX_PATTERNS: Final = 500  #: of one condition
-MAX_PATTERN_LENGTH: Final = 255  #: the longest layer name in a DXF
+MAX_PATTERNS: Final = 500  #: largest number of patterns in one condition
+MAX_PATTERN_LENGTH: Final = 255  #: characters; the longest layer name in a DXF
 MAX_TITLE_LENGTH: Final = 200
 
 

@@ -22,11 +22,11 @@ from knifetip.pdf.tints import evaluate_tint
 
 
 class Paint(NamedTuple):
-    """The colour of a line or an area."""
+    """The colour of a line or an area of a PDF, with the name of its spot colour."""
 
     colour: int  #: 0xRRGGBB, or ``UNKNOWN_COLOUR``
     spot: str  #: name of the spot colour, empty for process colours
-    drawn: bool = True  #: whether it leaves a mark
+    drawn: bool = True  #: whether lines of this colour are visible
 
 
 class ColourSpace(NamedTuple):

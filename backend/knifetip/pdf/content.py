@@ -142,7 +142,7 @@ def _string_end(data: bytes, at: int) -> int:
 
 
 def _unescape(found: re.Match[bytes]) -> bytes:
-    """Return the bytes that an escape sequence in a string stands for."""
+    """Return the bytes that an escape sequence in a PDF string represents."""
     if found[1]:
         return bytes((int(found[1], 8) & 255,))
     if found[2] in (b"\n", b"\r", b"\r\n"):

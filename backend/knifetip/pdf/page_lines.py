@@ -30,7 +30,7 @@ class LayerMark(NamedTuple):
     """The layer of an object on the page, and the hidden layer that contains the object."""
 
     layer: str
-    hidden: str  #: name of the hidden layer that contains it, empty if it is visible
+    hidden: str  #: name of the hidden layer that contains the object, empty if visible
 
 
 class LineStyle(NamedTuple):
@@ -47,9 +47,9 @@ class PageLine(NamedTuple):
     row: int
     size: int  #: number of segments
     matrix: Matrix  #: from path coordinates to points on the displayed page
-    clip: Box  #: its visible area on the displayed page
+    clip: Box  #: visible area of the path on the displayed page
     style: LineStyle
-    area: bool  #: filled, without a stroke
+    area: bool  #: whether the path is filled without a stroke
 
 
 #: Lines that exceed the visible area by less than this get no note (points).
@@ -159,7 +159,7 @@ class PageLines:
         Returns
         -------
         keep : (p,)
-            Mask of the paths that are kept.
+            Mask of the paths that are kept, one per path.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()

@@ -73,7 +73,7 @@ class StreamContext(NamedTuple):
     """The properties that a content stream inherits from the streams that contain it."""
 
     path: str  #: names of the containing forms, each followed by a slash
-    inside: tuple[object, ...]  #: ids of these forms, which must not be copied
+    inside: tuple[object, ...]  #: ids of the containing forms, which must not be copied again
     mark: LayerMark
     resources: DictionaryObject
 

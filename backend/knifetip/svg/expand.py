@@ -92,7 +92,7 @@ class DrawnPaths:
 
     data: list[str] = field(default_factory=list)  #: path data
     matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
-    row: list[int] = field(default_factory=list)  #: of the import report
+    row: list[int] = field(default_factory=list)  #: row of the import report
     style: list[int] = field(default_factory=list)  #: index in ``styles``
     styles: list[Style] = field(default_factory=list)
     omitted: list[OmittedShape] = field(default_factory=list)
@@ -106,9 +106,9 @@ class _Context(NamedTuple):
     matrix: Matrix
     layer: layers.Layer
     path: str  #: handles of the containing ``use`` elements, each followed by a slash
-    inside: tuple[Node, ...]  #: containing elements with an id, which it must not copy
+    inside: tuple[Node, ...]  #: containing elements with an id; a ``use`` must not copy them
     uses: int  #: number of containing ``use`` elements
-    left_out: Message | None  #: why the content is not drawn, None if it is
+    left_out: Message | None  #: reason why the content is not drawn, None if it is drawn
     window: shapes.Window
 
 

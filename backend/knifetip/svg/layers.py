@@ -23,7 +23,7 @@ class Layer(NamedTuple):
 
 NO_LAYER: Final = Layer("", False)
 UNNAMED: Final = "0"
-#: Attributes that contain no name; elements with no others need no search.
+#: Attributes that contain no name; an element that has only these has no name.
 _GEOMETRY_ATTRIBUTES: Final = frozenset(
     {"d", "style", "stroke", "fill", "stroke-width", "stroke-dasharray", "transform", "points"}
     | {"x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height"}
@@ -71,7 +71,7 @@ def layer_of_element(node: Node, inherited: Layer) -> str:
     given = node.attributes
     if not given.keys() - _GEOMETRY_ATTRIBUTES:
         return UNNAMED
-    # crease1, crease2 … are all layer crease; classes keep their numbers.
+    # crease1, crease2 … all become the layer crease; names of classes keep their numbers.
     names = [
         _TRAILING_NUMBER.sub("", one) for one in (_label(node), original_name(given.get("id", "")))
     ]

@@ -22,7 +22,7 @@ from knifetip.svg.document import Node
 from knifetip.svg.lengths import parse_length
 from knifetip.svg.transform import parse_numbers
 
-#: For each physical unit: the unit of the drawing, the number of these in one, and their mm.
+#: For each physical unit: the unit of the drawing, its number in one physical unit, and its mm.
 _PHYSICAL: Final = {
     "mm": ("mm", 1.0, 1.0),
     "cm": ("cm", 1.0, 10.0),

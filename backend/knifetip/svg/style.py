@@ -29,7 +29,7 @@ class Appearance(NamedTuple):
     dashed: bool
     visible: bool  #: ``visibility``; a child may override it
     shown: bool  #: ``display``; a child cannot override it
-    font_size: float  #: (pixels)
+    font_size: float  #: pixels
 
 
 #: Initial values: a black area without an outline.
@@ -49,15 +49,15 @@ _PROPERTIES: Final[tuple[str, ...]] = (
 
 #: Property, value, and whether it is marked as important.
 Declaration: TypeAlias = tuple[str, str, bool]
-#: Selectors that depend on the element alone ...
+#: Selectors that depend on the element alone.
 _OWN: Final = (
     selectors.LocalNameSelector,
     selectors.IDSelector,
     selectors.ClassSelector,
     selectors.AttributeSelector,
 )
-#: ... and combinators that depend on its ancestors.  Others depend on its siblings; matching them
-#: takes time and memory that grow with the square of their number.
+#: Supported combinators, which depend on the ancestors of an element.  Other combinators depend on
+#: its siblings; time and memory to match them grow with the square of the number of siblings.
 _COMBINATORS: Final = (" ", ">")
 
 
@@ -68,7 +68,7 @@ class StyleSheet:
         self.unsupported: list[str] = []  #: selectors and at-rules that are not applied
         self.count = 0  #: number of selectors that are applied
         self.ids: set[str] = set()  #: ids that selectors name
-        #: Every selector depends on tag, id and classes of the element alone.
+        #: Whether every selector depends on tag, id and classes of the element alone.
         self.simple = True
         self._matcher = cssselect2.Matcher()
         for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):

@@ -73,7 +73,7 @@ class Lengths:
     straight: int  #: number of straight edges
     width: float  #: width of the bounding box
     height: float
-    #: possible precisions: of the coordinates as they are, and of their last decimal place
+    #: possible precisions: of the coordinates as floats, and of their last decimal place
     exact: tuple[float, ...]
 
     @property

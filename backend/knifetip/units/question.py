@@ -12,7 +12,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.question import Question
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitFinding
 
-#: Points and pixels are offered only if they are among this number of likeliest units.
+#: Points and pixels are offered if their rank among the likeliest units, from 0, is below this.
 _OFFERED: Final = 2
 #: Evidence with less weight is not shown.
 _LEAST_WEIGHT: Final = 1.0

@@ -36,7 +36,7 @@ def rescale(drawing: Drawing, unit: str) -> Drawing:
     )
     return replace(
         drawing,
-        # Dividing first keeps coordinates in mm exact on the way to file units and back.
+        # Dividing first keeps coordinates in mm exact if they are converted to file units and back.
         ends=drawing.ends / old * new,
         import_report=import_report,
         annotations=tuple(text.scaled(old, new) for text in drawing.annotations),

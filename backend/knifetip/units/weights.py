@@ -126,7 +126,7 @@ BARE: Final[Mapping[str, float]] = {"mm": 0.80, "cm": 0.06, "in": 0.135, "m": 0.
 IS_A_LENGTH: Final = 0.5
 #: Probability that the overwritten text of a dimension is still its length.
 OVERWRITTEN: Final = 0.9
-#: Largest count of numbers in the weight: they often depend on each other.
+#: If more numbers match, their weights are reduced, because they often depend on each other.
 NUMBERS: Final = 6
 
 #: A text such as "all dimensions in mm".
