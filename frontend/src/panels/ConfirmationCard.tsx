@@ -13,7 +13,7 @@ import css from "./panels.module.css";
 const CHECKS: Readonly<Record<string, string>> = {
   "waiting.for-start": "Waiting for the operator: the table must be clear and set up as listed.",
   "waiting.unconfirmed-run":
-    "The machine was started without the operator's confirmation. It must be set up as listed.",
+    "The job started without the operator's confirmation. Check that the table is set up as listed below, then confirm.",
 };
 
 function buttonOf(job: Job): string {

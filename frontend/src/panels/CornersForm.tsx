@@ -70,7 +70,7 @@ export function CornersForm() {
           fullWidth
           aria-labelledby={fit}
           data={[
-            { value: "trim", label: "Leave uncut" },
+            { value: "trim", label: "Skip these areas" },
             { value: "refuse", label: "Refuse the job" },
           ]}
           value={corners.interference}

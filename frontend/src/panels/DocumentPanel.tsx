@@ -47,7 +47,7 @@ export function DocumentPanel() {
         </dd>
         {drawing.unit !== null && (
           <>
-            <dt>Imperial size</dt>
+            <dt>Size in inches</dt>
             <dd data-testid="drawing-inches">{formatInches(drawing.width, drawing.height)}</dd>
           </>
         )}

@@ -148,7 +148,8 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
         const tool = toolpath.tool[row] ?? 0;
         const before = shown[at - 1];
         const named = before === undefined || toolpath.tool[before] !== tool;
-        const name = stations?.find(({ number }) => number === tool)?.name ?? `Station ${tool}`;
+        const name =
+          stations?.find(({ number }) => number === tool)?.name ?? `Tool station ${tool}`;
         const line = toolpath.line[row] ?? -1;
         return (
           <div key={row}>

@@ -24,8 +24,8 @@ export function PreparationBanner() {
         aria-label="First start of the server"
       />
       <div className={css.hint}>
-        This happens once after an installation. You can open drawings and prepare programs now;
-        each starts as soon as the parts that it needs are compiled.
+        This happens only once, after the installation. You can already work: a drawing or program
+        that needs an unfinished part waits until the part is ready.
       </div>
     </div>
   );

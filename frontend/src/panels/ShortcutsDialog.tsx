@@ -16,7 +16,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["Esc", "Clear selection"],
   ["Ctrl A", "Select all edges"],
   ["[  ]", "Show or hide the left, right panel"],
-  ["N  H  T  R", "Show or hide drawing, head path, tip path, air moves"],
+  ["N  H  T  R", "Show or hide drawing, head path, tool tip path, air moves"],
   ["S  P", "Show or hide tool width, plunges and lifts"],
   ["C", "Colour the drawing by line type, deviation or overcut"],
   ["?", "Show or hide this list"],

@@ -71,7 +71,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
         <span className={css.weight} aria-hidden>
           <span style={{ width: "60%" }} />
         </span>
-        The bar shows the strength of the evidence
+        A longer bar means stronger evidence that this is the unit
       </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);

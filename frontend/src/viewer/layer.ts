@@ -182,7 +182,8 @@ export class LineLayer {
 
   private uniform(name: string): { value: unknown } {
     const found = this.mesh.material.uniforms[name];
-    if (found === undefined) throw new Error(`The shader has no uniform ${name}.`);
+    if (found === undefined)
+      throw new Error(`The drawing cannot be displayed (shader without ${name}). Reload the page.`);
     return found;
   }
 }
