@@ -119,9 +119,9 @@ def _profile(name: str) -> LineRules:
 
 @cache
 def conventions() -> tuple[LineRules, ...]:
-    """Return the rules of each profile of the library that the default profile does not have.
+    """Return the rules of each profile of the library, without the rules of the default profile.
 
-    Classification tries them for styles that match no rule of the chosen profile.
+    Classification tries these rules for styles that match no rule of the chosen profile.
     """
     common = set(profile("default", files=False).rules)
     own = []
@@ -156,7 +156,7 @@ def _load_file(
     Raises
     ------
     LibraryError
-        ``files`` is False, or ``name`` is not the path of a TOML file.
+        ``files`` is False, or ``name`` is not the path of a readable TOML file.
     """
     if files and name.endswith(".toml"):
         return _parse_file(shelf, Path(name), name, parse)

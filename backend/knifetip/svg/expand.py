@@ -1,8 +1,8 @@
-"""expand: list all drawn elements of an SVG, with the copies that ``use`` elements make.
+"""expand: list all drawable elements of an SVG, with the copies that ``use`` elements make.
 
-Each element gets a row of the import report.  Each drawn element also gets its path data, matrix
-and style in ``DrawnPaths``.  Copies are counted before they are made: ten nested ``use`` elements
-can make a billion copies.
+Each shape, text or image, and each ``use`` element that copies nothing, gets a row of the import
+report.  Each drawn shape also gets its path data, matrix and style in ``DrawnPaths``.  Copies are
+counted before they are made: ten nested ``use`` elements can make a billion copies.
 """
 
 from __future__ import annotations
@@ -196,7 +196,7 @@ class _Expansion:
         return self._named.get(href[1:]) if href.startswith("#") else None
 
     def visit_all(self) -> None:
-        """Add all elements to the import report and the drawn ones to the paths, in file order."""
+        """Add all drawable elements to the import report, and the drawn shapes to the paths."""
         stack = [(self._root, self._start)]
         while stack:
             node, context = stack.pop()
@@ -211,9 +211,10 @@ class _Expansion:
                 stack.append(found)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
-        """Add an element to the import report; return the context of its children.
+        """Return the context of the children of a group; None for all other elements.
 
-        None is returned if no children of the element are drawn.
+        An element that is not a group is added to the import report, unless it is a ``use`` element
+        or an element that is never drawn.
         """
         if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
@@ -323,7 +324,7 @@ class _Expansion:
     def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
         """Return the element that a ``use`` element copies, and the context of the copy.
 
-        If there is no such element, the reason is added to the import report and None is returned.
+        None is returned if it cannot be copied; the reason is then added to the import report.
         """
         handle = self._handle(node)
         context = self._context_of(node, context)
