@@ -193,7 +193,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     state = page.get_by_test_id("job-state")
     expect(state).to_have_text("Waiting for new sheet", timeout=120_000)
     card = page.get_by_test_id("confirmation")
-    expect(card).to_contain_text("Copy 1 of 2 is done.")
+    expect(card).to_contain_text("Copy 1 of 2 is finished.")
     expect(page.get_by_test_id("resume")).to_be_hidden()
     page.screenshot(path=screenshots / "copies-1-sheet.png")
     expect(page.get_by_test_id("confirm")).to_have_text("New sheet loaded: start machine")
@@ -208,7 +208,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("program")).not_to_have_attribute("href", before)
     page.get_by_test_id("send").click()
-    expect(page.get_by_test_id("waiting")).to_contain_text("is taken by job")
+    expect(page.get_by_test_id("waiting")).to_contain_text("is occupied by job")
 
     # The first is cancelled: not before it has been asked.
     page.get_by_test_id("queue-row").filter(has_text="2 copies").first.click()

@@ -92,17 +92,18 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
             time.sleep(0.02)
         waiting = until(shop, job, "held")
         assert waiting["waiting_for"] == "sheet"
-        assert waiting["reason"] == f"Copy {copy} of 3 is done."
-        assert waiting["hint"] == (
-            "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm."
+        assert waiting["reason"] == f"Copy {copy} of 3 is finished."
+        assert (
+            waiting["hint"]
+            == "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm it."
         )
         # The older command and the confirmation do the same.
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
     done = until(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
-    assert "Copy 1 of 3 is done: put a new sheet on the table." in whys
-    assert "Copy 2 of 3 is done: put a new sheet on the table." in whys
+    assert "Copy 1 of 3 is finished. The next copy needs a new sheet." in whys
+    assert "Copy 2 of 3 is finished. The next copy needs a new sheet." in whys
 
 
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
@@ -125,11 +126,11 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
         time.sleep(0.02)
     assert found["state"] == "queued"
     assert found["reason"] == (
-        "Waiting for the operator at Demo table 1600 × 1200: table clear, board "
-        "'Corrugated, E-flute 1.6 mm', "
+        "The job waits until the operator of Demo table 1600 × 1200 "
+        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', "
         "tools: Oscillating knife (station 1)."
     )
-    assert found["hint"] == "Check the table, then confirm to start."
+    assert found["hint"] == "Check the table, then confirm the job to start it."
     assert found["tools"] == [{"station": 1, "name": "Oscillating knife", "kind": "knife"}]
     time.sleep(1.0)
     assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"
@@ -138,7 +139,11 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
     until(shop, second, "done")
     events = shop.get(f"/api/jobs/{second}/events").json()
     said = [(event["state"], event["who"], event["why"]) for event in events]
-    assert ("queued", "operator Kim", "Confirmed: table clear, board e-flute.") in said
+    assert (
+        "queued",
+        "operator Kim",
+        "The operator confirmed that the table is clear and that the board is e-flute.",
+    ) in said
 
 
 def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(

@@ -180,7 +180,7 @@ def test_lines_that_lie_on_hundreds_of_others_each_are_refused() -> None:
     data = each_a_little_longer_than_the_one_before()
     begun = time.process_time()
     with pytest.raises(
-        DrawingTooLarge, match="30,000 edges overlap each other in more than"
+        DrawingTooLarge, match="30,000 edges overlap each other at more than"
     ) as said:
         through(data)
     assert said.value.hint

@@ -72,7 +72,10 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
     with Running(database, speed=200.0) as client:
         found = until(client, job, "interrupted")
         assert found["line"] >= line > 0
-        assert f"Interrupted at line {found['line']} of {found['lines']}. " in found["reason"]
+        assert (
+            f"The job was interrupted at line {found['line']} of {found['lines']}. "
+            in found["reason"]
+        )
         assert "switched off" in found["reason"]
         # The table is not given to another before somebody has looked at it.
         other = ordered(client, drawing, release=True)["id"]

@@ -120,7 +120,10 @@ def test_a_kerf_on_the_wrong_side_is_refused(monkeypatch: pytest.MonkeyPatch) ->
 
 FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     "on along a rapid": (lambda text: text.replace("M5\nG0 X", "G0 X", 1), "during a rapid move"),
-    "on from the job before": (lambda text: text.replace("M5\nG0 Z", "G0 Z", 1), "may still be on"),
+    "on from the job before": (
+        lambda text: text.replace("M5\nG0 Z", "G0 Z", 1),
+        "may be on from an earlier program",
+    ),
     "on at the end": (
         lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while a tool oscillates"
     ),
@@ -135,7 +138,8 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     "shutter closed": (lambda text: text.replace("M64 P4\n", ""), ""),
     "out of focus": (lambda text: text.replace("Z0.4000", "Z1.4000"), "instead of"),
     "focus moves": (
-        lambda text: text.replace("G4 P0.2\nG1 ", "G4 P0.2\nG1 Z0.9000 ", 1), "its focus moves"
+        lambda text: text.replace("G4 P0.2\nG1 ", "G4 P0.2\nG1 Z0.9000 ", 1),
+        "while the head moves up or down",
     ),
     "too fast": (lambda text: text.replace("F9000", "F12000"), "a feed of 12000"),
     "too slow": (lambda text: text.replace("F9000", "F6000"), "a feed of 6000"),

@@ -4,11 +4,11 @@ import type { Catalogue } from "./catalogue";
 
 export const TEXTS = {
   "advice.compiling": {
-    "text": "Wait until it is ready.",
+    "text": "Wait until the job is compiled.",
     "hint": ""
   },
   "advice.ended": {
-    "text": "Order it again.",
+    "text": "Order the job again.",
     "hint": ""
   },
   "advice.interrupted": {
@@ -20,32 +20,32 @@ export const TEXTS = {
     "hint": ""
   },
   "advice.queued": {
-    "text": "Wait until its machine has taken it.",
+    "text": "Wait until the machine of the job has claimed it.",
     "hint": ""
   },
   "advice.ready": {
-    "text": "Release it first.",
+    "text": "Release the job first.",
     "hint": ""
   },
   "advice.running": {
-    "text": "Hold, resume or cancel it.",
+    "text": "Hold, resume or cancel the job.",
     "hint": ""
   },
   "bridges.no-room": {
-    "text": "The contour at edge {edge} is {length:.1f} mm long and has no room for {fewest:# bridge|# bridges} of {gap:.2f} mm that are at most {spacing:.1f} mm apart and away from corners and narrow slots.",
+    "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm. The distance between bridges may be at most {spacing:.1f} mm, and bridges must stay away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing, or cut this board without bridges."
   },
   "calibration.bad-points": {
-    "text": "The {count:# measured point|# measured points} cannot be used: at least one point is needed, and all values must be numbers.",
+    "text": "The {count:# measured point|# measured points} cannot be used. At least one point is needed, and all values must be finite numbers.",
     "hint": "Measure at least one point on a slanted part of the contour."
   },
   "calibration.choose-cutter": {
     "text": "{machine} has {count:# cutter|# cutters}, so the cutter to calibrate must be named.",
-    "hint": "Choose one: {cutters:, }."
+    "hint": "Choose one of {cutters:, }."
   },
   "calibration.missing-column": {
     "text": "Line {line} of {file} has no value for {columns}.",
-    "hint": "Write azimuth,dx,dy on the first line and degrees, mm, mm on the others, for example 45,-0.05,0.06."
+    "hint": "Write azimuth,dx,dy on the first line. Write degrees, mm and mm on all other lines, for example 45,-0.05,0.06."
   },
   "calibration.not-a-number": {
     "text": "Line {line} of {file} has a value that is not a number: {values:, }.",
@@ -53,18 +53,18 @@ export const TEXTS = {
   },
   "calibration.not-csv": {
     "text": "{file} is not a CSV file: {reason}.",
-    "hint": "Save it as CSV in UTF-8."
+    "hint": "Save the file as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "The contour runs along {along} at every measured point, so the deflection along {other} cannot be determined (the sum of squares is {weight:.4f}, but {least} is needed).",
+    "text": "The contour runs along {along} at every measured point, so the deflection of the cutter along {other} cannot be determined. The sum of squares is {weight:.4f}, but must be at least {least}.",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
     "text": "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy {y:.3f} mm), which is not possible.",
-    "hint": "Check the signs of ΔX and ΔY, and on which side of the contour the tool moves."
+    "hint": "Check the signs of ΔX and ΔY, and check on which side of the contour the tool moves."
   },
   "cf2.cut-short": {
-    "text": "The CF2 is cut short: it ends at line {line} inside {inside}, so lines of the drawing may be missing.",
+    "text": "The CF2 file is incomplete: it ends at line {line} inside {inside}, so lines of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again as CF2."
   },
   "cf2.decimal-commas": {
@@ -96,7 +96,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.as-its-style": {
-    "text": "like all edges of this style",
+    "text": "the edge is treated like all edges of the same layer, colour and linetype",
     "hint": ""
   },
   "classification.bleed": {
@@ -116,7 +116,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.convention": {
-    "text": "the colours fit the convention \"{name}\": the outline closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
+    "text": "the colours match the colour convention \"{name}\": with this convention the outline closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
     "hint": ""
   },
   "classification.cuts-panel-off": {
@@ -124,7 +124,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.dashed": {
-    "text": "they are dashed",
+    "text": "the edges are dashed",
     "hint": ""
   },
   "classification.divider": {
@@ -148,15 +148,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.inner": {
-    "text": "the edge lies inside a hole or divides one",
+    "text": "the edge lies inside a hole or divides a hole",
     "hint": ""
   },
   "classification.layer-denies": {
-    "text": "but the name of its layer, \"{layer}\", suggests another line type",
+    "text": "but the name of the layer of the edge, \"{layer}\", suggests another line type",
     "hint": ""
   },
   "classification.layer-name": {
-    "text": "the name of its layer contains \"{word}\"",
+    "text": "the name of the layer of the edge contains \"{word}\"",
     "hint": ""
   },
   "classification.legend": {
@@ -164,19 +164,19 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.letter": {
-    "text": "the edge lies in a row of small shapes, as letters do",
+    "text": "the edge lies in a row of small shapes, as the outlines of letters do",
     "hint": ""
   },
   "classification.like-outline": {
-    "text": "it has the style of the outline",
+    "text": "the edge has the layer, colour and linetype of the outline",
     "hint": ""
   },
   "classification.like-outline-not-folds": {
-    "text": "it has the style of the outline, and the folds have another style",
+    "text": "the edge has the layer, colour and linetype of the outline, and the folds have others",
     "hint": ""
   },
   "classification.linetype-name": {
-    "text": "the name of its linetype contains \"{word}\"",
+    "text": "the name of the linetype of the edge contains \"{word}\"",
     "hint": ""
   },
   "classification.mark": {
@@ -184,19 +184,19 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.mirror-cut": {
-    "text": "its mirror image in the drawing is cut",
+    "text": "the mirror image of the edge in the drawing is a cut",
     "hint": ""
   },
   "classification.mirror-folded": {
-    "text": "its mirror image in the drawing is folded",
+    "text": "the mirror image of the edge in the drawing is a fold",
     "hint": ""
   },
   "classification.mixed": {
-    "text": "{reason} (true for most of its length)",
+    "text": "{reason} (this is true for most of the length of the edge)",
     "hint": ""
   },
   "classification.named": {
-    "text": "the name of its layer shows that the edge is not part of the carton, and the outlines close without it",
+    "text": "the name of the layer of the edge shows that the edge is not part of the carton, and the outlines close without the edge",
     "hint": ""
   },
   "classification.no-rule": {
@@ -208,15 +208,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", as all edges of this style do, and none of them closes an outline",
+    "text": ", as all edges of the same layer, colour and linetype do, and none of these edges closes an outline",
     "hint": ""
   },
   "classification.not-made": {
-    "text": ", so no tool must process it",
+    "text": ", so the edge must not be processed",
     "hint": ""
   },
   "classification.on-cut": {
-    "text": "{rule}; the edge lies on a cut",
+    "text": "{rule}, and the edge lies on a cut",
     "hint": ""
   },
   "classification.open": {
@@ -224,7 +224,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.other-style-closes": {
-    "text": "edges of another style close most of this outline",
+    "text": "edges of another layer, colour or linetype close most of this outline",
     "hint": ""
   },
   "classification.outline": {
@@ -236,15 +236,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.paired": {
-    "text": "some of them are parallel pairs",
+    "text": "some of the edges are parallel pairs",
     "hint": ""
   },
   "classification.panel-hangs": {
-    "text": "a panel is connected only by it",
+    "text": "only this edge connects a panel to the rest of the blank",
     "hint": ""
   },
   "classification.panels-hang": {
-    "text": "most of them connect a panel to the rest of the blank",
+    "text": "most of the edges connect a panel to the rest of the blank",
     "hint": ""
   },
   "classification.role-against": {
@@ -276,11 +276,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.swapped": {
-    "text": "the edges that this rule makes creases close the outline",
+    "text": "the edges to which this rule gives the line type crease close the outline",
     "hint": ""
   },
   "classification.swapped-both": {
-    "text": "the edges that this rule makes creases close the outline, and the edges that it makes cuts divide the panels",
+    "text": "the edges to which this rule gives the line type crease close the outline, and the edges to which it gives the line type cut divide the panels",
     "hint": ""
   },
   "classification.swapped-like": {
@@ -288,11 +288,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.table": {
-    "text": "the edge lies beside a text, as in a title block, a dimension or a label",
+    "text": "the edge lies beside a text, so it belongs to a title block, a dimension or a label",
     "hint": ""
   },
   "classification.unknown": {
-    "text": "the shape of the drawing does not show what the edge is",
+    "text": "the geometry of the drawing does not show which line type the edge has",
     "hint": ""
   },
   "classification.votes": {
@@ -300,31 +300,31 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.with-text": {
-    "text": "{reason}; a text lies beside it",
+    "text": "{reason}, and a text lies beside the edge",
     "hint": ""
   },
   "cleaning.as-drawn": {
-    "text": "unchanged",
+    "text": "the edge is unchanged",
     "hint": ""
   },
   "cleaning.dropped-speck": {
-    "text": "dropped: the edge is only {length:.4g} mm long and connects no other edges",
+    "text": "the edge was dropped, because it is only {length:.4g} mm long and connects no other edges",
     "hint": ""
   },
   "cleaning.end-moved": {
-    "text": "one end was moved by {distance:.2g} mm to meet another edge",
+    "text": "one end of the edge was moved by {distance:.2g} mm to meet another edge",
     "hint": ""
   },
   "cleaning.fitted": {
-    "text": "the edge was merged: it was part of a curve made of short lines, which became one line or arc",
+    "text": "the edge was part of a curve made of short lines, which was replaced by one line or arc",
     "hint": ""
   },
   "cleaning.fitted-edge": {
-    "text": "merged: the edge was part of a curve made of short lines, which became one line or arc with edge {edge} (deviation up to {distance:.2g} mm)",
+    "text": "the edge was part of a curve made of short lines, which was replaced, together with edge {edge}, by one line or arc (deviation up to {distance:.2g} mm)",
     "hint": ""
   },
   "cleaning.ignored": {
-    "text": "the edge has the line type ignored: it is displayed but not processed",
+    "text": "the edge has the line type ignored, so it is displayed but not processed",
     "hint": ""
   },
   "cleaning.joined": {
@@ -332,7 +332,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.joined-edge": {
-    "text": "merged into edge {edge}, which lies on the same line",
+    "text": "the edge was merged into edge {edge}, which lies on the same line",
     "hint": ""
   },
   "cleaning.kept": {
@@ -344,7 +344,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.length-on-others": {
-    "text": "{length:.4g} mm of its length lie on other edges and were merged",
+    "text": "{length:.4g} mm of the length of the edge lie on other edges and were merged with them",
     "hint": ""
   },
   "cleaning.longer": {
@@ -356,15 +356,15 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.no-work": {
-    "text": "unchanged: no tool processes this edge",
+    "text": "the edge is unchanged, because no tool processes it",
     "hint": ""
   },
   "cleaning.on-edge": {
-    "text": "merged: the edge lies on edge {edge}",
+    "text": "the edge was merged into edge {edge}, on which it lies",
     "hint": ""
   },
   "cleaning.part-dropped": {
-    "text": "a part of {length:.2g} mm was dropped because it is too short to process",
+    "text": "a part of the edge, {length:.2g} mm long, was dropped because it is too short to process",
     "hint": ""
   },
   "cleaning.shortened": {
@@ -376,7 +376,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.twice": {
-    "text": "the edge lies completely on other edges",
+    "text": "the edge was removed, because it lies completely on other edges",
     "hint": ""
   },
   "cleaning.unclassified": {
@@ -393,7 +393,7 @@ export const TEXTS = {
   },
   "command.bad-line-type": {
     "text": "The line type in the option --layer {pair!r} does not exist.",
-    "hint": "Choose {known:or}."
+    "hint": "Choose the line type {known:or}."
   },
   "command.file-too-large": {
     "text": "The file {path} is larger than {limit} MB.",
@@ -405,7 +405,7 @@ export const TEXTS = {
   },
   "command.unreadable-file": {
     "text": "The file {path} cannot be read: {reason}.",
-    "hint": "Check its name and permissions."
+    "hint": "Check the name and the permissions of the file."
   },
   "command.unwritable-file": {
     "text": "The file {path} cannot be written: {reason}.",
@@ -420,24 +420,24 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.alarm-state": {
-    "text": "{name} reports alarm{due}.",
-    "hint": "Check the table, then home it ($H) or unlock it ($X)."
+    "text": "{name} reports an alarm{due}.",
+    "hint": "Check the table, then home the machine ($H) or unlock it ($X)."
   },
   "controller.alarm-unknown": {
-    "text": "an alarm",
+    "text": "an unknown alarm",
     "hint": ""
   },
   "controller.answer-lost": {
-    "text": "{name} has reported {state} for {seconds:g} s{due}: an answer was lost on the way.",
-    "hint": "Check the cable, then the board."
+    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was lost.",
+    "hint": "Check the cable, then check the board."
   },
   "controller.bad-address": {
     "text": "{address!r} is not the address of a controller.",
-    "hint": "Write host:port, for example 127.0.0.1:2323."
+    "hint": "Write the address as host:port, for example 127.0.0.1:2323."
   },
   "controller.busy": {
-    "text": "{name} is busy: it reports {state}.",
-    "hint": "Wait until it is idle, or reset it at the table; nothing was sent."
+    "text": "{name} is busy: it reports the state {state}. Nothing was sent.",
+    "hint": "Wait until the controller is idle, or reset it at the table."
   },
   "controller.check-end-not-confirmed": {
     "text": "{name} did not confirm the end of its check mode within {seconds:g} s.",
@@ -445,83 +445,83 @@ export const TEXTS = {
   },
   "controller.closed": {
     "text": "The connection to {name} was closed.",
-    "hint": ""
+    "hint": "Connect to the controller again."
   },
   "controller.connection-failed": {
     "text": "The connection to {address} is lost ({reason}).",
-    "hint": "Check the table before anything is sent again."
+    "hint": "Check the table before you send anything again."
   },
   "controller.due": {
-    "text": "; the answer to line {line} ({text}) is due",
+    "text": "; no response to line {line} ({text}) was received",
     "hint": ""
   },
   "controller.lift-not-finished": {
-    "text": "{name} did not finish its lift within {seconds:g} s.",
+    "text": "{name} did not finish lifting the tool within {seconds:g} s.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.locked": {
-    "text": "{name} is locked by {cause}: the stations may still be lowered.",
-    "hint": "Lift the tool and raise the stations at the table, then home ($H) or unlock ($X) it."
+    "text": "{name} is locked by {cause}. The stations may still be lowered.",
+    "hint": "Lift the tool and raise the stations at the table, then home the machine ($H) or unlock it ($X)."
   },
   "controller.locked-by-alarm": {
     "text": "{name} is locked by an alarm.",
-    "hint": "Home it ($H) or unlock it ($X) at the table."
+    "hint": "Home the machine ($H) or unlock it ($X) at the table."
   },
   "controller.lost": {
     "text": "The connection to {name} is lost{due}.",
-    "hint": "Check the cable, then the board."
+    "hint": "Check the cable, then check the board."
   },
   "controller.lost-in-buffer": {
-    "text": "The connection to {name} is lost.",
-    "hint": "Check the table: the controller may still execute what is in its buffer."
+    "text": "The connection to {name} is lost. The controller may still execute the lines in its buffer.",
+    "hint": "Check the table before you touch it."
   },
   "controller.not-in-laser-mode": {
-    "text": "{name} is not in laser mode, so a hold would leave the beam on.",
-    "hint": "Set $32=1 at the controller and connect again; nothing was sent."
+    "text": "{name} is not in laser mode, so the laser beam would stay on during a feed hold. Nothing was sent.",
+    "hint": "Set $32=1 at the controller and connect again."
   },
   "controller.not-ready": {
-    "text": "{name} is not ready: it reports {state}.",
-    "hint": "Wait until it is idle, or unlock it, then send the job again; nothing was sent."
+    "text": "{name} is not ready: it reports the state {state}. Nothing was sent.",
+    "hint": "Wait until the controller is idle, or unlock it, then send the job again."
   },
   "controller.not-recovered": {
-    "text": "{name} was not brought into its safe state.",
-    "hint": ""
+    "text": "{name} did not reach its safe state (tool lifted, stations raised).",
+    "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.not-secured": {
-    "text": "{name} cannot be brought into its safe state: it reports {state}.",
+    "text": "{name} cannot be brought into its safe state (tool lifted, stations raised), because it reports the state {state}.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.not-stopped": {
-    "text": "{error} {progress} The machine is not safe: {unsafe}",
+    "text": "{error} {progress} The machine is not in a safe state: {unsafe}",
     "hint": "{unsafe:hint}"
   },
   "controller.off-path": {
-    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, {distance:.1f} mm off the program's path near line {line}: a line was changed on its way to the controller, or steps were lost.",
-    "hint": "Check the cable and home the machine; the board may be spoiled."
+    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, which is {distance:.1f} mm away from the path of the program near line {line}. A line was corrupted on its way to the controller, or steps were lost.",
+    "hint": "Check the cable and home the machine. Check the board, which may be spoiled."
   },
   "controller.refused-safe-state": {
     "text": "{refusals: }",
-    "hint": "Lift the tool and raise the stations at the table; compare the machine's file with the controller's outputs."
+    "hint": "Lift the tool and raise the stations at the table. Then compare the outputs in the machine file with the outputs of the controller."
   },
   "controller.rejected-command": {
-    "text": "{name} refused {command}: {error} (error:{code}).",
+    "text": "{name} rejected the command {command}: {error} (error:{code}).",
     "hint": "Check the table, then try again."
   },
   "controller.rejected-in-check": {
-    "text": "{name} refused line {line} ({text}): {error} (error:{code}).",
-    "hint": "Nothing has moved: compile the job again for this controller."
+    "text": "{name} rejected line {line} ({text}) before anything moved: {error} (error:{code}).",
+    "hint": "Compile the job again for this controller."
   },
   "controller.rejected-line": {
-    "text": "{name} refused line {line} ({text}): {error} (error:{code}).",
+    "text": "{name} rejected line {line} ({text}): {error} (error:{code}).",
     "hint": "Check the board, then compile the job again for this controller."
   },
   "controller.reports-alarm": {
     "text": "{name} reports an alarm.",
-    "hint": "Check the table, then home or unlock it."
+    "hint": "Check the table, then home the machine ($H) or unlock it ($X)."
   },
   "controller.reset": {
-    "text": "{name} was reset{due}.",
-    "hint": "Check the table and home the machine: its position may be lost. Nothing continues by itself."
+    "text": "{name} was reset{due}. The position of the machine may be lost.",
+    "hint": "Check the table and home the machine. The job does not continue automatically."
   },
   "controller.reset-not-confirmed": {
     "text": "{name} did not confirm its reset within {seconds:g} s.",
@@ -529,98 +529,98 @@ export const TEXTS = {
   },
   "controller.silent": {
     "text": "{name} has not answered for {seconds:g} s{due}.",
-    "hint": "Check the cable, then the board."
+    "hint": "Check the cable, then check the board."
   },
   "controller.stopped": {
-    "text": "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, its stations were released.",
+    "text": "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, and its stations were released.",
     "hint": "{error:hint}"
   },
   "controller.unexpected-answer": {
-    "text": "{name} answered a line that was not sent from here: an answer was doubled on the way, or another program sends to the controller.",
-    "hint": "Check the cable, and close any other program that sends to it."
+    "text": "{name} responded to a line that this gateway did not send. A response was duplicated, or another program sends lines to the controller.",
+    "hint": "Check the cable, and close any other program that is connected to the controller."
   },
   "controller.unreachable": {
-    "text": "No controller answers at {address} ({reason}).",
-    "hint": "Switch it on, or correct the address."
+    "text": "No controller responds at {address} ({reason}).",
+    "hint": "Switch on the controller, or correct the address."
   },
   "controller.was-reset": {
     "text": "{name} was reset.",
-    "hint": ""
+    "hint": "Check the table and home the machine before the next job."
   },
   "corner.at": {
     "text": " at ({x:g}, {y:g})",
     "hint": ""
   },
   "corner.bad-interference": {
-    "text": "{interference!r} is not a method for places where the cutter does not fit.",
+    "text": "{interference!r} is not a valid method for contours into which the cutter does not fit.",
     "hint": "Choose trim or refuse."
   },
   "corner.bad-k": {
     "text": "The parameter k of the corner at the start of edge {edge} is {k}, but must be between 0 and 1.",
-    "hint": "Give a k from 0 (as type B) to 1 (as type C)."
+    "hint": "Choose a k from 0 (equal to type B) to 1 (equal to type C)."
   },
   "corner.bad-k-at": {
-    "text": "The parameter k of the D corner{where} is {k}, but must be greater than 0 and less than 1.",
-    "hint": "Choose type B instead of 0, and type C instead of 1."
+    "text": "The parameter k of the corner of type D{where} is {k}, but must be greater than 0 and less than 1.",
+    "hint": "Choose corner type B instead of k = 0, and corner type C instead of k = 1."
   },
   "corner.bad-place": {
     "text": "The position ({x}, {y}) of a corner is not valid.",
-    "hint": "Give X and Y in mm of the drawing."
+    "hint": "Give X and Y as numbers, in mm of the drawing."
   },
   "corner.bad-share": {
     "text": "Corner {corner} has type D with the parameter k = {k}, which must be between 0 and 1.",
-    "hint": "Give a k from 0 (as type B) to 1 (as type C)."
+    "hint": "Choose a k from 0 (equal to type B) to 1 (equal to type C)."
   },
   "corner.inside": {
     "text": "The corner at ({x:g}, {y:g}) is an inside corner, for which no corner type can be chosen.",
     "hint": "Choose corner types only for outside corners."
   },
   "corner.no-contour": {
-    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because the drawing has no contour that is milled around outside corners.",
-    "hint": "Leave the corner types out for this drawing."
+    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because the drawing has no contour whose outside corners are milled.",
+    "hint": "Remove the corner types from the request for this drawing."
   },
   "corner.no-cutter": {
     "text": "Corner types were chosen, but {machine} has no rotating cutter.",
-    "hint": "Leave the corner types out, or choose a machine with a rotating cutter."
+    "hint": "Remove the corner types from the request, or choose a machine with a rotating cutter."
   },
   "corner.not-found": {
     "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the nearest corner is {distance:.2f} mm away.",
-    "hint": "Give X and Y of a corner in mm of the drawing; the nearest are {known:, }."
+    "hint": "Give X and Y of a corner in mm of the drawing. The nearest corners are {known:, }."
   },
   "corner.unknown-number": {
     "text": "Corner {corner} has the type {type}, which does not exist.",
-    "hint": "Choose type B, C or D."
+    "hint": "Choose corner type B, C or D."
   },
   "corner.unknown-type": {
     "text": "The corner type {type!r} does not exist.",
-    "hint": "Choose B, C, D or auto."
+    "hint": "Choose corner type B, C, D or auto."
   },
   "corner.unknown-type-at": {
     "text": "The corner type {type!r}{where} does not exist.",
-    "hint": "Choose B, C, D or auto."
+    "hint": "Choose corner type B, C, D or auto."
   },
   "crease.tight-bend": {
     "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second line {offset:.2f} mm inside it.",
     "hint": "Draw a wider bend, or set the double crease of the board to 0."
   },
   "crease.too-short": {
-    "text": "The crease at edge {edge} is {length:.2f} mm long, which is too short for a wheel of {radius:.1f} mm radius that ends {clearance:.2f} mm before both ends.",
-    "hint": "Join it to a collinear crease, set it to ignored, or choose a board on which short creases are pressed."
+    "text": "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
+    "hint": "Join the crease to a collinear crease, set it to ignored, or choose a board on which short creases are pressed."
   },
   "curve.bad-ellipse": {
-    "text": "An ellipse has no size, or its start or end angle is not a number.",
+    "text": "An ellipse has an angle range that is not valid, or one of its values is not a number.",
     "hint": "Draw the ellipse again."
   },
   "curve.bad-spline": {
-    "text": "A spline of degree {degree} with {points} control points and {knots} knots is damaged.",
+    "text": "A spline is damaged: degree {degree}, {points} control points and {knots} knots do not match.",
     "hint": "Draw the spline again, or export it as lines and arcs."
   },
   "curve.bad-tolerance": {
-    "text": "Curves cannot be converted with a tolerance of {tolerance} mm.",
+    "text": "The tolerance for converting curves is {tolerance} mm, which is not valid.",
     "hint": "Give a tolerance greater than 0."
   },
   "curve.not-finite": {
-    "text": "A point of a curve is not a number.",
+    "text": "A coordinate of a point of a curve is not a number.",
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.not-fitted": {
@@ -628,11 +628,11 @@ export const TEXTS = {
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.parameters": {
-    "text": "The parameters of a curve do not increase.",
+    "text": "The parameter values of a curve do not increase.",
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.too-many-pieces": {
-    "text": "A curve needs more than {limit:,} lines and arcs to stay within {tolerance:g} mm.",
+    "text": "A curve must be divided into more than {limit:,} lines and arcs to stay within {tolerance:g} mm.",
     "hint": "Increase the tolerance, or simplify the curve."
   },
   "curve.too-many-spans": {
@@ -644,48 +644,48 @@ export const TEXTS = {
     "hint": "Delete hatching and duplicate lines, or split the drawing."
   },
   "cut.too-short": {
-    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge, but the slanted blade needs {lead:.2f} mm.",
-    "hint": "Set it to ignored, join it to another cut, or choose a steeper blade."
+    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade needs a length of at least {lead:.2f} mm.",
+    "hint": "Set the cut to ignored, join it to another cut, or choose a steeper blade."
   },
   "cutter.does-not-fit": {
     "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, nor into {others:# other contour|# other contours}.",
     "hint": "Choose a thinner cutter, or set the contours to ignored."
   },
   "cutter.misses-bridge": {
-    "text": "The cutter does not reach the contour at edge {edge}, {distance:.1f} mm along it, where a bridge is needed.",
+    "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, but the cutter does not reach the contour there.",
     "hint": "Choose a thinner cutter, another spacing of bridges, or a board without bridges."
   },
   "cutter.short-lead": {
     "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of {radius:g} mm.",
-    "hint": "Correct the lead in the machine file."
+    "hint": "Correct the lead-in in the machine file."
   },
   "database.bad-url": {
     "text": "{url!r} is not the URL of a database.",
-    "hint": "Write sqlite:///FILE or postgresql://USER@HOST/NAME."
+    "hint": "Write the URL as sqlite:///FILE or postgresql://USER@HOST/NAME."
   },
   "database.in-memory": {
-    "text": "A database in memory cannot be used, because its jobs would be lost when the server stops.",
-    "hint": "Name a file: sqlite:///FILE."
+    "text": "The server cannot use an in-memory database, because all jobs would be lost when the server stops.",
+    "hint": "Use a database file: sqlite:///FILE."
   },
   "deflection.arc-too-small": {
     "text": "Near ({x:.2f}, {y:.2f}) the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-    "hint": "Choose a smaller k or corner type B, or measure the deflection again."
+    "hint": "Choose a smaller k or corner type B, or measure the deflection of the cutter again."
   },
   "deflection.path-too-short": {
-    "text": "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns too sharply to correct the deflection.",
-    "hint": "Join short edges there, or measure the deflection again."
+    "text": "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns too sharply to correct the deflection of the cutter.",
+    "hint": "Join short edges near this point, or measure the deflection again."
   },
   "drawing.changing": {
     "text": "Another request is changing drawing {drawing} at the same time.",
     "hint": "Try again in a moment."
   },
   "drawing.deleted": {
-    "text": "Deleted.",
+    "text": "The drawing was deleted.",
     "hint": ""
   },
   "drawing.in-use": {
     "text": "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
-    "hint": "Delete only drawings without jobs."
+    "hint": "Delete only drawings from which no job was made."
   },
   "drawing.larger-than-table": {
     "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} has only {room_x:.0f} × {room_y:.0f} mm.",
@@ -693,38 +693,38 @@ export const TEXTS = {
   },
   "drawing.open-questions": {
     "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
-    "hint": "Answer them on the page of the drawing; edges without an answer are not cut."
+    "hint": "Answer the questions on the page of the drawing. Edges without an answer are not cut."
   },
   "drawing.read": {
-    "text": "Read from {name}.",
+    "text": "The drawing was read from {name}.",
     "hint": ""
   },
   "drawing.reinterpreted": {
-    "text": "Unit: {unit:unit}, profile: {profile}.",
+    "text": "The drawing was read again with the unit {unit:unit} and the profile {profile}.",
     "hint": ""
   },
   "drawing.stale": {
-    "text": "Drawing {drawing} was changed since it was read: it is at revision {revision}, but the request names revision {named}.",
-    "hint": "Read the drawing again, check it, and repeat the request."
+    "text": "Drawing {drawing} was changed after you loaded it. The request is for revision {named}, but the drawing is at revision {revision}.",
+    "hint": "Load the drawing again, check it, and repeat the request."
   },
   "drawing.types-set": {
-    "text": "{count:# line type was|# line types were} set.",
+    "text": "{count:# edge was|# edges were} given a line type.",
     "hint": ""
   },
   "drawing.unit-for-cleaning": {
     "text": "The drawing has no unit, so the lengths of short edges and gaps cannot be compared with the limits in mm.",
-    "hint": "Set the unit on the page, or with PATCH /api/drawings/ID."
+    "hint": "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID."
   },
   "drawing.unit-unknown": {
     "text": "The unit of the drawing is not known ({evidence}).",
-    "hint": "Set the unit on the page, with --unit, or with PATCH /api/drawings/ID."
+    "hint": "Set the unit of the drawing on the page, with --unit, or with PATCH /api/drawings/ID."
   },
   "drawing.unknown": {
     "text": "Drawing {drawing} does not exist.",
     "hint": "Go back to the list of drawings and open one of them; it may have been deleted."
   },
   "drawing.upload-too-large": {
-    "text": "{name} is larger than {limit} MB.",
+    "text": "The file {name} is larger than {limit} MB.",
     "hint": "Send a smaller file."
   },
   "dxf.at-line": {
@@ -740,7 +740,7 @@ export const TEXTS = {
     "hint": "Explode the blocks in the CAD program and export again."
   },
   "dxf.cut-short": {
-    "text": "The DXF is cut short: it ends {where} in section {section}, after {count:# entity|# entities}, so lines of the drawing may be missing.",
+    "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# entity|# entities}, so lines of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "dxf.no-section": {
@@ -760,11 +760,11 @@ export const TEXTS = {
     "hint": "Export a single carton, or save it as DXF R2000."
   },
   "dxf.without-end-mark": {
-    "text": "without its end mark (EOF)",
+    "text": "without the end marker EOF",
     "hint": ""
   },
   "edge.no-length": {
-    "text": "Edge {edges:, } has no length, so its direction is not defined.",
+    "text": "Edge {edges:, } has a length of 0, so it has no direction.",
     "hint": "Delete the edge from the drawing."
   },
   "edge.not-finite": {
@@ -776,19 +776,19 @@ export const TEXTS = {
     "hint": ""
   },
   "edge.too-crowded": {
-    "text": "More than {limit:,} pairs of line ends lie closer together than {distance} mm.",
+    "text": "More than {limit:,} pairs of edge ends lie closer together than {distance} mm.",
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "edge.too-far": {
-    "text": "Edge {edge} lies {distance:.3g} mm from the origin of the drawing.",
+    "text": "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far.",
     "hint": "Check the unit of the drawing, or delete the edge."
   },
   "edge.too-many-overlaps": {
-    "text": "{edges:,} edges overlap each other in more than {limit:,} places.",
+    "text": "{edges:,} edges overlap each other at more than {limit:,} positions.",
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "error.at-edge": {
-    "text": "{error} Object: handle {handle}, layer \"{layer}\".",
+    "text": "{error} The object has the handle {handle} and lies on the layer \"{layer}\".",
     "hint": "{error:hint}"
   },
   "error.at-edges": {
@@ -812,7 +812,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.inconsistent": {
-    "text": "{path} is inconsistent: {fault}",
+    "text": "{path} does not agree with other fields: {fault}",
     "hint": ""
   },
   "field.missing": {
@@ -820,7 +820,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.misspelt": {
-    "text": "{path} is not a field; did you mean {near}?",
+    "text": "{path} is not a known field; did you mean {near}?",
     "hint": ""
   },
   "field.no-kind": {
@@ -856,7 +856,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-above-low": {
-    "text": "{path} is {value:g}, but must be greater than low, which is {low:g}",
+    "text": "{path} is {value:g}, but must be greater than the value of low, {low:g}",
     "hint": ""
   },
   "field.not-allowed": {
@@ -916,7 +916,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.unknown": {
-    "text": "{path} is not a field",
+    "text": "{path} is not a known field",
     "hint": ""
   },
   "field.unknown-kind": {
@@ -940,43 +940,43 @@ export const TEXTS = {
     "hint": ""
   },
   "gateway.cancelled": {
-    "text": "Cancelled by the operator at line {line}.",
+    "text": "The operator cancelled the job at line {line}.",
     "hint": ""
   },
   "gateway.controller-not-idle": {
-    "text": "{name} is not idle: it reports {state}.",
-    "hint": "Wait until it is idle, or reset it at the table."
+    "text": "{name} is not idle: it reports the state {state}.",
+    "hint": "Wait until the controller is idle, or reset it at the table."
   },
   "gateway.job-withdrawn": {
-    "text": "The server took the job back; the machine was stopped.",
-    "hint": ""
+    "text": "The server withdrew the job from the gateway; the machine was stopped.",
+    "hint": "Check the table."
   },
   "gateway.job-withdrawn-before-start": {
-    "text": "The server took the job back before its start; nothing was sent to the machine.",
+    "text": "The server withdrew the job from the gateway before the job was started. Nothing was sent to the machine.",
     "hint": ""
   },
   "gateway.no-reason": {
-    "text": "The gateway ended the job and stated no reason.",
-    "hint": ""
+    "text": "The gateway ended the job without stating a reason.",
+    "hint": "Check the log of the gateway."
   },
   "gateway.switched-off": {
     "text": "The gateway was switched off.",
-    "hint": ""
+    "hint": "Switch on the gateway."
   },
   "gateway.switched-off-before-report": {
-    "text": "The gateway was switched off before it could report.",
-    "hint": ""
+    "text": "The gateway was switched off before it reported the result of the job.",
+    "hint": "Switch on the gateway."
   },
   "gateway.switched-off-in-run": {
-    "text": "The gateway was switched off; the machine was stopped.",
-    "hint": ""
+    "text": "The gateway was switched off while it executed the job. It stopped the machine.",
+    "hint": "Switch on the gateway."
   },
   "gateway.system-error": {
-    "text": "The operating system of the gateway reports: {reason}.",
-    "hint": ""
+    "text": "The operating system of the gateway reports an error: {reason}.",
+    "hint": "Correct the cause on the computer of the gateway."
   },
   "grbl.alarm-1": {
-    "text": "a limit switch was hit; its position is lost",
+    "text": "a limit switch was hit, so the position of the machine is lost",
     "hint": ""
   },
   "grbl.alarm-10": {
@@ -984,7 +984,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-11": {
-    "text": "it must be homed first",
+    "text": "the machine must be homed first",
     "hint": ""
   },
   "grbl.alarm-12": {
@@ -1004,39 +1004,39 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.alarm-3": {
-    "text": "it was reset while moving; its position may be lost",
+    "text": "the controller was reset during a move, so the position of the machine may be lost",
     "hint": ""
   },
   "grbl.alarm-4": {
-    "text": "the probe was not in the expected state",
+    "text": "the probe was not in the expected state before probing",
     "hint": ""
   },
   "grbl.alarm-5": {
-    "text": "the probe did not touch",
+    "text": "the probe did not touch the workpiece",
     "hint": ""
   },
   "grbl.alarm-6": {
-    "text": "homing was reset",
+    "text": "the controller was reset during homing",
     "hint": ""
   },
   "grbl.alarm-7": {
-    "text": "the door was opened during homing",
+    "text": "the safety door was opened during homing",
     "hint": ""
   },
   "grbl.alarm-8": {
-    "text": "homing could not leave the limit switch",
+    "text": "the limit switch stayed closed during homing",
     "hint": ""
   },
   "grbl.alarm-9": {
-    "text": "homing did not find the limit switch",
+    "text": "homing did not reach the limit switch",
     "hint": ""
   },
   "grbl.error-1": {
-    "text": "a word without its letter",
+    "text": "a number has no letter before it",
     "hint": ""
   },
   "grbl.error-10": {
-    "text": "soft limits need homing",
+    "text": "soft limits can be enabled only if homing is enabled",
     "hint": ""
   },
   "grbl.error-11": {
@@ -1044,7 +1044,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-12": {
-    "text": "a setting beyond its step rate",
+    "text": "the setting exceeds the maximum step rate of the controller",
     "hint": ""
   },
   "grbl.error-13": {
@@ -1052,35 +1052,35 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-14": {
-    "text": "its stored build line is too long",
+    "text": "the stored start-up line or build information is too long",
     "hint": ""
   },
   "grbl.error-15": {
-    "text": "a jog beyond the travel",
+    "text": "the jog target lies outside the travel of the machine",
     "hint": ""
   },
   "grbl.error-16": {
-    "text": "a jog without a feed, or with a word that has no place in it",
+    "text": "the jog command has no feed, or contains a word that is not allowed in it",
     "hint": ""
   },
   "grbl.error-17": {
-    "text": "laser mode without a variable output",
+    "text": "laser mode needs a PWM output",
     "hint": ""
   },
   "grbl.error-18": {
-    "text": "it was reset and waits",
+    "text": "the controller was reset and needs a new start",
     "hint": ""
   },
   "grbl.error-2": {
-    "text": "a number that cannot be read",
+    "text": "a number is missing or cannot be read",
     "hint": ""
   },
   "grbl.error-20": {
-    "text": "a command that it does not know",
+    "text": "the controller does not support this command",
     "hint": ""
   },
   "grbl.error-21": {
-    "text": "two commands of one modal group in a line",
+    "text": "the line has two commands of one modal group",
     "hint": ""
   },
   "grbl.error-22": {
@@ -1088,95 +1088,95 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-23": {
-    "text": "a command that must be a whole number is not",
+    "text": "the number of the command must be an integer",
     "hint": ""
   },
   "grbl.error-24": {
-    "text": "two commands in a line want the axis words",
+    "text": "the line has two commands that both need axis words",
     "hint": ""
   },
   "grbl.error-25": {
-    "text": "a word twice in a line",
+    "text": "a word is repeated in the line",
     "hint": ""
   },
   "grbl.error-26": {
-    "text": "a command without the axis words that it needs",
+    "text": "the line lacks the axis words that its command needs",
     "hint": ""
   },
   "grbl.error-27": {
-    "text": "a line number out of range",
+    "text": "the line number is out of range",
     "hint": ""
   },
   "grbl.error-28": {
-    "text": "a command without its P or L word",
+    "text": "the command lacks its P or L word",
     "hint": ""
   },
   "grbl.error-29": {
-    "text": "a work offset that it does not have",
+    "text": "the controller does not support this work coordinate system",
     "hint": ""
   },
   "grbl.error-3": {
-    "text": "a $ command that it does not know",
+    "text": "the controller does not support this $ command",
     "hint": ""
   },
   "grbl.error-30": {
-    "text": "G53 without G0 or G1",
+    "text": "G53 is used without G0 or G1",
     "hint": ""
   },
   "grbl.error-31": {
-    "text": "axis words that no command uses",
+    "text": "the line has axis words that no command uses",
     "hint": ""
   },
   "grbl.error-32": {
-    "text": "an arc without axis words in its plane",
+    "text": "the arc has no axis words in its plane",
     "hint": ""
   },
   "grbl.error-33": {
-    "text": "an arc whose ends do not lie on one circle",
+    "text": "the start and end of the arc do not lie on one circle",
     "hint": ""
   },
   "grbl.error-34": {
-    "text": "an arc whose radius cannot be worked out",
+    "text": "the radius of the arc cannot be computed",
     "hint": ""
   },
   "grbl.error-35": {
-    "text": "an arc without I and J",
+    "text": "the arc has neither I nor J",
     "hint": ""
   },
   "grbl.error-36": {
-    "text": "words that no command uses",
+    "text": "the line has words that no command uses",
     "hint": ""
   },
   "grbl.error-37": {
-    "text": "a tool length offset on the wrong axis",
+    "text": "the tool length offset is applied to the wrong axis",
     "hint": ""
   },
   "grbl.error-38": {
-    "text": "a tool number that is too high",
+    "text": "the tool number is too high",
     "hint": ""
   },
   "grbl.error-39": {
-    "text": "a value out of range",
+    "text": "a value is out of range",
     "hint": ""
   },
   "grbl.error-4": {
-    "text": "a negative value where none may be",
+    "text": "a value is negative, but must be positive",
     "hint": ""
   },
   "grbl.error-5": {
-    "text": "homing is switched off in its settings",
+    "text": "homing is disabled in the settings of the controller",
     "hint": ""
   },
   "grbl.error-6": {
-    "text": "a step pulse that is too short",
+    "text": "the step pulse is too short",
     "hint": ""
   },
   "grbl.error-60": {
-    "text": "its memory card could not be opened",
+    "text": "the memory card of the controller could not be opened",
     "hint": ""
   },
   "grbl.error-7": {
-    "text": "its settings could not be read and were set to defaults",
+    "text": "the settings of the controller could not be read, so the defaults were restored",
     "hint": ""
   },
   "grbl.error-79": {
@@ -1184,19 +1184,19 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-8": {
-    "text": "this is possible only while it is idle",
+    "text": "the command is allowed only while the controller is idle",
     "hint": ""
   },
   "grbl.error-9": {
-    "text": "it is locked by an alarm or jogs",
+    "text": "the controller is locked by an alarm, or is jogging",
     "hint": ""
   },
   "grbl.unknown-alarm": {
-    "text": "an alarm without a published meaning",
+    "text": "the alarm code is not documented by Grbl",
     "hint": ""
   },
   "grbl.unknown-error": {
-    "text": "an error without a published meaning",
+    "text": "the error code is not documented by Grbl",
     "hint": ""
   },
   "groove.along-edge": {
@@ -1208,23 +1208,23 @@ export const TEXTS = {
     "hint": "Draw straight lines, or choose another line type."
   },
   "groove.overcut": {
-    "text": "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the board allows {allowed:.2f} mm.",
+    "text": "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the board allows an overcut of only {allowed:.2f} mm.",
     "hint": "Choose a narrower blade, or allow a longer overcut for this board."
   },
   "groove.runs-out": {
     "text": "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the board and cut into the next part.",
-    "hint": "End the groove before the edge, let it meet the edge at a larger angle, or move the parts apart."
+    "hint": "End the groove before the edge of the board, let it meet the edge of the board at a larger angle, or move the parts apart."
   },
   "groove.through-cut": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which lies {distance:.2f} mm beside it.",
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
     "hint": "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep."
   },
   "groove.through-cut-at-it": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which lies {distance:.2f} mm beside it.",
-    "hint": "End the groove at the cut, or move one of them."
+    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+    "hint": "End the groove at the cut, or move the groove or the cut."
   },
   "groove.tight-bend": {
-    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm, from which a blade of {blade:.2f} mm deviates by more than {error:.3f} mm.",
+    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight blade of {blade:.2f} mm would deviate from this bend by more than {error:.3f} mm.",
     "hint": "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board."
   },
   "groove.too-deep": {
@@ -1237,18 +1237,18 @@ export const TEXTS = {
   },
   "hpgl.bad-byte": {
     "text": "The byte {byte} is not allowed here.",
-    "hint": "Remove it."
+    "hint": "Remove the byte."
   },
   "hpgl.bad-feed": {
     "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from {slowest} to {fastest}.",
     "hint": "Give the tool a feed that is a multiple of {step:g} mm/min."
   },
   "hpgl.bad-number": {
-    "text": "A sign is not followed by a number, or a number has too many digits.",
+    "text": "A plus or minus sign is not followed by a number, or a number has too many digits.",
     "hint": "Correct the number."
   },
   "hpgl.depth-change": {
-    "text": "{place} changes its depth while it cuts, which HPGL cannot express.",
+    "text": "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
     "hint": "Choose a board and a tool that need only one pass."
   },
   "hpgl.ends-down": {
@@ -1256,7 +1256,7 @@ export const TEXTS = {
     "hint": "Lift the tool (PU) before the end."
   },
   "hpgl.ends-with-pen": {
-    "text": "The program ends without putting the tool away.",
+    "text": "The program ends while a pen is selected.",
     "hint": "Add SP0 before the end."
   },
   "hpgl.force-out-of-range": {
@@ -1272,11 +1272,11 @@ export const TEXTS = {
     "hint": "Correct the instruction."
   },
   "hpgl.loose-number": {
-    "text": "A number does not follow an instruction.",
+    "text": "A number stands before any instruction.",
     "hint": "Delete the number, or add the instruction before it."
   },
   "hpgl.moves-before-pa": {
-    "text": "The line moves before the program has chosen absolute coordinates.",
+    "text": "The line moves the tool before the program has chosen absolute coordinates (PA).",
     "hint": "Write PA before the first move."
   },
   "hpgl.needs-no-number": {
@@ -1292,35 +1292,35 @@ export const TEXTS = {
     "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "hpgl.no-approach": {
-    "text": "{place} starts a cut before a rapid move has reached its start.",
-    "hint": "Report it as an internal error with the drawing."
+    "text": "Internal error: {place} starts a cut, but no rapid move to the start of the cut precedes it.",
+    "hint": "Report the error with the drawing."
   },
   "hpgl.no-device": {
-    "text": "The file of {machine} does not describe an HPGL device.",
-    "hint": "Describe it under [controller] in the machine file."
+    "text": "The machine file of {machine} does not describe an HPGL device.",
+    "hint": "Describe the device under [controller] in the machine file."
   },
   "hpgl.no-force-setting": {
-    "text": "The device has no force setting, so it does not understand FS.",
+    "text": "The instruction FS is not allowed, because the device has no force setting.",
     "hint": "Remove FS."
   },
   "hpgl.no-instruction": {
-    "text": "The program has no instruction.",
+    "text": "The program contains no instruction.",
     "hint": "Choose an HPGL program."
   },
   "hpgl.no-pen": {
-    "text": "The file of {machine} assigns no pen to {work} with station {station}.",
+    "text": "The machine file of {machine} assigns no pen to {work} with station {station}.",
     "hint": "Add a [[controller.pen]] to the machine file."
   },
   "hpgl.no-pen-selected": {
     "text": "The line lowers the tool, but no pen is selected.",
-    "hint": "Select a pen (SP) before it."
+    "hint": "Select a pen (SP) before this line."
   },
   "hpgl.no-speed": {
     "text": "The line cuts, but no speed has been set.",
-    "hint": "Set the speed (VS) before it."
+    "hint": "Set the speed (VS) before this line."
   },
   "hpgl.no-speed-setting": {
-    "text": "The device has no speed setting, so it does not understand VS.",
+    "text": "The instruction VS is not allowed, because the device has no speed setting.",
     "hint": "Remove VS."
   },
   "hpgl.no-terminator": {
@@ -1332,11 +1332,11 @@ export const TEXTS = {
     "hint": "Begin the program with IN."
   },
   "hpgl.outside-area": {
-    "text": "The line moves outside the area of the device.",
-    "hint": "Move the drawing on the table."
+    "text": "The line moves the tool outside the working area of the device.",
+    "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "hpgl.plunge-without-move": {
-    "text": "The line lowers the tool without a move, so the direction of the tool is not known.",
+    "text": "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
     "hint": "Add a move after PD."
   },
   "hpgl.press": {
@@ -1356,27 +1356,27 @@ export const TEXTS = {
     "hint": "Give a speed in this range."
   },
   "hpgl.swivel": {
-    "text": "{place} turns the head about the tip of the knife, which HPGL cannot express.",
-    "hint": "Set the trail of the knife to 0 in the machine file; the device compensates for it."
+    "text": "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
+    "hint": "Set the trail of the knife to 0 in the machine file, because the device itself compensates for the trail."
   },
   "hpgl.turn-in-board": {
-    "text": "The tool turns by {degrees:.2f}° while it is in the board; at most {most:.2f}° is allowed.",
+    "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
     "hint": "Lift the tool before the corner."
   },
   "hpgl.unknown-instruction": {
     "text": "The instruction {name} is not supported.",
-    "hint": "Remove it."
+    "hint": "Remove the instruction."
   },
   "hpgl.unknown-pen": {
-    "text": "The device does not have this pen.",
-    "hint": "Select a pen of the machine file."
+    "text": "The device has no pen with this number.",
+    "hint": "Select a pen that is defined in the machine file."
   },
   "hpgl.wrong-force": {
-    "text": "The line lowers pen {pen} with a force that is not the force of this pen (FS{force}).",
-    "hint": "Set FS{force} before it."
+    "text": "The line lowers pen {pen} with a force that differs from the force of this pen in the machine file (FS{force}).",
+    "hint": "Write FS{force} before this line."
   },
   "hpgl.x-without-y": {
-    "text": "A coordinate X is not followed by Y.",
+    "text": "An X coordinate is not followed by a Y coordinate.",
     "hint": "Give both coordinates."
   },
   "import.angles-not-numbers": {
@@ -1384,19 +1384,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.annotations": {
-    "text": "{count:# note or form field|# notes and form fields} on the page: not cut",
+    "text": "{count:# note or form field|# notes and form fields} on the page {count:is|are} not cut",
     "hint": ""
   },
   "import.area-outline": {
-    "text": "outline of a filled area, because the drawing has no lines",
+    "text": "the object is the outline of a filled area, which is used because the drawing has no lines",
     "hint": ""
   },
   "import.area-outline-on-page": {
-    "text": "outline of a filled area, because the page has no lines",
+    "text": "the object is the outline of a filled area, which is used because the page has no lines",
     "hint": ""
   },
   "import.array": {
-    "text": "a grid of copies ({columns} columns × {rows} rows)",
+    "text": "the object is a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
   },
   "import.bad-operands": {
@@ -1404,7 +1404,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-path-data": {
-    "text": "the path data of the object is invalid at character {character} ({text!r}); the path was read up to there, as browsers do",
+    "text": "the path data of the object is invalid at character {character} ({text!r}), so only the path before this character was imported, as in a browser",
     "hint": ""
   },
   "import.bad-place": {
@@ -1445,14 +1445,14 @@ export const TEXTS = {
   },
   "import.block-missing": {
     "text": "the block {block!r} is not in the file",
-    "hint": ""
+    "hint": "Insert the block in the CAD program and export again."
   },
   "import.bridge": {
-    "text": "the rule in the die has 1 bridge of {width:g} (file units)",
+    "text": "the steel rule of the die has 1 bridge, {width:g} wide (in units of the file)",
     "hint": ""
   },
   "import.bridges": {
-    "text": "the rule in the die has {bridges:g} bridges of {width:g} (file units)",
+    "text": "the steel rule of the die has {bridges:g} bridges, each {width:g} wide (in units of the file)",
     "hint": ""
   },
   "import.clip-path": {
@@ -1468,11 +1468,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.curves-fitted": {
-    "text": "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units",
+    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units",
     "hint": ""
   },
   "import.curves-fitted-relative": {
-    "text": "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the drawing)",
+    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the drawing)",
     "hint": ""
   },
   "import.damaged": {
@@ -1480,7 +1480,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.damaged-or-frame": {
-    "text": "the object is damaged, or is only the frame of a text",
+    "text": "the object is damaged, or is only the frame around a text",
     "hint": ""
   },
   "import.dimension": {
@@ -1488,11 +1488,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.drawn-twice": {
-    "text": "the object is drawn twice: it lies exactly on {same:, }",
+    "text": "the object is drawn twice, because it lies exactly on {same:, }",
     "hint": ""
   },
   "import.drawn-twice-often": {
-    "text": "the object is drawn several times: it lies exactly on {same:, } and {more} more",
+    "text": "the object is drawn several times, because it lies exactly on {same:, } and {more} more {more:object|objects}",
     "hint": ""
   },
   "import.empty-path": {
@@ -1500,7 +1500,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.end-mark": {
-    "text": "the object only marks the end of a list",
+    "text": "the object (SEQEND) only marks the end of a list of vertices or attributes",
     "hint": ""
   },
   "import.endless-line": {
@@ -1528,12 +1528,12 @@ export const TEXTS = {
     "hint": ""
   },
   "import.fit-points": {
-    "text": "the curve was drawn through its fit points",
+    "text": "the curve was computed from its fit points",
     "hint": ""
   },
   "import.font-shape": {
     "text": "the object is a shape from a font file, which cannot be read",
-    "hint": "Explode it into lines in the CAD program and export again."
+    "hint": "Explode the shape into lines in the CAD program and export again."
   },
   "import.height-not-a-number": {
     "text": "the height (z) of the object is not a number",
@@ -1556,11 +1556,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.incomplete": {
-    "text": "the object is incomplete: its {part} is missing",
+    "text": "the object is incomplete, because its {part} is missing",
     "hint": ""
   },
   "import.interrupted-path": {
-    "text": "the path is never painted, because another object starts before",
+    "text": "the path is neither stroked nor filled, because another object begins before the path is finished",
     "hint": ""
   },
   "import.invisible": {
@@ -1576,7 +1576,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.laid-flat": {
-    "text": "moved from the height z = {height:g} to z = 0",
+    "text": "the object was moved from the height z = {height:g} to z = 0",
     "hint": ""
   },
   "import.layer-frozen": {
@@ -1604,11 +1604,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.mesh": {
-    "text": "the object is a three-dimensional mesh, not a flat line",
+    "text": "the object is a three-dimensional mesh, not a line in a plane",
     "hint": ""
   },
   "import.missing-id": {
-    "text": "no object has the id {id!r}, to which this object refers",
+    "text": "the object refers to an object with the id {id!r}, which does not exist",
     "hint": ""
   },
   "import.missing-subroutine": {
@@ -1617,7 +1617,7 @@ export const TEXTS = {
   },
   "import.multiple-line": {
     "text": "multilines cannot be read",
-    "hint": "Explode it into lines in the CAD program and export again."
+    "hint": "Explode the multiline into lines in the CAD program and export again."
   },
   "import.no-length": {
     "text": "the object has no length ({length:g})",
@@ -1628,7 +1628,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-paint": {
-    "text": "the object has neither a line nor a fill",
+    "text": "the object has neither a stroke nor a fill, so it is not visible",
     "hint": ""
   },
   "import.no-parameter-range": {
@@ -1640,7 +1640,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-scale": {
-    "text": "the object is scaled by {x:g} × {y:g}, so it has no size",
+    "text": "the object is scaled by {x:g} × {y:g}, so its size is 0",
     "hint": ""
   },
   "import.no-size": {
@@ -1656,15 +1656,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.not-clipped": {
-    "text": "the object is imported completely, although the file shows only a part of it",
+    "text": "the object is clipped in the file, but it is imported completely",
     "hint": ""
   },
   "import.not-flat": {
-    "text": "the object is not flat",
+    "text": "the object is not parallel to the XY plane",
     "hint": ""
   },
   "import.not-numbers": {
-    "text": "its coordinates are not all numbers: {values:, }",
+    "text": "the coordinates of the object are not all numbers: {values:, }",
     "hint": ""
   },
   "import.not-svg": {
@@ -1680,7 +1680,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.on-layer": {
-    "text": "on the layer {layer}",
+    "text": "the object lies on the layer {layer}",
     "hint": ""
   },
   "import.other-file": {
@@ -1689,14 +1689,14 @@ export const TEXTS = {
   },
   "import.other-pages": {
     "text": "only the first of {pages:# page|# pages} is read",
-    "hint": "Export the other pages as separate files."
+    "hint": "Export each page as a separate file."
   },
   "import.outside-page": {
     "text": "the object lies outside the visible area of the page",
     "hint": ""
   },
   "import.page-ends-early": {
-    "text": "the path is never painted, because the page ends before",
+    "text": "the path is neither stroked nor filled, because the page ends before the path is finished",
     "hint": ""
   },
   "import.paper-space": {
@@ -1716,19 +1716,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.picture-block": {
-    "text": "the block {block} with {entities:# object|# objects} is the picture of a dimension or a hatch",
+    "text": "the block {block} with {entities:# object|# objects} is the graphic of a dimension or a hatch, which is not cut",
     "hint": ""
   },
   "import.pieces-drawn-twice": {
-    "text": "{pieces} of {all} segments are drawn twice: they lie exactly on {same:, }",
+    "text": "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, }, so {pieces:it is|they are} drawn twice",
     "hint": ""
   },
   "import.pieces-drawn-twice-often": {
-    "text": "{pieces} of {all} segments are drawn several times: they lie exactly on {same:, } and {more} more",
+    "text": "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, } and {more} more {more:object|objects}, so {pieces:it is|they are} drawn several times",
     "hint": ""
   },
   "import.pieces-no-length": {
-    "text": "{pieces} of {all} segments have no length",
+    "text": "{pieces} of {all} segments {pieces:has|have} no length",
     "hint": ""
   },
   "import.place-not-a-number": {
@@ -1740,11 +1740,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.places-block": {
-    "text": "inserts the block {block}",
+    "text": "the object inserts the block {block}",
     "hint": ""
   },
   "import.places-subroutine": {
-    "text": "inserts the subroutine {name}",
+    "text": "the object inserts the subroutine {name}",
     "hint": ""
   },
   "import.point": {
@@ -1753,14 +1753,14 @@ export const TEXTS = {
   },
   "import.proxy": {
     "text": "only the program that made this object can read it",
-    "hint": "Explode it into lines in that program and export again."
+    "hint": "Explode the object into lines in that program and export again."
   },
   "import.region": {
     "text": "regions cannot be read",
-    "hint": "Explode it into lines in the CAD program and export again."
+    "hint": "Explode the region into lines in the CAD program and export again."
   },
   "import.repeated": {
-    "text": "drawn {times} times",
+    "text": "the object is drawn {times} times",
     "hint": ""
   },
   "import.rules-not-read": {
@@ -1772,19 +1772,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.shading": {
-    "text": "shadings are not cut",
+    "text": "shadings (colour gradients) are not cut",
     "hint": ""
   },
   "import.short-path-data": {
-    "text": "the path data of the object ends inside a command; the path was read up to there, as browsers do",
+    "text": "the path data of the object ends inside a command, so only the commands before it were imported, as in a browser",
     "hint": ""
   },
   "import.solid": {
-    "text": "the object is a solid or a face, not a flat line",
+    "text": "the object is a solid or a face, not a line in a plane",
     "hint": ""
   },
   "import.spot-colour": {
-    "text": "drawn in the spot colour {colour}",
+    "text": "the object is drawn in the spot colour {colour}",
     "hint": ""
   },
   "import.subroutine-in-itself": {
@@ -1800,15 +1800,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.tilted": {
-    "text": "the object is not flat: its plane is tilted by {degrees:g}°",
+    "text": "the object is not parallel to the XY plane: its plane is tilted by {degrees:g}°",
     "hint": ""
   },
   "import.tilted-axis": {
-    "text": "the object is not flat: its major axis rises by {rise:g} file units",
+    "text": "the object is not parallel to the XY plane: its major axis rises by {rise:g} file units",
     "hint": ""
   },
   "import.too-far": {
-    "text": "a coordinate of the object is {coordinate:g}; the limit is {limit:g}",
+    "text": "a coordinate of the object is {coordinate:g}, but the limit is {limit:g}",
     "hint": ""
   },
   "import.too-many-fit-points": {
@@ -1824,7 +1824,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.uneven-height": {
-    "text": "the object is not flat: its height z varies from {low:g} to {high:g}",
+    "text": "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g}",
     "hint": ""
   },
   "import.unknown-operator": {
@@ -1832,7 +1832,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.unknown-record": {
-    "text": "records of this type are not supported",
+    "text": "CF2 records of this type are not supported",
     "hint": ""
   },
   "import.unsupported-element": {
@@ -1848,7 +1848,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.value-angle": {
-    "text": "{degrees:g}° is not a finite angle",
+    "text": "the angle {degrees:g}° is not finite",
     "hint": ""
   },
   "import.value-not-numbers": {
@@ -1856,11 +1856,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.value-not-transform": {
-    "text": "{value!r} is not a transform",
+    "text": "{value!r} is not a valid transform",
     "hint": ""
   },
   "import.value-transform-numbers": {
-    "text": "the transform {name} does not take {count:# number|# numbers}",
+    "text": "the transform {name} has a wrong number of values ({count})",
     "hint": ""
   },
   "import.value-unit": {
@@ -1868,167 +1868,167 @@ export const TEXTS = {
     "hint": ""
   },
   "import.viewport": {
-    "text": "the object is a viewport, which only displays lines",
+    "text": "the object is a viewport, which only displays a part of the drawing",
     "hint": ""
   },
   "import.wrong-field-count": {
-    "text": "line {line} of the file has {fields:# field|# fields}, which is too few or too many for its record",
+    "text": "line {line} of the file has {fields:# field|# fields}, which is the wrong number of fields for its record",
     "hint": ""
   },
   "input.not-finite": {
     "text": "{what} has a coordinate that is not a number.",
-    "hint": "Draw it again."
+    "hint": "Draw the object again."
   },
   "job.action-requested": {
-    "text": "The operator requested: {action}.",
+    "text": "The operator requested the action {action}.",
     "hint": ""
   },
   "job.at-line": {
-    "text": "At line {line}.",
+    "text": "The program is at line {line}.",
     "hint": ""
   },
   "job.awaits-kernels": {
-    "text": "Waiting until the functions that the machine {machine} needs are compiled, once after an installation.",
-    "hint": "Wait: the job is compiled as soon as they are ready."
+    "text": "The job waits until the functions for the machine {machine} are compiled. This happens once after an installation.",
+    "hint": "Wait. The job starts automatically when the functions are compiled."
   },
   "job.being-cancelled": {
     "text": "Job {job} is being cancelled.",
     "hint": "Wait until the machine has stopped."
   },
   "job.cancelled": {
-    "text": "Cancelled.",
+    "text": "The job was cancelled.",
     "hint": ""
   },
   "job.cancelled-before-request": {
-    "text": "Job {job} is being cancelled, so it cannot {request}.",
+    "text": "Job {job} is being cancelled, so the request {request} is not possible.",
     "hint": "Wait until the machine has stopped."
   },
   "job.claim-returned": {
-    "text": "The claim was returned. {reason}",
+    "text": "The gateway returned the job to the queue. {reason}",
     "hint": ""
   },
   "job.claimed": {
-    "text": "Claimed.",
+    "text": "The gateway claimed the job.",
     "hint": ""
   },
   "job.claimed-to-confirm": {
-    "text": "Claimed; waits for the operator's confirmation.",
+    "text": "The gateway claimed the job, which now waits for the confirmation of the operator.",
     "hint": ""
   },
   "job.compile-cancelled": {
-    "text": "The compile was cancelled.",
+    "text": "The compilation of the job was cancelled.",
     "hint": ""
   },
   "job.compile-crashed": {
     "text": "Internal error while compiling: {reason}. Nothing was cut.",
-    "hint": "The server's log has the details."
+    "hint": "Report the error with the log of the server."
   },
   "job.compile-started": {
-    "text": "Attempt {attempt} to compile the job.",
+    "text": "Attempt {attempt} to compile the job has started.",
     "hint": ""
   },
   "job.compiles-died": {
-    "text": "{attempts} compiles of the job died, the last in stage {stage}.",
-    "hint": "Send a smaller drawing, or report this one as a bug."
+    "text": "The process that compiles the job ended unexpectedly {attempts} times, the last time in the stage {stage}.",
+    "hint": "Send a smaller drawing, or report the error with the drawing."
   },
   "job.confirmed-sheet": {
-    "text": "Confirmed: new sheet, board {board}.",
+    "text": "The operator confirmed that a new sheet of board {board} is on the table.",
     "hint": ""
   },
   "job.confirmed-table": {
-    "text": "Confirmed: table clear, board {board}.",
+    "text": "The operator confirmed that the table is clear and that the board is {board}.",
     "hint": ""
   },
   "job.copy-done": {
-    "text": "Copy {copy} of {copies} is done.",
+    "text": "Copy {copy} of {copies} is finished.",
     "hint": ""
   },
   "job.copy-done-next-sheet": {
-    "text": "Copy {copy} of {copies} is done: put a new sheet on the table.",
-    "hint": ""
+    "text": "Copy {copy} of {copies} is finished. The next copy needs a new sheet.",
+    "hint": "Put a new sheet on the table."
   },
   "job.declared-finished": {
-    "text": "Declared finished at line {line} of {lines}.",
+    "text": "The operator marked the job as finished at line {line} of {lines}.",
     "hint": ""
   },
   "job.executed": {
-    "text": "Every line was executed.",
+    "text": "Every line of the program was executed.",
     "hint": ""
   },
   "job.fully-executed": {
-    "text": "Job {job} was executed to its last line ({lines}), so it is not queued again.",
+    "text": "Job {job} was executed to its last line ({lines}), so it cannot be queued again.",
     "hint": "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it."
   },
   "job.gateway-fell-silent": {
-    "text": "The gateway {gateway} fell silent.",
-    "hint": ""
+    "text": "The gateway {gateway} stopped responding.",
+    "hint": "Check the gateway and its network connection."
   },
   "job.gateway-lost": {
-    "text": "The gateway {gateway} fell silent. The machine may have executed more lines than it reported.",
-    "hint": ""
+    "text": "The gateway {gateway} stopped responding. The machine may have executed more lines than the gateway reported.",
+    "hint": "Check the gateway and its network connection."
   },
   "job.gateway-silent": {
-    "text": "The gateway {gateway} that claimed job {job} does not answer.",
-    "hint": "Switch on the machine and its gateway, then confirm when the job waits again."
+    "text": "The gateway {gateway}, which claimed job {job}, does not respond.",
+    "hint": "Switch on the machine and its gateway, then confirm the job when it waits for confirmation again."
   },
   "job.held-before-start": {
-    "text": "Held before the first line.",
+    "text": "The job is held before its first line.",
     "hint": ""
   },
   "job.interrupted": {
-    "text": "Interrupted at line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Look at the table. Queue the job again to cut a new sheet from the first line, mark it finished if the sheet is complete, or scrap it."
+    "text": "The job was interrupted at line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Check the table. Then queue the job again to cut a new sheet from the first line, mark the job finished if the sheet is complete, or scrap the job."
   },
   "job.interrupted-at-end": {
-    "text": "Interrupted at line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it."
+    "text": "The job was interrupted at line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Check the table. Mark the job finished if the sheet is complete, otherwise scrap it."
   },
   "job.interrupted-between-copies": {
-    "text": "Interrupted after copy {copy} of {copies}, before a line of the next. {cause}",
-    "hint": "{cause:hint} Look at the table. Queue the job again for the remaining copies, mark it finished, or scrap it."
+    "text": "The job was interrupted after copy {copy} of {copies}, before the first line of the next copy. {cause}",
+    "hint": "{cause:hint} Check the table. Then queue the job again for the remaining copies, mark it finished, or scrap it."
   },
   "job.late-report": {
-    "text": "Reported late: {report}",
+    "text": "The gateway reported late: {report}",
     "hint": ""
   },
   "job.no-confirmation-awaited": {
-    "text": "Job {job} is {state}, so it waits for no confirmation.",
+    "text": "Job {job} is {state}, so it does not wait for a confirmation.",
     "hint": "{advice}"
   },
   "job.no-sheet-awaited": {
-    "text": "Job {job} is held, not waiting for a sheet.",
-    "hint": "Resume it."
+    "text": "Job {job} is held, but it does not wait for a new sheet.",
+    "hint": "Resume the job."
   },
   "job.no-work": {
-    "text": "There is nothing to make in this drawing: every edge is ignored.",
-    "hint": "Give at least one edge a line type that the machine makes."
+    "text": "The drawing contains nothing to cut, crease or groove: every edge is ignored.",
+    "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "job.not-confirmed": {
     "text": "Job {job} was started without a confirmation of its sheet.",
     "hint": "Check the table, then confirm the job or cancel it."
   },
   "job.not-running": {
-    "text": "Job {job} is {state}; no machine runs it.",
-    "hint": "Claim it first."
+    "text": "Job {job} is {state}, so no machine executes it.",
+    "hint": "Claim the job first."
   },
   "job.not-taken": {
-    "text": "Job {job} is queued, and its machine {machine} has not taken it yet.",
-    "hint": "Confirm it when its turn has come; its reason states what it waits for."
+    "text": "Job {job} is queued, and its machine {machine} has not claimed it yet.",
+    "hint": "Confirm the job after the machine has claimed it. The reason in the job shows what the job waits for."
   },
   "job.nothing-sent": {
     "text": "The gateway sent nothing to the machine.",
     "hint": ""
   },
   "job.nothing-to-confirm": {
-    "text": "Job {job} is running.",
-    "hint": "There is nothing to confirm."
+    "text": "Job {job} is running, so there is nothing to confirm.",
+    "hint": "Hold or cancel the job if the machine must stop."
   },
   "job.of-copy": {
     "text": " of copy {copy} of {copies}",
     "hint": ""
   },
   "job.ordered": {
-    "text": "Ordered.",
+    "text": "The job was ordered.",
     "hint": ""
   },
   "job.other-board": {
@@ -2036,60 +2036,60 @@ export const TEXTS = {
     "hint": "Put {board} on the table."
   },
   "job.program-refused": {
-    "text": "The program does not cut what was drawn: {findings: }{more}",
-    "hint": "Change the drawing, the line types or the board; nothing was cut."
+    "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
+    "hint": "Change the drawing, the line types or the board."
   },
   "job.released": {
-    "text": "Released.",
+    "text": "The job was released.",
     "hint": ""
   },
   "job.released-by-order": {
-    "text": "Released, as its order requested.",
+    "text": "The job was released automatically, as requested in its order.",
     "hint": ""
   },
   "job.requeued": {
-    "text": "Queued again.",
+    "text": "The job was queued again.",
     "hint": ""
   },
   "job.scrapped": {
-    "text": "Scrapped.",
+    "text": "The job was scrapped.",
     "hint": ""
   },
   "job.stale-epoch": {
-    "text": "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch {current} now).",
-    "hint": "Stop the machine and claim again."
+    "text": "Another claim of job {job} has replaced the claim of this gateway: the job is {state} and in epoch {current}, but the request names epoch {epoch}.",
+    "hint": "Stop the machine and claim the job again."
   },
   "job.started": {
-    "text": "Started.",
+    "text": "The job was started.",
     "hint": ""
   },
   "job.started-unconfirmed": {
-    "text": "Started without the operator's confirmation.",
+    "text": "The job was started without the confirmation of the operator.",
     "hint": ""
   },
   "job.unknown": {
-    "text": "There is no job {job}.",
-    "hint": "GET /api/jobs lists them."
+    "text": "Job {job} does not exist.",
+    "hint": "Choose one of the jobs that GET /api/jobs lists."
   },
   "job.verified": {
-    "text": "Compiled and verified.",
+    "text": "The job was compiled and verified.",
     "hint": ""
   },
   "job.worker-silent": {
-    "text": "The worker {worker} stopped responding in stage {stage}.",
-    "hint": ""
+    "text": "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",
+    "hint": "Report the error with the log of the server if it happens again."
   },
   "job.wrong-state": {
-    "text": "Job {job} is {state}, so it cannot become {goal}.",
+    "text": "Job {job} is {state}, so its state cannot become {goal}.",
     "hint": "{advice}"
   },
   "job.wrong-state-for-request": {
-    "text": "Job {job} is {state}; the request {request} is for a job that is {states: or }.",
+    "text": "Job {job} is {state}, but the request {request} needs a job that is {states: or }.",
     "hint": "{advice}"
   },
   "language.bad-entry-point": {
-    "text": "The entry point {name!r} of {group} does not provide a controller language of this name.",
-    "hint": "Correct or remove the package that declares it."
+    "text": "The entry point {name!r} in the group {group} does not provide a controller language with this name.",
+    "hint": "Correct or remove the Python package that declares the entry point."
   },
   "language.no-driver": {
     "text": "Programs in {language} cannot be sent to a machine, because there is no gateway driver for this language.",
@@ -2101,7 +2101,7 @@ export const TEXTS = {
   },
   "language.unusable": {
     "text": "{machine} cannot be driven with {language}: {reason}.",
-    "hint": "Choose {own}, the language of the machine file."
+    "hint": "Choose {own}, which is the language in the machine file."
   },
   "layer.not-finite": {
     "text": "A coordinate on the layer {layer} is not a number.",
@@ -2109,7 +2109,7 @@ export const TEXTS = {
   },
   "library.invalid": {
     "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
-    "hint": "Correct its TOML file; knifetip schema {shelf} describes all fields."
+    "hint": "Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
   },
   "library.unknown": {
     "text": "The {shelf} {name!r} does not exist.",
@@ -2121,19 +2121,19 @@ export const TEXTS = {
   },
   "library.unreadable": {
     "text": "The {shelf} {name!r} cannot be read: {detail}.",
-    "hint": "Correct its TOML file."
+    "hint": "Correct the TOML file of the {shelf}."
   },
   "machine.busy": {
-    "text": "Job {job} is on the table of {machine}.",
-    "hint": "One job at a time: finish it, queue it again or scrap it."
+    "text": "Job {job} already occupies the table of {machine}.",
+    "hint": "Finish that job, queue it again or scrap it, because a machine can process only one job at a time."
   },
   "machine.busy-with-another": {
-    "text": "Another job is on the table of {machine}.",
-    "hint": "One job at a time: finish it, queue it again or scrap it."
+    "text": "Another job already occupies the table of {machine}.",
+    "hint": "Finish that job, queue it again or scrap it, because a machine can process only one job at a time."
   },
   "machine.no-cutter": {
     "text": "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
-    "hint": "Choose a machine with a rotating cutter or a laser; only these can be calibrated."
+    "hint": "Choose a machine with a rotating cutter or a laser, because only these tools can be calibrated."
   },
   "machine.no-such-cutter": {
     "text": "{machine} has no cutter {cutter!r}.",
@@ -2144,11 +2144,11 @@ export const TEXTS = {
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
   },
   "offset.bad-distance": {
-    "text": "The offset distance is not a number of 0 mm or more.",
+    "text": "The offset distance is negative or not a number.",
     "hint": "Correct the radius of the tool."
   },
   "offset.bad-interference": {
-    "text": "{interference!r} is not a method for places where the tool does not fit.",
+    "text": "{interference!r} is not a valid method for contours into which the tool does not fit.",
     "hint": "Choose 'trim' or 'refuse'."
   },
   "offset.bad-side": {
@@ -2156,32 +2156,32 @@ export const TEXTS = {
     "hint": "Give +1 or -1."
   },
   "offset.dead-end": {
-    "text": "The offset of path {path} by {radius:g} mm does not close: {depth:.4g} mm of it beside segment {segment} have no continuation.",
-    "hint": "Draw the contour without overlaps, or change the radius a little."
+    "text": "The offset of path {path} by {radius:g} mm is not closed, because {depth:.4g} mm of the offset beside segment {segment} do not connect to the rest.",
+    "hint": "Draw the contour without overlaps, or change the radius slightly."
   },
   "offset.interference": {
-    "text": "A tool of radius {radius:g} mm beside segment {segment} would cut {depth:.4g} mm into segment {other}.",
-    "hint": "Choose a smaller tool, or accept uncut remains where the tool does not fit."
+    "text": "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} mm into segment {other}.",
+    "hint": "Choose a smaller tool, or accept uncut areas where the tool does not fit."
   },
   "offset.mixed-group": {
-    "text": "Path {path} has another radius or side than the other paths of its group.",
-    "hint": "Reverse the path, or put it into a group of its own."
+    "text": "Path {path} has a different radius or offset side than the rest of its group.",
+    "hint": "Reverse the path, or put it into a separate group."
   },
   "offset.self-contact": {
-    "text": "The offset of path {path} by {radius:g} mm does not close: the contour touches itself at ({x:.4f}, {y:.4f}), in segments {one} and {two}.",
-    "hint": "Trim the two segments where they meet, or move one of them away."
+    "text": "The offset of path {path} by {radius:g} mm is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) in segments {one} and {two}.",
+    "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "override.ambiguous": {
-    "text": "An override must name its edges in exactly one way.",
-    "hint": "Give edges, or handles, or layer and colour."
+    "text": "An override must select its edges in exactly one way: by number, by handle, or by layer and colour.",
+    "hint": "Give either edges, or handles, or layer and colour."
   },
   "override.no-edges-there": {
     "text": "The drawing has no edge {place: and }.",
     "hint": "Choose a layer and colour that GET /api/drawings/ID/edges lists."
   },
   "override.no-such-edge": {
-    "text": "Edge {edge} does not exist; the drawing has {count:# edge|# edges}.",
-    "hint": "Number the edges from 0."
+    "text": "Edge {edge} does not exist. The drawing has {count:# edge|# edges}.",
+    "hint": "Choose an edge number that exists. The first edge has number 0."
   },
   "override.no-such-handle": {
     "text": "No edge has the handle {handle!r}.",
@@ -2204,19 +2204,19 @@ export const TEXTS = {
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.cut-short": {
-    "text": "The PDF is cut short: its {bytes:,} bytes do not end with %%EOF, so lines of the drawing may be missing.",
+    "text": "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF, so lines of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.encrypted": {
     "text": "The PDF is encrypted, so it cannot be read.",
-    "hint": "Save it without a password and without restrictions."
+    "hint": "Save the PDF without a password and without restrictions."
   },
   "pdf.expands-too-far": {
     "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
     "hint": "Export a single carton, with its symbols expanded."
   },
   "pdf.form": {
-    "text": "The PDF is an XFA form, whose page contains no drawing.",
+    "text": "The PDF is a dynamic form (XFA), whose page contains no drawing.",
     "hint": "Print the drawing to a PDF, or send it as DXF."
   },
   "pdf.form-named": {
@@ -2225,14 +2225,14 @@ export const TEXTS = {
   },
   "pdf.illustrator-only": {
     "text": "The Illustrator file was saved without PDF content, so its page contains no line.",
-    "hint": "Save it with the option 'Create PDF Compatible File', or as PDF."
+    "hint": "Save the file with the option 'Create PDF Compatible File', or as PDF."
   },
   "pdf.layers-too-deep": {
     "text": "The layers of the PDF are nested more than {limit:,} levels deep.",
     "hint": "Export the drawing again with fewer nested layers."
   },
   "pdf.nested-arrays": {
-    "text": "has arrays that are nested too deep",
+    "text": "has arrays that are nested too deeply",
     "hint": ""
   },
   "pdf.no-header": {
@@ -2264,11 +2264,11 @@ export const TEXTS = {
     "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
-    "text": "A part of the page of the PDF is missing, so lines of the drawing may be missing.",
+    "text": "A part of the content of the PDF page is missing in the file, so lines of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-cut-short": {
-    "text": "A data stream of the PDF is cut short, so lines of the drawing may be missing.",
+    "text": "A data stream of the PDF is incomplete, so lines of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.stream-damaged": {
@@ -2285,7 +2285,7 @@ export const TEXTS = {
   },
   "profile.bad-if-match": {
     "text": "The header If-Match is {match!r}, which is not a version.",
-    "hint": "Send the ETag of the profile, for example \"3\"."
+    "hint": "Send the ETag of the profile in If-Match, for example \"3\"."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",
@@ -2300,12 +2300,12 @@ export const TEXTS = {
     "hint": "See ProfileIn in /api/openapi.json for the expected fields."
   },
   "profile.nested-too-deep": {
-    "text": "The profile {name!r} is nested too deeply.",
+    "text": "The tables of the profile {name!r} are nested too deeply.",
     "hint": "Write a title and a list of [[rule]] tables."
   },
   "profile.not-an-extension": {
-    "text": "The profile {name!r} cannot be written as an extension of {extends!r}, because it does not contain all rules of it.",
-    "hint": "Write it without extends."
+    "text": "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks some rules of {extends!r}.",
+    "hint": "Save the profile without extends."
   },
   "profile.not-kept": {
     "text": "The server has no custom profile {name}.",
@@ -2313,30 +2313,30 @@ export const TEXTS = {
   },
   "profile.not-toml": {
     "text": "The profile {name!r} is not valid TOML: {reason}.",
-    "hint": "Correct this line."
+    "hint": "Correct the TOML syntax at this position."
   },
   "profile.not-utf8": {
     "text": "{name} is not UTF-8 text.",
-    "hint": "Save it as UTF-8."
+    "hint": "Save the file as UTF-8."
   },
   "profile.not-utf8-byte": {
     "text": "The profile {name!r} is not UTF-8 text: byte {byte} is invalid.",
-    "hint": "Save it as UTF-8."
+    "hint": "Save the file as UTF-8."
   },
   "profile.shipped": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
-    "hint": "Save your profile under another name; it can extend this one."
+    "hint": "Save your profile under another name. Your profile can extend this one."
   },
   "profile.shipped-command": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
     "hint": "Choose another name with --name."
   },
   "profile.stale": {
-    "text": "Another user has changed the profile {name}: it is at version {version}, but this change was made from version {given}.",
+    "text": "Another user has changed the profile {name}: it is at version {version}, but your change is based on version {given}.",
     "hint": "Check the profile again, then send your change with If-Match: \"{version}\"."
   },
   "profile.too-long": {
-    "text": "The profile {name!r} has {size} kB; the limit is {limit} kB.",
+    "text": "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",
     "hint": "Combine rules: a rule can list many layers, and * matches any characters."
   },
   "profile.too-many": {
@@ -2345,15 +2345,15 @@ export const TEXTS = {
   },
   "program.bad-tolerance": {
     "text": "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
-    "hint": "Give 0.001 mm or more."
+    "hint": "Choose a tolerance of 0.001 mm or more."
   },
   "program.control-byte": {
     "text": "Line {line} of the program contains the byte 0x{byte}, a control command that the controller would execute at once.",
-    "hint": "Remove it, or compile the job again."
+    "hint": "Remove the byte, or compile the job again."
   },
   "program.line-too-long": {
-    "text": "Row {row} of the toolpath needs a program line of {length} characters ({line} …), but {dialect} accepts only {limit}.",
-    "hint": "Check the coordinates of the drawing: they are larger than any table."
+    "text": "A program line for row {row} of the toolpath has {length} characters ({line} …), but {dialect} accepts only {limit}.",
+    "hint": "Check the coordinates of the drawing, which are too large for any table."
   },
   "program.line-too-long-to-send": {
     "text": "Line {line} of the program has {length} bytes, but {name} accepts only {limit}.",
@@ -2361,14 +2361,14 @@ export const TEXTS = {
   },
   "program.no-placement": {
     "text": "{program} does not contain the position of the drawing on the sheet.",
-    "hint": "Give the position from its report with --placement X,Y."
+    "hint": "Give the position with --placement X,Y. The report of the program contains the position."
   },
   "program.not-bytes": {
     "text": "The program is of type {type}, but must be bytes.",
-    "hint": "Pass the bytes of the file."
+    "hint": "Pass the content of the file as bytes."
   },
   "program.not-fetched": {
-    "text": "The program of job {job} could not be loaded from the server ({reason}); nothing was sent to the machine.",
+    "text": "The program of job {job} could not be loaded from the server ({reason}). Nothing was sent to the machine.",
     "hint": "Queue the job again."
   },
   "program.too-large": {
@@ -2384,11 +2384,11 @@ export const TEXTS = {
     "hint": "Split the job into several sheets."
   },
   "program.wrong-checksum": {
-    "text": "The program of job {job} was damaged on its way from the server (SHA-256 {arrived}… instead of {expected}…); nothing was sent to the machine.",
+    "text": "The program of job {job} was damaged during its transfer from the server (SHA-256 {arrived}… instead of {expected}…). Nothing was sent to the machine.",
     "hint": "Queue the job again. If this happens again, compile the job again."
   },
   "question.guess": {
-    "text": " It is most likely {type} ({percent} %): {reason}.",
+    "text": " The most likely line type is {type} ({percent} %): {reason}.",
     "hint": ""
   },
   "question.line-type": {
@@ -2396,7 +2396,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.shape": {
-    "text": " The shape of the drawing shows: {reason}.",
+    "text": " The geometry of the drawing shows: {reason}.",
     "hint": ""
   },
   "question.tool": {
@@ -2404,11 +2404,11 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit": {
-    "text": "{reason} In which unit is it drawn? Its size would be {sizes:, }.{evidence}",
+    "text": "{reason} In which unit is the drawing? The size of the drawing would be {sizes:, }.{evidence}",
     "hint": ""
   },
   "question.unit-contradicted": {
-    "text": "The file states the unit {stated:unit}, but the drawing does not fit this unit.",
+    "text": "The file states the unit {stated:unit}, but the size of the drawing does not match this unit.",
     "hint": ""
   },
   "question.unit-doubtful": {
@@ -2416,7 +2416,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit-evidence": {
-    "text": " Strongest evidence for {unit:unit}: {evidence:; }.",
+    "text": " The strongest evidence for {unit:unit} is: {evidence:; }.",
     "hint": ""
   },
   "question.unit-not-stated": {
@@ -2436,7 +2436,7 @@ export const TEXTS = {
     "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program."
   },
   "reading.damaged": {
-    "text": "The {format} is damaged and cannot be read ({reason}).",
+    "text": "The {format} file is damaged and cannot be read ({reason}).",
     "hint": "Export the drawing again, if necessary from another program."
   },
   "reading.empty": {
@@ -2444,19 +2444,19 @@ export const TEXTS = {
     "hint": "Send the drawing as {formats:or}."
   },
   "reading.expands-too-far": {
-    "text": "The repeated parts of the {format} expand to more than {limit:,} elements.",
+    "text": "The repeated parts of the {format} file expand to more than {limit:,} elements.",
     "hint": "Export a single carton, with blocks and symbols expanded."
   },
   "reading.nested-too-deep": {
-    "text": "Blocks, symbols or groups of the {format} are nested more than {limit} levels deep.",
-    "hint": "Explode them in the program that drew the file, and export again."
+    "text": "Blocks, symbols or groups of the {format} file are nested more than {limit} levels deep.",
+    "hint": "Explode the blocks, symbols or groups in the program that drew the file, and export again."
   },
   "reading.too-large": {
     "text": "The file has {size:.1f} MB; the limit is {limit:.1f} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "reading.too-many-elements": {
-    "text": "The {format} has more than {limit:,} elements.",
+    "text": "The {format} file has more than {limit:,} elements.",
     "hint": "Export a single carton."
   },
   "reading.too-many-entities": {
@@ -2464,19 +2464,19 @@ export const TEXTS = {
     "hint": "Export a single carton."
   },
   "reading.too-many-segments": {
-    "text": "The {format} has more than {limit:,} lines and curves.",
+    "text": "The {format} file has more than {limit:,} lines and curves.",
     "hint": "Export a single carton, without pictures made of lines."
   },
   "reading.too-slow": {
-    "text": "Reading the {format} takes longer than {seconds:g} s.",
+    "text": "Reading the {format} file takes longer than {seconds:g} s.",
     "hint": "Export a single carton without pictures, and convert curves to lines and arcs."
   },
   "reading.truncated": {
-    "text": "The {format} is truncated and cannot be read.",
+    "text": "The {format} file is incomplete and cannot be read.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "reading.unexpected": {
-    "text": "The {format} is damaged and cannot be read (internal error {reason}).",
+    "text": "The {format} file is damaged and cannot be read (internal error {reason}).",
     "hint": "Export the drawing again, if necessary from another program."
   },
   "reading.unknown-kind": {
@@ -2484,16 +2484,16 @@ export const TEXTS = {
     "hint": "Send the drawing as {formats:or}."
   },
   "request.body-too-large": {
-    "text": "The request is larger than {limit} MB, the limit at this address.",
-    "hint": "Send the data in several requests."
+    "text": "The request is larger than {limit} MB, which is the limit for this URL.",
+    "hint": "Divide the data into several requests."
   },
   "request.foreign-origin": {
-    "text": "Cross-site request refused: it was sent by a page of another website.",
-    "hint": "Send it from the page of this server, or from a program that is not a browser."
+    "text": "The request was rejected, because a page of another website sent it.",
+    "hint": "Send the request from the page of this server, or from a program that is not a browser."
   },
   "request.foreign-page": {
-    "text": "Cross-site request refused: it was sent by a page of {origin}.",
-    "hint": "Send it from the page of this server, or from a program that is not a browser."
+    "text": "The request was rejected, because a page of another website ({origin}) sent it.",
+    "hint": "Send the request from the page of this server, or from a program that is not a browser."
   },
   "request.html-form": {
     "text": "The API does not accept data of type {media}.",
@@ -2501,10 +2501,10 @@ export const TEXTS = {
   },
   "request.invalid": {
     "text": "The request is invalid: {faults:; }.",
-    "hint": "Correct these fields; /api/openapi.json describes them."
+    "hint": "Correct these fields. /api/openapi.json describes all fields of the request."
   },
   "request.key-needed": {
-    "text": "This request needs the key of the server.",
+    "text": "This request needs the access key of the server.",
     "hint": "Send the header Authorization: Bearer KEY, or sign in on the page."
   },
   "request.key-reused": {
@@ -2513,14 +2513,14 @@ export const TEXTS = {
   },
   "request.local-only": {
     "text": "This server has no key, so it accepts only requests from its own computer.",
-    "hint": "Start it with --key-file PATH or --key KEY, or open it at http://localhost."
+    "hint": "Start the server with --key-file PATH or --key KEY, or open it at http://localhost."
   },
   "request.no-host": {
     "text": "The request does not have exactly one Host header.",
     "hint": "Send one Host header, as HTTP/1.1 requires."
   },
   "request.not-marked": {
-    "text": "The request has no header that shows that it does not come from a page of another website.",
+    "text": "The header X-Knifetip is missing, which protects the server against requests from other websites.",
     "hint": "Send the header X-Knifetip with any value."
   },
   "request.not-storable": {
@@ -2528,12 +2528,12 @@ export const TEXTS = {
     "hint": "Remove control characters, and use finite numbers."
   },
   "request.nothing-there": {
-    "text": "The address {path} does not exist on this server.",
-    "hint": "Choose an address that /api/openapi.json describes."
+    "text": "The URL {path} does not exist on this server.",
+    "hint": "Choose a URL that /api/openapi.json describes."
   },
   "request.refused": {
-    "text": "The request was refused: {detail}.",
-    "hint": ""
+    "text": "The request was rejected: {detail}.",
+    "hint": "Correct the request as /api/openapi.json describes."
   },
   "request.upload-too-large": {
     "text": "The file is larger than {limit} MB, the limit of this server.",
@@ -2541,15 +2541,15 @@ export const TEXTS = {
   },
   "request.wrong-host": {
     "text": "This server does not accept requests for the host {host!r}.",
-    "hint": "Use its IP address, or start it with --allow-host {host}."
+    "hint": "Use the IP address of the server, or start the server with --allow-host {host}."
   },
   "request.wrong-key": {
-    "text": "The key is wrong.",
+    "text": "The access key of the request is wrong.",
     "hint": "Send the key of this server in the header Authorization: Bearer KEY."
   },
   "request.wrong-method": {
     "text": "The method {method} is not supported at {path}.",
-    "hint": "Choose a method that /api/openapi.json describes for this address."
+    "hint": "Choose a method that /api/openapi.json describes for this URL."
   },
   "rs274.after-end": {
     "text": "The line comes after the end of the program (M2 or M30).",
@@ -2557,7 +2557,7 @@ export const TEXTS = {
   },
   "rs274.axis-without-motion": {
     "text": "The line has coordinates, but no motion word (G0, G1, G2 or G3).",
-    "hint": "Add the motion word."
+    "hint": "Add G0, G1, G2 or G3."
   },
   "rs274.bad-arc": {
     "text": "The distances from the centre of the arc to its start and to its end differ by more than {limit:g} mm.",
@@ -2565,14 +2565,14 @@ export const TEXTS = {
   },
   "rs274.bad-character": {
     "text": "The character {character!r} is not allowed here.",
-    "hint": "Remove it."
+    "hint": "Remove the character."
   },
   "rs274.bad-feed": {
-    "text": "The feed (F) is not greater than 0.",
+    "text": "The feed (F) is 0 or negative.",
     "hint": "Give a feed greater than 0."
   },
   "rs274.bad-line-number": {
-    "text": "The line number (N) is not a whole number of 0 or more.",
+    "text": "The line number (N) is negative or not an integer.",
     "hint": "Correct or delete the line number."
   },
   "rs274.centre-without-arc": {
@@ -2580,12 +2580,12 @@ export const TEXTS = {
     "hint": "Add G2 or G3, or delete I and J."
   },
   "rs274.change-without-station": {
-    "text": "The line changes the tool (M6), but the program has not named a station (T) before.",
+    "text": "The line changes the tool (M6), but no station (T) was selected before.",
     "hint": "Write the T word of the station before M6."
   },
   "rs274.control-byte": {
     "text": "The byte {byte} is a control command that the controller would execute at once, even in a comment.",
-    "hint": "Remove it."
+    "hint": "Remove the byte."
   },
   "rs274.ends-lowered": {
     "text": "The program ends while a station is lowered.",
@@ -2593,7 +2593,7 @@ export const TEXTS = {
   },
   "rs274.ends-oscillating": {
     "text": "The program ends while a tool oscillates or rotates.",
-    "hint": "Switch it off (M5) before the end."
+    "hint": "Switch the tool off (M5) before the end of the program."
   },
   "rs274.ends-output-on": {
     "text": "The program ends while an output is on.",
@@ -2604,15 +2604,15 @@ export const TEXTS = {
     "hint": "Cancel the offset (G49) before the end."
   },
   "rs274.g64-unsupported": {
-    "text": "G64 is not accepted by controllers without a tool table.",
-    "hint": "Remove it."
+    "text": "G64 is not supported by the controller of this machine.",
+    "hint": "Remove G64."
   },
   "rs274.incomplete-arc": {
-    "text": "The arc has no X, Y, I or J.",
-    "hint": "Give all four."
+    "text": "The arc lacks X, Y, I or J.",
+    "hint": "Give X, Y, I and J."
   },
   "rs274.letter-without-number": {
-    "text": "The letter {letter} has no number.",
+    "text": "The letter {letter} is not followed by a number.",
     "hint": "Add the number or delete the letter."
   },
   "rs274.line-too-long": {
@@ -2620,7 +2620,7 @@ export const TEXTS = {
     "hint": "Shorten the line."
   },
   "rs274.missing-p": {
-    "text": "The line has no P word, which its other words need.",
+    "text": "The line has no P word, although a command in this line needs one.",
     "hint": "Add the P word."
   },
   "rs274.mode-g17": {
@@ -2640,7 +2640,7 @@ export const TEXTS = {
     "hint": ""
   },
   "rs274.mode-g54": {
-    "text": "the coordinate system (G54)",
+    "text": "the work coordinate system (G54)",
     "hint": ""
   },
   "rs274.mode-g90": {
@@ -2660,59 +2660,59 @@ export const TEXTS = {
     "hint": "Add the coordinates or delete the motion word."
   },
   "rs274.moves-and-switches": {
-    "text": "The line moves the head and switches something at the same time.",
-    "hint": "Write the move and the switching on two lines."
+    "text": "The line moves the head and switches an output or the spindle at the same time.",
+    "hint": "Write the move and the switching command on separate lines."
   },
   "rs274.moves-unstated": {
     "text": "The line moves before the program has set {mode}.",
-    "hint": "Set it at the beginning of the program."
+    "hint": "Set this mode at the beginning of the program."
   },
   "rs274.nested-comment": {
     "text": "A comment begins inside another comment.",
-    "hint": "Close the first comment before it."
+    "hint": "Close the first comment before the second begins."
   },
   "rs274.no-end": {
     "text": "The program has no end (M2 or M30).",
     "hint": "Add M2 as the last line."
   },
   "rs274.no-feed": {
-    "text": "The line cuts, but no feed (F) has been set since the feed mode was chosen.",
+    "text": "The line cuts, but the program has set no feed (F) since the feed mode (G93 or G94) was chosen.",
     "hint": "Add an F word."
   },
   "rs274.not-settled": {
-    "text": "The line moves before the switched tool or output has reached its state.",
-    "hint": "Add a dwell (G4) before it."
+    "text": "The line moves the head before the output or spindle that was switched has reached its new state.",
+    "hint": "Add a dwell (G4) before the line."
   },
   "rs274.number-too-large": {
     "text": "A number is larger than 1,000,000.",
     "hint": "Correct the number."
   },
   "rs274.offset-without-station": {
-    "text": "The line applies the offset of a station (G43), but the program has not named a station (T) before.",
+    "text": "The line applies the offset of a station (G43), but no station (T) was selected before.",
     "hint": "Write the T word of the station before G43."
   },
   "rs274.open-comment": {
     "text": "A comment is not closed.",
-    "hint": "Close it with ) on the same line."
+    "hint": "Close the comment with ) on the same line."
   },
   "rs274.repeated-word": {
-    "text": "Two words of the line set the same value.",
-    "hint": "Delete one of them."
+    "text": "The line sets the same value twice.",
+    "hint": "Delete one of the two words."
   },
   "rs274.speed-without-m3": {
     "text": "The line has a spindle speed (S), but no M3.",
     "hint": "Add M3 or delete the speed."
   },
   "rs274.stray-p": {
-    "text": "The P word belongs to no other word of the line, or to two of them.",
-    "hint": "Delete it, or write the words on separate lines."
+    "text": "The P word belongs to no command of the line, or to more than one.",
+    "hint": "Delete the P word, or write the commands on separate lines."
   },
   "rs274.stray-q": {
-    "text": "The Q word belongs to no other word of the line.",
-    "hint": "Delete it."
+    "text": "The Q word belongs to no command of the line.",
+    "hint": "Delete the Q word."
   },
   "rs274.timed-without-f": {
-    "text": "The move is timed (G93), but the line has no F word with its duration.",
+    "text": "The line moves in inverse time mode (G93), but has no F word.",
     "hint": "Add the F word."
   },
   "rs274.too-many-digits": {
@@ -2720,24 +2720,24 @@ export const TEXTS = {
     "hint": "Round the number."
   },
   "rs274.unbounded-rounding": {
-    "text": "The line cuts while the program does not limit how far the controller may round corners.",
-    "hint": "Set the limit with G64 P before it."
+    "text": "The line cuts, but the program does not limit by how much the controller may round corners.",
+    "hint": "Set the limit with G64 P before the line."
   },
   "rs274.unknown-letter": {
     "text": "The letter {letter} is not supported.",
-    "hint": "Remove the word."
+    "hint": "Remove the letter and its number."
   },
   "rs274.unknown-output": {
-    "text": "{machine} does not have the output in this line.",
-    "hint": "Choose an output of the machine file."
+    "text": "The line switches an output that {machine} does not have.",
+    "hint": "Choose an output that is defined in the machine file."
   },
   "rs274.unknown-station": {
-    "text": "{machine} does not have the station (T) in this line.",
-    "hint": "Choose a station of the machine file."
+    "text": "The line selects a station (T) that {machine} does not have.",
+    "hint": "Choose a station that is defined in the machine file."
   },
   "rs274.unknown-word": {
     "text": "{word} is not supported.",
-    "hint": "Remove it."
+    "hint": "Remove the word."
   },
   "rs274.wrong-dwell": {
     "text": "The dwell (G4) is shorter than the {settle:g} s that the machine needs after switching.",
@@ -2780,16 +2780,16 @@ export const TEXTS = {
     "hint": ""
   },
   "run.in-buffer": {
-    "text": "{executed} of {lines} lines were executed, and up to {rest} more, which were in the controller's buffer, may have been.",
+    "text": "{executed} of {lines} lines were executed. Up to {rest} more lines, which were in the buffer of the controller, may also have been executed.",
     "hint": ""
   },
   "run.nothing-sent": {
-    "text": "No line was sent.",
+    "text": "No program line was sent.",
     "hint": ""
   },
   "segment.not-finite": {
     "text": "Segment {segment} of the path has a coordinate or a bulge that is not a number.",
-    "hint": "Draw the segment again."
+    "hint": "Draw this segment of the path again."
   },
   "server.address-in-use": {
     "text": "The server cannot use the address {host}:{port}: {reason}.",
@@ -2797,11 +2797,11 @@ export const TEXTS = {
   },
   "server.answered": {
     "text": "The request to {url} failed with the HTTP status {status}.",
-    "hint": "Check the address of the server, and its log."
+    "hint": "Check the address of the server and the log of the server."
   },
   "server.busy": {
     "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
-    "hint": "Send it again in {seconds} s."
+    "hint": "Send the request again in {seconds} s."
   },
   "server.database-silent": {
     "text": "The database of the server does not respond.",
@@ -2809,11 +2809,11 @@ export const TEXTS = {
   },
   "server.internal-error": {
     "text": "Internal error of the server. Nothing was cut.",
-    "hint": "Report it with the log of the server."
+    "hint": "Report the error with the log of the server."
   },
   "server.not-started": {
     "text": "The server could not start with the database {database}.",
-    "hint": "Correct the cause, which the lines above show."
+    "hint": "Correct the cause, which is shown in the lines above this message."
   },
   "server.stopping": {
     "text": "The server is shutting down and accepts no new requests.",
@@ -2821,11 +2821,11 @@ export const TEXTS = {
   },
   "server.unreachable": {
     "text": "The server {server} cannot be reached: {reason}.",
-    "hint": "Check --server and the network."
+    "hint": "Check the address in --server and the network connection."
   },
   "settings.bad-host": {
     "text": "{host!r} is not a host name.",
-    "hint": "Write NAME or NAME:PORT."
+    "hint": "Write the host as NAME or NAME:PORT."
   },
   "settings.bad-key": {
     "text": "{what} has {length} characters, but must have {shortest} to 200 ASCII characters without spaces.",
@@ -2833,15 +2833,15 @@ export const TEXTS = {
   },
   "settings.key-file": {
     "text": "The key file {file} cannot be used: {reason}.",
-    "hint": "Name a file that the server can read and write."
+    "hint": "Choose a file that the server can read and write."
   },
   "settings.two-keys": {
-    "text": "The server was given both a key and a key file.",
-    "hint": "Give only one of --key and --key-file."
+    "text": "The server was started with both --key and --key-file.",
+    "hint": "Give only one of the two options."
   },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
-    "hint": "Wait until it is compiled; its state and reason show why it may have failed."
+    "hint": "Wait until it is compiled. If compilation failed, its state and reason show why."
   },
   "store.unknown": {
     "text": "The {kind} {id} does not exist.",
@@ -2852,7 +2852,7 @@ export const TEXTS = {
     "hint": "{hint}"
   },
   "svg.cut-short": {
-    "text": "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so lines of the drawing may be missing.",
+    "text": "The SVG file is incomplete: it ends at line {line}, after {count:# element|# elements}, so lines of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.damaged-at": {
@@ -2865,15 +2865,15 @@ export const TEXTS = {
   },
   "svg.external-entity": {
     "text": "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is not loaded.",
-    "hint": "Save it as plain SVG, without a DOCTYPE."
+    "hint": "Save the drawing as plain SVG, without a DOCTYPE."
   },
   "svg.long-entity": {
-    "text": "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which would expand the file too far.",
-    "hint": "Save it as plain SVG, without a DOCTYPE."
+    "text": "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which is too long.",
+    "hint": "Save the drawing as plain SVG, without a DOCTYPE."
   },
   "svg.markup-entity": {
-    "text": "The DOCTYPE of the SVG has an entity {name!r} that contains markup.",
-    "hint": "Save it as plain SVG, without a DOCTYPE."
+    "text": "The DOCTYPE of the SVG has an entity {name!r} that contains markup, which is not supported.",
+    "hint": "Save the drawing as plain SVG, without a DOCTYPE."
   },
   "svg.nested-too-deep": {
     "text": "The elements of the SVG are nested more than {limit} levels deep.",
@@ -2884,7 +2884,7 @@ export const TEXTS = {
     "hint": "Save the drawing as plain SVG."
   },
   "svg.packed-cut-short": {
-    "text": "The compressed SVG (.svgz) is cut short.",
+    "text": "The compressed SVG file (.svgz) is incomplete.",
     "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.packed-damaged": {
@@ -2900,8 +2900,8 @@ export const TEXTS = {
     "hint": "Export a single carton, without pictures."
   },
   "tool.bad-radius": {
-    "text": "The radius of a tool is not a number of 0 mm or more.",
-    "hint": "Correct it in the machine file."
+    "text": "The radius of a tool is negative or not a number.",
+    "hint": "Correct the radius in the machine file."
   },
   "tool.cannot-work": {
     "text": "Station {station} ({name}) of {machine} cannot be used: {reason}",
@@ -2912,7 +2912,7 @@ export const TEXTS = {
     "hint": "Choose another line type for the edges, or another machine."
   },
   "tool.short-lead": {
-    "text": "its lead of {lead:g} mm must be 0 or greater than its radius of {radius:g} mm",
+    "text": "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",
     "hint": ""
   },
   "tool.tilted": {
@@ -2921,15 +2921,15 @@ export const TEXTS = {
   },
   "tool.without-power": {
     "text": "The power of the laser is 0.",
-    "hint": "Set its power in the machine file."
+    "hint": "Set the power of the laser in the machine file."
   },
   "tool.without-speed": {
     "text": "The spindle speed of the cutter is 0.",
-    "hint": "Set its speed in the machine file."
+    "hint": "Set the spindle speed of the cutter in the machine file."
   },
   "toolpath.arc-too-long": {
-    "text": "Internal error: {place} is an arc of more than half a turn: {move}.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error: {place} is an arc of more than 180°: {move}.",
+    "hint": "Report the error with the drawing."
   },
   "toolpath.empty": {
     "text": "The toolpath has no moves, so nothing would be cut.",
@@ -2940,8 +2940,8 @@ export const TEXTS = {
     "hint": "Correct the feed of the tool in the machine file."
   },
   "toolpath.no-approach": {
-    "text": "Internal error: {place} starts a cut with station {station} before a rapid move has reached its start.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error: {place} starts a cut with station {station}, but no rapid move to the start of the cut precedes it.",
+    "hint": "Report the error with the drawing."
   },
   "toolpath.no-feed": {
     "text": "{place} has no feed: {move}.",
@@ -2949,11 +2949,11 @@ export const TEXTS = {
   },
   "toolpath.not-finite": {
     "text": "Internal error: {place} has a value that is not a number: {move}.",
-    "hint": "Report it with the drawing."
+    "hint": "Report the error with the drawing."
   },
   "toolpath.rapid-arc": {
     "text": "Internal error: {place} is a rapid move along an arc: {move}.",
-    "hint": "Report it with the drawing."
+    "hint": "Report the error with the drawing."
   },
   "toolpath.row": {
     "text": "Row {row} of the toolpath ({motion})",
@@ -2964,8 +2964,8 @@ export const TEXTS = {
     "hint": ""
   },
   "toolpath.swivel-without-turn": {
-    "text": "Internal error: row {row} of the toolpath is a swivel move without a turn, so its feed in degrees per minute has no meaning.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error: row {row} of the toolpath is a swivel move without a rotation, so its feed in degrees per minute is not defined.",
+    "hint": "Report the error with the drawing."
   },
   "toolpath.too-far": {
     "text": "{place} is more than {limit:g} mm away from the origin: {move}.",
@@ -2973,14 +2973,14 @@ export const TEXTS = {
   },
   "toolpath.unknown-motion": {
     "text": "Internal error: {place} has an unknown motion type: {move}.",
-    "hint": "Report it with the drawing."
+    "hint": "Report the error with the drawing."
   },
   "toolpath.unknown-station": {
     "text": "{place} is for station {station}, which {machine} does not have.",
     "hint": "Choose one of the stations {known:, }."
   },
   "track.too-flat": {
-    "text": "The path of the tool meets the edge of the board at {angle:.2f}° from the perpendicular (limit {limit:g}°), so the tool does not leave the board (path {track}).",
+    "text": "The path of the tool (path {track}) meets the edge of the board at {angle:.2f}° from the perpendicular, but at most {limit:g}° is allowed, so the tool does not leave the board.",
     "hint": "End the line inside the board, or draw it across the edge."
   },
   "travel.above": {
@@ -3004,19 +3004,19 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.cf2-scale-applied": {
-    "text": "its coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size that its records LL and UR state",
+    "text": "the coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-invalid": {
-    "text": "its record SCALE,{x:g},{y:g} is invalid and was ignored",
+    "text": "the record SCALE,{x:g},{y:g} is invalid and was ignored",
     "hint": ""
   },
   "unit.cf2-scale-not-applied": {
-    "text": "its record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the size that its records LL and UR state",
+    "text": "the record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-undecided": {
-    "text": "its record SCALE,{x:g},{y:g} was not applied, because its records LL and UR do not show whether the coordinates are already scaled",
+    "text": "the record SCALE,{x:g},{y:g} was not applied, because the records LL and UR do not show whether the coordinates are already scaled",
     "hint": ""
   },
   "unit.cf2-scaled": {
@@ -3024,12 +3024,12 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.dimensions-larger": {
-    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times larger than {others:# other|# others}.",
-    "hint": "Check which dimensions belong to the carton, and delete details at another scale."
+    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn at a scale that is {factor:.3g} times larger than the scale of the other {others:dimension|# dimensions}.",
+    "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.dimensions-smaller": {
-    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times smaller than {others:# other|# others}.",
-    "hint": "Check which dimensions belong to the carton, and delete details at another scale."
+    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn at a scale that is {factor:.3g} times smaller than the scale of the other {others:dimension|# dimensions}.",
+    "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.drawn-in-imperial": {
     "text": "fractions of inches that are stored in {unit:unit}",
@@ -3048,7 +3048,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.given": {
-    "text": "set by the user",
+    "text": "the user set the unit",
     "hint": ""
   },
   "unit.header": {
@@ -3096,15 +3096,15 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.imprecise": {
-    "text": "in {unit:unit} the lengths are too imprecise to show whether they are multiples of a round number",
+    "text": "in {unit:unit} the lengths of the edges are too imprecise to show whether they are multiples of a round number",
     "hint": ""
   },
   "unit.inconclusive": {
-    "text": "{stated}, but the drawing does not give enough evidence for {unit:unit}",
+    "text": "{stated}, and the geometry of the drawing does not give enough evidence for {unit:unit}",
     "hint": ""
   },
   "unit.multiples": {
-    "text": "in {unit:unit} {count} of {all} different lengths ({percent:.0f} % of their total) are multiples of {grid}",
+    "text": "in {unit:unit} {count} of {all} different edge lengths ({percent:.0f} % of their total) {count:is a multiple|are multiples} of {grid}",
     "hint": ""
   },
   "unit.no-number-matches": {
@@ -3132,11 +3132,11 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.overruled": {
-    "text": "{stated}; the drawing supports {unit:unit}: {reason}",
+    "text": "{stated}, but the drawing supports {unit:unit}, because {reason}",
     "hint": ""
   },
   "unit.page-in-pixels": {
-    "text": "the file states its size without a unit, as pages in pixels or points do",
+    "text": "the file states its page size without a unit, as files in pixels or points do",
     "hint": ""
   },
   "unit.page-in-points": {
@@ -3148,8 +3148,8 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.part-drawn-twice": {
-    "text": "The drawing contains the same part at two sizes: one is {factor:.3g} times larger than the other. One of them is a detail, or was inserted with a wrong unit.",
-    "hint": "Delete the part with the wrong size, or ignore its edges."
+    "text": "The drawing contains the same part at two sizes: the larger part is {factor:.3g} times larger than the smaller. One of the two parts is a detail, or was inserted with a wrong unit.",
+    "hint": "Delete the part with the wrong size, or set its edges to ignored."
   },
   "unit.parts-differ": {
     "text": "Parts of the drawing have different units: one part is drawn in {one}, another part in {other}.",
@@ -3176,15 +3176,15 @@ export const TEXTS = {
     "hint": "Check the size of the drawing."
   },
   "unit.share-stated": {
-    "text": "the header states {stated:unit}; {percent:.3g} % of the drawings with such a header are in {unit:unit}",
+    "text": "the header states {stated:unit}, and {percent:.3g} % of the drawings with such a header are in {unit:unit}",
     "hint": ""
   },
   "unit.share-unstated": {
-    "text": "the file states no unit; {percent:.3g} % of such drawings are in {unit:unit}",
+    "text": "the file states no unit, and {percent:.3g} % of such files are in {unit:unit}",
     "hint": ""
   },
   "unit.shortest-edges": {
-    "text": "in {unit:unit} its shortest edges are {length:mm} mm long",
+    "text": "in {unit:unit} the shortest edges of the drawing are {length:mm} mm long",
     "hint": ""
   },
   "unit.size-unusual": {
@@ -3196,11 +3196,11 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-no-size": {
-    "text": "the SVG has neither a width nor a height; {pixel}",
+    "text": "the SVG has no width and no height, and {pixel}",
     "hint": ""
   },
   "unit.svg-no-unit": {
-    "text": "the SVG states its size without a unit of length ({size: }); {pixel}",
+    "text": "the SVG states its size without a unit of length ({size: }), and {pixel}",
     "hint": ""
   },
   "unit.svg-pixel": {
@@ -3208,7 +3208,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-pixel-illustrator": {
-    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator, which wrote the file",
+    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator, which wrote this file",
     "hint": ""
   },
   "unit.svg-size": {
@@ -3228,7 +3228,7 @@ export const TEXTS = {
     "hint": "Choose one of {known:or}."
   },
   "verify.bad-tolerance": {
-    "text": "The tolerance of the check is {tolerance} mm, which is not a valid length.",
+    "text": "The tolerance of the verification is {tolerance} mm, which is not a valid length.",
     "hint": "Give a number greater than 0, usually 0.01 mm."
   },
   "verify.beam-on-rapid": {
@@ -3236,7 +3236,7 @@ export const TEXTS = {
     "hint": "Switch the beam off (M5) before the rapid move."
   },
   "verify.beam-refocused": {
-    "text": "The laser beam is on while its focus moves up or down by {height:.3f} mm.",
+    "text": "The laser beam is on while the head moves up or down by {height:.3f} mm.",
     "hint": "Switch the beam off (M5) before the height changes."
   },
   "verify.beside-line": {
@@ -3245,14 +3245,14 @@ export const TEXTS = {
   },
   "verify.beyond-rotation": {
     "text": "Axis {joint} turns to {position:.3f}°, but its travel is {low:g}° to {high:g}°.",
-    "hint": "Turn the drawing on the table, or choose a machine with more travel."
+    "hint": "Turn the drawing on the table, or choose a machine whose axis has a larger range of rotation."
   },
   "verify.beyond-travel": {
     "text": "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too close to a sharp corner.",
+    "text": "The bridge at {place:.3f} mm along the contour is too close to a sharp corner, by {distance:.3f} mm.",
     "hint": "Compile the job again, or choose a smaller spacing of bridges for the board."
   },
   "verify.bridge-spacing": {
@@ -3260,7 +3260,7 @@ export const TEXTS = {
     "hint": "Compile the job again, or allow a larger spacing of bridges for the board."
   },
   "verify.bridge-spare": {
-    "text": "The bridge at {place:.3f} mm along the contour is not needed, because its two neighbours are only {distance:.3f} mm apart.",
+    "text": "The bridge at {place:.3f} mm along the contour is not needed, because the bridges before and after it are only {distance:.3f} mm apart.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-width": {
@@ -3272,7 +3272,7 @@ export const TEXTS = {
     "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.cleaning-beyond": {
-    "text": "Internal error in cleaning: the cleaned edge extends beyond everything that was drawn.",
+    "text": "Internal error in cleaning: the cleaned edge extends beyond all edges of the drawing.",
     "hint": "Report it with the drawing."
   },
   "verify.cleaning-dropped": {
@@ -3292,7 +3292,7 @@ export const TEXTS = {
     "hint": "Report it with the drawing."
   },
   "verify.cleaning-type": {
-    "text": "Internal error in cleaning: the drawn edge is {drawn}, but the cleaned edge is {worked}.",
+    "text": "Internal error in cleaning: the drawn edge has the line type {drawn}, but the cleaned edge has the line type {worked}.",
     "hint": "Report it with the drawing."
   },
   "verify.comes-out-anywhere": {
@@ -3309,10 +3309,10 @@ export const TEXTS = {
   },
   "verify.crease-too-short": {
     "text": "The crease is too short for the creasing wheel.",
-    "hint": "Join it to a collinear crease, set it to ignored, or choose a smaller wheel."
+    "hint": "Join the crease to a collinear crease, set it to ignored, or choose a smaller wheel."
   },
   "verify.cuts-part": {
-    "text": "The cutter removes {depth:.3f} mm from a part that must remain whole.",
+    "text": "The cutter removes {depth:.3f} mm from a part that must not be cut.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
@@ -3337,18 +3337,18 @@ export const TEXTS = {
   },
   "verify.groove-arc": {
     "text": "The V-groove is an arc, which a tilted blade cannot follow.",
-    "hint": "Draw it with straight lines, or give it another line type."
+    "hint": "Draw the V-groove with straight lines, or choose another line type."
   },
   "verify.groove-past-ends": {
-    "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows {most:.2f} mm.",
+    "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows an overcut of only {most:.2f} mm.",
     "hint": "Choose a narrower blade, or allow a longer overcut for this board."
   },
   "verify.groove-shallower": {
-    "text": "The V-cutter cuts {depth:.3f} mm deep although an earlier pass was already {before:.3f} mm deep.",
+    "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass was already {before:.3f} mm deep.",
     "hint": "Order the passes by increasing depth."
   },
   "verify.inside-part": {
-    "text": "The cutter cuts into a part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
+    "text": "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.knife-at-rest": {
@@ -3360,8 +3360,8 @@ export const TEXTS = {
     "hint": "Switch the beam on (M3) before the edge."
   },
   "verify.loose-piece": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a piece that line {line} has already cut loose, so the piece may move.",
-    "hint": "Make this edge before the contour around the piece is cut."
+    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} has already cut out, so this part of the board may move.",
+    "hint": "Process this edge before the contour that cuts out the part."
   },
   "verify.lowers-second": {
     "text": "The line lowers station {station} while station {other} may still be lowered.",
@@ -3369,15 +3369,15 @@ export const TEXTS = {
   },
   "verify.moves-before-stated": {
     "text": "The program moves the head before it switches off {thing}.",
-    "hint": "Switch it off first, or only lift the head straight up to Z {height:.3f} mm or higher."
+    "hint": "Switch off {thing} first. Before this, only lift the head straight up to Z {height:.3f} mm or higher."
   },
   "verify.moves-with-beam": {
-    "text": "The program moves the head before it switches the spindle off (M5), so a laser beam may still be on.",
+    "text": "The program moves the head before it switches off the spindle (M5), so a laser beam may still be on.",
     "hint": "Write M5 before the first move."
   },
   "verify.never-stated": {
-    "text": "The program never switches off {thing}, so it may still be on.",
-    "hint": "Switch it off at the beginning of the program."
+    "text": "The program never switches off {thing}, which may be on from an earlier program.",
+    "hint": "Switch off {thing} at the beginning of the program."
   },
   "verify.no-station": {
     "text": "The line cuts, but the program has not selected a station (T and M6) before.",
@@ -3397,7 +3397,7 @@ export const TEXTS = {
   },
   "verify.other-placement": {
     "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
-    "hint": "Compile the job again, or verify the program with its own placement."
+    "hint": "Compile the job again, or verify the program with the position that the program states."
   },
   "verify.output": {
     "text": "output {output} (M65 P{output})",
@@ -3408,7 +3408,7 @@ export const TEXTS = {
     "hint": "Switch output {output} on (M64) before the station is used."
   },
   "verify.pass-too-deep": {
-    "text": "The {tool:tool} cuts {depth:.3f} mm deep at once along {length:.3f} mm without an earlier pass, but at most {step:g} mm per pass are allowed.",
+    "text": "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but at most {step:g} mm per pass are allowed.",
     "hint": "Add a shallower pass, or allow deeper passes for this board."
   },
   "verify.past-end": {
@@ -3420,7 +3420,7 @@ export const TEXTS = {
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-stop": {
-    "text": "The {tool:tool} continues {length:.3f} mm beyond the point where it must stop.",
+    "text": "The {tool:tool} cuts {length:.3f} mm beyond the point where it must stop.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.perforation-cut": {
@@ -3432,12 +3432,12 @@ export const TEXTS = {
     "hint": "Compile the job again for this board."
   },
   "verify.rapid-in-board": {
-    "text": "A rapid move takes station {station} {depth:.3f} mm below the top of the board.",
+    "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
     "hint": "Lift the tool above the board before the rapid move."
   },
   "verify.slanted": {
-    "text": "Station {station} moves {distance:.3f} mm sideways out of its line while it enters or leaves the board.",
-    "hint": "Enter and leave the board along the axis of the tool."
+    "text": "Station {station} moves {distance:.3f} mm sideways, away from the axis of its tool, while the tool enters or leaves the board.",
+    "hint": "Move the tool along its axis while it enters or leaves the board."
   },
   "verify.spindle": {
     "text": "the spindle (M5)",
@@ -3461,22 +3461,22 @@ export const TEXTS = {
   },
   "verify.switches-at-unknown-height": {
     "text": "The line switches an output or the spindle before the program has set the height of the head.",
-    "hint": "Lift the head to {needed:.3f} mm first."
+    "hint": "Lift the head to Z {needed:.3f} mm before this line."
   },
   "verify.switches-low": {
     "text": "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
-    "hint": "Lift the head to {needed:.3f} mm first."
+    "hint": "Lift the head to Z {needed:.3f} mm before this line."
   },
   "verify.too-few-bridges": {
-    "text": "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest}.",
+    "text": "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
     "hint": "Compile the job again, or require fewer bridges for this board."
   },
   "verify.turn-at-feed": {
-    "text": "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the turn is not defined.",
-    "hint": "Give the duration of the line (G93)."
+    "text": "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the rotation is not defined.",
+    "hint": "Give the duration of the line in inverse time mode (G93)."
   },
   "verify.turn-in-board": {
-    "text": "Axis C turns by {degrees:.3f}° while the tool is in the board; at most {most:.2f}° is allowed.",
+    "text": "Axis C turns by {degrees:.3f}° while the tool is in the board, but at most {most:.2f}° is allowed.",
     "hint": "Lift the tool before it turns."
   },
   "verify.turn-off-path": {
@@ -3484,27 +3484,27 @@ export const TEXTS = {
     "hint": "Turn the tool by the same angle as the path."
   },
   "verify.two-lowered": {
-    "text": "Station {station} processes the board while station {other} is lowered too (output {output} is on).",
+    "text": "Station {station} processes the board while station {other} is also lowered (output {output} is on).",
     "hint": "Release station {other} first (M65 P{output})."
   },
   "verify.unclassified": {
-    "text": "The edge has no line type, so it is not known how it must be processed.",
+    "text": "The edge has no line type, so the required tool is not known.",
     "hint": "Give the edge a line type."
   },
   "verify.unknown-position": {
-    "text": "The line starts or ends at a position that the program has not set.",
+    "text": "The line moves from or to a position that the program has not set.",
     "hint": "Give X, Y, Z and C before this line."
   },
   "verify.where-from-start": {
-    "text": ", beginning {place:.3f} mm from its start",
+    "text": ", beginning {place:.3f} mm from the start of the edge",
     "hint": ""
   },
   "verify.where-past-end": {
-    "text": ", where the tool must continue beyond its end",
+    "text": ", where the tool must continue beyond the end of the edge",
     "hint": ""
   },
   "verify.where-past-start": {
-    "text": ", where the tool must begin before its start",
+    "text": ", where the tool must begin before the start of the edge",
     "hint": ""
   },
   "verify.work-creased": {
@@ -3528,60 +3528,60 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.wrong-depth": {
-    "text": "The {tool:tool} is {depth:.3f} mm below the top of the board instead of {planned:.3f} mm.",
+    "text": "The {tool:tool} is {depth:.3f} mm below the top face of the board instead of {planned:.3f} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.wrong-feed": {
     "text": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g} mm/min.",
-    "hint": "Compile the job again with the present machine file."
+    "hint": "Compile the job again with the current machine file."
   },
   "verify.wrong-heading": {
-    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which moves its edge {swing:.3f} mm sideways.",
+    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which moves its cutting edge {swing:.3f} mm sideways.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.wrong-time": {
     "text": "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
-    "hint": "Compile the job again with the present machine file."
+    "hint": "Compile the job again with the current machine file."
   },
   "waiting.confirmed": {
-    "text": "Confirmed; {machine} is starting.",
+    "text": "The operator confirmed the job, and {machine} is starting.",
     "hint": ""
   },
   "waiting.for-gateway": {
-    "text": "No gateway of {machine} asks for work.",
+    "text": "No gateway of {machine} is asking the server for jobs.",
     "hint": "Switch on the machine and its gateway."
   },
   "waiting.for-machine": {
-    "text": "Waiting until {machine} takes it.",
+    "text": "The job waits until {machine} claims it.",
     "hint": ""
   },
   "waiting.for-person": {
-    "text": "No gateway of {machine} asks for work.",
+    "text": "No gateway of {machine} is asking the server for jobs.",
     "hint": "{advice}"
   },
   "waiting.for-sheet": {
-    "text": "Copy {copy} of {copies} is done.",
-    "hint": "Put a new sheet of {board} on the table and confirm."
+    "text": "Copy {copy} of {copies} is finished.",
+    "hint": "Put a new sheet of {board} on the table and confirm it."
   },
   "waiting.for-start": {
-    "text": "Waiting for the operator at {machine}: table clear, board {board!r}{tools}.",
-    "hint": "Check the table, then confirm to start."
+    "text": "The job waits until the operator of {machine} confirms that the table is clear. Required: board {board!r}{tools}.",
+    "hint": "Check the table, then confirm the job to start it."
   },
   "waiting.for-turn": {
-    "text": "Waiting for its turn at {machine}; other jobs come first.",
+    "text": "The job waits for {machine}, because other jobs in the queue come first.",
     "hint": ""
   },
   "waiting.taken": {
-    "text": "{machine} is taken by job {job}, which is {state}.",
+    "text": "The job waits, because {machine} is occupied by job {job}, which is {state}.",
     "hint": ""
   },
   "waiting.taken-interrupted": {
-    "text": "{machine} is taken by job {job}, which is interrupted.",
+    "text": "The job waits, because {machine} is occupied by job {job}, which is interrupted.",
     "hint": "Mark that job finished, queue it again or scrap it first."
   },
   "waiting.taken-unconfirmed": {
-    "text": "{machine} is taken by job {job}, which waits for its confirmation.",
-    "hint": ""
+    "text": "The job waits, because {machine} is occupied by job {job}, which waits for its confirmation.",
+    "hint": "Confirm or cancel that job."
   },
   "waiting.tool": {
     "text": "{name} (station {station})",
@@ -3592,19 +3592,19 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.unconfirmed-run": {
-    "text": "{machine} was started without the operator's confirmation: board {board!r}{tools}.",
-    "hint": "Look at the table. Confirm to let the job go on, or cancel it."
+    "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board {board!r}{tools}.",
+    "hint": "Check the table. Confirm the job to let it continue, or cancel it."
   },
   "worker.died": {
-    "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because the memory was full.",
+    "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because it used too much memory.",
     "hint": "Send a smaller drawing, or split this one."
   },
   "worker.memory": {
-    "text": "The drawing needs more than {limit} GB of memory, the limit for one drawing.",
+    "text": "The drawing needs more than the {limit} GB of memory that are allowed for one drawing.",
     "hint": "Send a smaller drawing, or split this one."
   },
   "worker.timeout": {
-    "text": "The stage {stage} took longer than {seconds:.0f} s.",
+    "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
     "hint": "Send a smaller drawing, or split this one."
   }
 } as const satisfies Catalogue;

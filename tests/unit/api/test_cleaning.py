@@ -27,7 +27,7 @@ def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client) -> No
     assert said["edges"] == {"kept": 4, "merged": 1, "dropped": 0}
     (row,) = said["rows"]
     assert (row["reason"], row["outcome"], row["merged"]) == ("twice", "merged", 50.0)
-    assert row["text"] == f"merged: the edge lies on edge {row['into']}"
+    assert row["text"] == f"the edge was merged into edge {row['into']}, on which it lies"
 
 
 def test_without_a_unit_nobody_knows_how_long_a_speck_is(client: httpx.Client) -> None:

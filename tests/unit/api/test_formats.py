@@ -67,11 +67,11 @@ def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client) -> 
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"%PDF-1.7\n", "The PDF is cut short"),
+        (b"%PDF-1.7\n", "The PDF file is incomplete"),
         (b"<html></html>", "The file is an HTML page"),
         (b'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]><svg>&a;</svg>', "&a;"),
-        (cf2_text.carton()[:400], "cut short"),
-        (svg_text.carton()[:400], "cut short"),
+        (cf2_text.carton()[:400], "incomplete"),
+        (svg_text.carton()[:400], "incomplete"),
     ],
 )
 def test_what_cannot_be_read_is_a_clear_problem(

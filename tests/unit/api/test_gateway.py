@@ -176,11 +176,11 @@ def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
     assert (job["state"], job["waiting_for"], job["hint"]) == (
         "queued",
         "confirmation",
-        "Check the table, then confirm to start.",
+        "Check the table, then confirm the job to start it.",
     )
     assert job["reason"] == (
-        "Waiting for the operator at Demo table 1600 × 1200: table clear, board "
-        "'Corrugated, E-flute 1.6 mm', "
+        "The job waits until the operator of Demo table 1600 × 1200 "
+        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', "
         "tools: Oscillating knife (station 1)."
     )
     assert client.get(f"/api/machines/{MACHINE}").json()["job"] is None
@@ -195,7 +195,11 @@ def test_a_confirmation_without_a_body_starts_the_job(
     client: httpx.Client, waiting: dict[str, Any]
 ) -> None:
     assert client.post(f"/api/jobs/{waiting['job']}/confirm").json()["waiting_for"] == "machine"
-    assert client.get(f"/api/jobs/{waiting['job']}").json()["reason"].startswith("Confirmed")
+    assert (
+        client.get(f"/api/jobs/{waiting['job']}")
+        .json()["reason"]
+        .startswith("The operator confirmed")
+    )
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
     job = client.get(f"/api/jobs/{waiting['job']}").json()
     assert (job["state"], job["waiting_for"], job["reason"]) == ("running", "", "")
@@ -217,7 +221,7 @@ def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(
 ) -> None:
     answer = client.post(f"/api/jobs/{queued['id']}/confirm")
     assert answer.status_code == 409
-    assert "has not taken it yet" in answer.json()["detail"]
+    assert "has not claimed it yet" in answer.json()["detail"]
     client.post(f"/api/jobs/{queued['id']}/cancel")
 
 
@@ -237,10 +241,14 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
     title = "Demo table 1600 × 1200"
     assert of(following) == (
         "machine",
-        f"{title} is taken by job {claimed['job']}, which is running.",
+        f"The job waits, because {title} is occupied by job {claimed['job']}, which is running.",
         "",
     )
-    assert of(last) == ("turn", f"Waiting for its turn at {title}; other jobs come first.", "")
+    assert of(last) == (
+        "turn",
+        f"The job waits for {title}, because other jobs in the queue come first.",
+        "",
+    )
     finish(client, claimed, "interrupted")
     waits, reason, hint = of(following)
     assert (waits, reason.endswith("interrupted.")) == ("machine", True)
@@ -259,7 +267,7 @@ def test_a_gateway_that_runs_without_a_confirmation_is_heard_and_held(
     assert (answer.status_code, answer.json()["command"]) == (200, "hold")
     job = client.get(f"/api/jobs/{waiting['job']}").json()
     assert (job["state"], job["waiting_for"]) == ("running", "confirmation")
-    assert "without the operator's confirmation" in job["reason"]
+    assert "the operator has not confirmed" in job["reason"]
     assert client.post(f"/api/jobs/{waiting['job']}/resume").status_code == 409
     assert confirm(client, waiting).status_code == 200
     assert beat(client, waiting, 2).json()["command"] == "continue"
@@ -289,7 +297,7 @@ def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
     beat(client, claimed, 3)
     said = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
     job = client.post("/api/gateway/finish", json={**said, "why": "A belt tore.", "line": 5}).json()
-    assert job["reason"] == f"Interrupted at line 5 of {claimed['lines']}. A belt tore."
+    assert job["reason"] == f"The job was interrupted at line 5 of {claimed['lines']}. A belt tore."
     assert "queue the job again" in job["hint"].lower()
     done = finish(client, claimed).json()
     assert (done["state"], done["line"], done["reason"]) == ("done", claimed["lines"], "")
@@ -336,7 +344,7 @@ def test_a_code_that_the_server_does_not_have_keeps_its_text(
     stored = {"code": "stored.text", "arguments": {"text": "It rains.", "hint": "Close it."}}
     assert job["message"]["arguments"]["cause"] == stored
     assert job["reason"].endswith("It rains.")
-    assert job["hint"].startswith("Close it. Look at the table.")
+    assert job["hint"].startswith("Close it. Check the table.")
 
 
 @pytest.mark.parametrize(

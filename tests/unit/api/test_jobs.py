@@ -220,7 +220,7 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
     assert "has no rotating cutter" in answer.json()["detail"]
     assert (
         answer.json()["hint"]
-        == "Leave the corner types out, or choose a machine with a rotating cutter."
+        == "Remove the corner types from the request, or choose a machine with a rotating cutter."
     )
 
 

@@ -142,7 +142,7 @@ def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str) -> N
         ("title = 'x'\n[[rule]]\ntype = 'cut'\ncolour = 256", ["rule 1"], "number from 1 to 255"),
         ("title = 'x'\n[[rule]]\ntype = 'cut'\ncolour = 1e308", ["rule 1", "colour"], "1e+308"),
         ("title = 'x'\n[[rule]]\ntype = 'cut'\nlayer = 3", ["rule 1", "layer"], "must be text"),
-        ("title = 'x'\n[[rule]]\ntype = 'cut'\nshape = 'A'", ["rule 1"], "shape is not a field"),
+        ("title = 'x'\n[[rule]]\ntype = 'cut'\nshape = 'A'", ["rule 1"], "not a known field"),
         (
             f"title = 'x'\n[[rule]]\ntype = 'cut'\nlayer = '{'x' * 256}'",
             ["rule 1", "layer"],
@@ -156,10 +156,10 @@ def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str) -> N
         ("title = 'x'\n" + "[[rule]]\ntype = 'cut'\n" * 501, [], "more than 500 values"),
         ("title = 'x'\nrule = " + "[" * 50_000 + "]" * 50_000, [], "nested too deeply"),
         ("title = 'x'\nrule = " + "{a=" * 5000 + "1" + "}" * 5000, [], "profile"),
-        ("title = 'x'\nrule = []\n" + "#" * 300_000, [], "kB; the limit"),
+        ("title = 'x'\nrule = []\n" + "#" * 300_000, [], "kB, but the limit"),
         ("title = 'x\nrule = []", [], "is not valid TOML"),
         ("\x00", [], "is not valid TOML"),
-        ("title = 'x'\nrule = []\ncut = 1", [], "cut is not a field"),
+        ("title = 'x'\nrule = []\ncut = 1", [], "cut is not a known field"),
     ],
 )  # fmt: skip
 def test_what_is_no_profile_is_refused_with_rule_and_field(

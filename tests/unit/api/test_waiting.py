@@ -98,21 +98,25 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
     claimed(store)
     assert shown(store, job) == (
         "confirmation",
-        f"Waiting for the operator at {TITLE}: table clear, board "
-        "'Corrugated, E-flute 1.6 mm', tools: "
+        f"The job waits until the operator of {TITLE} confirms that "
+        "the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', tools: "
         "Oscillating knife (station 1), Crease wheel (station 2).",
-        "Check the table, then confirm to start.",
+        "Check the table, then confirm the job to start it.",
     )
     store.jobs.confirm(job.id)
-    assert shown(store, job) == ("machine", f"Confirmed; {TITLE} is starting.", "")
+    assert shown(store, job) == (
+        "machine",
+        f"The operator confirmed the job, and {TITLE} is starting.",
+        "",
+    )
 
 
 def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> None:
     job = queued(store)
-    absent = ("machine", f"No gateway of {TITLE} asks for work.")
+    absent = ("machine", f"No gateway of {TITLE} is asking the server for jobs.")
     assert shown(store, job)[:2] == absent
     store.gateways.record_contact("demo-table", "gateway")
-    assert shown(store, job) == ("machine", f"Waiting until {TITLE} takes it.", "")
+    assert shown(store, job) == ("machine", f"The job waits until {TITLE} claims it.", "")
     clock.now += ABSENT + 0.1
     assert shown(store, job)[:2] == absent
 
@@ -125,8 +129,11 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
     assert job.id == jobs[0].id
     assert shown(store, jobs[1]) == (
         "machine",
-        f"{TITLE} is taken by job {job.id}, which waits for its confirmation.",
-        "",
+        (
+            f"The job waits, because {TITLE} is occupied by job {job.id}, "
+            "which waits for its confirmation."
+        ),
+        "Confirm or cancel that job.",
     )
     assert waits(store, jobs[2]).waiting_for == "turn"
     store.jobs.confirm(job.id)
@@ -147,8 +154,8 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
     assert shown(store, job) == (
         "sheet",
-        "Copy 1 of 2 is done.",
-        "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm.",
+        "Copy 1 of 2 is finished.",
+        "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm it.",
     )
     store.jobs.confirm(job.id)
     assert waits(store, job) == Waiting()
@@ -157,7 +164,9 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
     store.gateways.claim("gone", "gateway", manual=True)
-    assert "at gone: table clear, board 'old-board', tools:" in str(waits(store, job).message)
+    assert "of gone confirms that the table is clear. Required: board 'old-board', tools:" in str(
+        waits(store, job).message
+    )
 
 
 def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store) -> None:
@@ -166,11 +175,16 @@ def test_a_job_of_before_tools_were_kept_is_described_without_them(store: Store)
     row = store.jobs.get(job.id)
     row.tools = []
     (found,) = waiting_of(store, [row])
-    assert str(found.message).endswith("table clear, board 'Corrugated, E-flute 1.6 mm'.")
+    assert str(found.message).endswith(
+        "table is clear. Required: board 'Corrugated, E-flute 1.6 mm'."
+    )
 
 
 def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(store: Store) -> None:
     row = queued(store, machine="flat-cutter-hpgl")
     waiting = waiting_of(store, [row])[0]
-    assert str(waiting.message) == "No gateway of Flat cutter 1300 × 900 (HPGL) asks for work."
+    assert (
+        str(waiting.message)
+        == "No gateway of Flat cutter 1300 × 900 (HPGL) is asking the server for jobs."
+    )
     assert hint_of(waiting).startswith("Download the program")

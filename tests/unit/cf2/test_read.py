@@ -79,8 +79,8 @@ def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert report_reasons(drawing) == (
-        "kept: the rule in the die has 3 bridges of 6 (file units)",
-        "kept: the rule in the die has 1 bridge of 4.5 (file units)",
+        "kept: the steel rule of the die has 3 bridges, each 6 wide (in units of the file)",
+        "kept: the steel rule of the die has 1 bridge, 4.5 wide (in units of the file)",
     )
 
 
@@ -125,7 +125,7 @@ def test_a_subroutine_is_scaled_then_rotated_then_moved() -> None:
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
     assert drawing.import_report.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
-    assert reasons(drawing)["#2"] == "kept: inserts the subroutine a"
+    assert reasons(drawing)["#2"] == "kept: the object inserts the subroutine a"
     assert set(drawing.layers) == {"A"}
 
 
@@ -282,13 +282,13 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
         )
     )
     reason = reasons(drawing)
-    assert reason["#2"] == "its coordinates are not all numbers: 0, x, 1, 0"
+    assert reason["#2"] == "the coordinates of the object are not all numbers: 0, x, 1, 0"
     assert reason["#3"] == (
-        "line 11 of the file has 6 fields, which is too few or too many for its record"
+        "line 11 of the file has 6 fields, which is the wrong number of fields for its record"
     )
     assert reason["#4"].startswith("a coordinate of the object is not a number")
-    assert reason["#5"] == "a coordinate of the object is 1e+308; the limit is 1e+07"
-    assert reason["#6"] == "records of this type are not supported"
+    assert reason["#5"] == "a coordinate of the object is 1e+308, but the limit is 1e+07"
+    assert reason["#6"] == "CF2 records of this type are not supported"
     assert "does not exist" in reason["#8"] or "cannot be read" in reason["#8"]
     assert drawing.lengths.tolist() == [1.0]
 

@@ -51,7 +51,7 @@ def test_colours_of_no_convention_are_asked() -> None:
 def test_an_unknown_layer_name_and_shape_decide_together() -> None:
     dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert 'the name of its layer contains "plis"' in why(dieline, 4)
+    assert 'the name of the layer of the edge contains "plis"' in why(dieline, 4)
     # Neither of them alone does.
     assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
 

@@ -15,8 +15,8 @@ def test_a_cut_whose_mirror_image_is_a_crease_is_asked_with_it() -> None:
     dieline = seen(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2 + ["crease"]
     texts = [question.text for question in list_questions(sheet, dieline)]
-    assert "its mirror image in the drawing is folded" in texts[0]
-    assert "its mirror image in the drawing is cut" in texts[1]
+    assert "the mirror image of the edge in the drawing is a fold" in texts[0]
+    assert "the mirror image of the edge in the drawing is a cut" in texts[1]
 
 
 def test_equal_pairs_are_not_asked() -> None:

@@ -59,7 +59,7 @@ def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     assert made.kept.tolist() == [100, 0, 0]
     assert made.merged.tolist() == [0, 100, 100]
     assert [made.into(row) for row in range(3)] == [0, 0, 0]
-    assert render(made.describe(1)) == "merged: the edge lies on edge 0"
+    assert render(made.describe(1)) == "the edge was merged into edge 0, on which it lies"
 
 
 def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty() -> None:
@@ -265,7 +265,7 @@ def test_specks_are_dropped_with_their_measure() -> None:
     assert made.of.tolist() == [0, -1, -1]
     assert (
         render(made.describe(1))
-        == "dropped: the edge is only 0.03 mm long and connects no other edges"
+        == "the edge was dropped, because it is only 0.03 mm long and connects no other edges"
     )
 
 
@@ -347,7 +347,8 @@ def test_a_coordinate_that_is_no_number_is_refused() -> None:
 
 def test_what_lies_absurdly_far_away_is_refused() -> None:
     with pytest.raises(
-        GeometryError, match=r"Edge 1 lies 1e\+150 mm from the origin of the drawing"
+        GeometryError,
+        match=r"Edge 1 lies 1e\+150 mm away from the origin of the drawing, which is too far",
     ):
         clean(lines((CUT, 0, 0, 1, 0), (CUT, 0, 0, 1e150, 0)))
 

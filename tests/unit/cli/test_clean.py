@@ -42,8 +42,8 @@ def test_the_lengths_add_up_and_every_changed_edge_is_listed(run_clean: RunClean
     assert code == 0
     assert "drawn 229.970 mm = kept 199.970 + merged 30.000 + dropped 0.000" in out
     assert "worked 200.000 mm = kept 199.970 + added by closing gaps 0.030" in out
-    assert "edge 1: merged: the edge lies on edge 0" in out
-    assert "edge 2: merged into edge 0, which lies on the same line" in out
+    assert "edge 1: the edge was merged into edge 0, on which it lies" in out
+    assert "edge 2: the edge was merged into edge 0, which lies on the same line" in out
 
 
 def test_json_output_lists_the_changed_edges(run_clean: RunClean) -> None:

@@ -346,9 +346,9 @@ GROOVE = load.board("greyboard-3.0").groove_depth
         (("--corner-at", "50,0"), "does not have the form X,Y=TYPE"),
         (("--corner-at", "nan,0=C"), "does not have the form X,Y=TYPE"),
         (("--corner-at", "50,0=E"), "The corner type 'E' at (50, 0) does not exist"),
-        (("--corner-at", "50,0=D:1"), "parameter k of the D corner at (50, 0) is 1"),
-        (("--k", "nan"), "parameter k of the D corner is nan"),
-        (("--k", "1.5"), "parameter k of the D corner is 1.5"),
+        (("--corner-at", "50,0=D:1"), "parameter k of the corner of type D at (50, 0) is 1"),
+        (("--k", "nan"), "parameter k of the corner of type D is nan"),
+        (("--k", "1.5"), "parameter k of the corner of type D is 1.5"),
     ],
 )
 def test_invalid_corner_options_are_reported_with_exit_code_3(

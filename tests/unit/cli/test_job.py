@@ -96,8 +96,8 @@ def test_list_prints_the_field_waiting_for_of_each_job(
 
 def test_show_prints_reason_hint_and_tools(knifetip: Command, fake_server: FakeServer) -> None:
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url + "/")
-    assert "table clear, board 'E-flute 1.6 mm'" in out
-    assert "Check the table, then confirm to start." in out
+    assert "table is clear. Required: board 'E-flute 1.6 mm'" in out
+    assert "Check the table, then confirm the job to start it." in out
     assert "actions: confirm, cancel" in out
     assert "Oscillating knife (station 1)" in out
     _, out, _ = knifetip("job", "show", "abc", "--server", fake_server.url, "--json")
@@ -165,11 +165,11 @@ def test_cancel_of_a_running_job_warns_about_the_board(
 def test_the_message_of_a_refusing_server_is_printed(
     knifetip: Command, fake_server: FakeServer
 ) -> None:
-    fake_server.answer = (409, {"detail": "Job abc is done.", "hint": "Order it again."})
+    fake_server.answer = (409, {"detail": "Job abc is done.", "hint": "Order the job again."})
     code, out, err = knifetip("job", "confirm", "abc", "--server", fake_server.url)
     assert (code, out) == (3, "")
     assert "Job abc is done." in err
-    assert "Order it again." in err
+    assert "Order the job again." in err
 
 
 @pytest.mark.parametrize("answer", [(502, b"<html>"), (500, [])])

@@ -96,7 +96,7 @@ def test_line_is_one_row_from_start_to_end() -> None:
 def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: moved from the height z = 7 to z = 0"
+    assert only(drawing) == "kept: the object was moved from the height z = 7 to z = 0"
 
 
 def test_line_that_rises_is_dropped_with_its_heights() -> None:
@@ -104,7 +104,7 @@ def test_line_that_rises_is_dropped_with_its_heights() -> None:
     assert len(drawing) == 0
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == "the object is not flat: its height z varies from 0 to 7"
+        == "the object is not parallel to the XY plane: its height z varies from 0 to 7"
     )
 
 
@@ -112,7 +112,7 @@ def test_line_without_its_second_end_is_dropped() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0))))
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == "the object is incomplete: its second end is missing"
+        == "the object is incomplete, because its second end is missing"
     )
 
 
@@ -150,7 +150,8 @@ def test_arc_in_a_tilted_plane_is_dropped_with_its_tilt() -> None:
     tilted = ((210, 1.0), (220, 0.0), (230, 1.0))
     drawing = read(dxf(entity("ARC", (10, 5), (20, 0), (40, 10), (50, 0), (51, 90), *tilted)))
     assert (
-        only(drawing, ImportOutcome.DROPPED) == "the object is not flat: its plane is tilted by 45°"
+        only(drawing, ImportOutcome.DROPPED)
+        == "the object is not parallel to the XY plane: its plane is tilted by 45°"
     )
 
 
@@ -172,7 +173,7 @@ def test_circle_is_two_half_turns() -> None:
 def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
     assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
-    assert only(drawing) == "kept: moved from the height z = 2 to z = 0"
+    assert only(drawing) == "kept: the object was moved from the height z = 2 to z = 0"
 
 
 def test_lwpolyline_keeps_bulges_and_closes() -> None:
@@ -203,14 +204,14 @@ def test_bulge_of_more_than_half_a_turn_becomes_two_rows() -> None:
 def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
     assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
-    assert only(drawing) == "kept: moved from the height z = 4 to z = 0"
+    assert only(drawing) == "kept: the object was moved from the height z = 4 to z = 0"
 
 
 def test_vertices_in_one_place_give_no_row_and_are_counted() -> None:
     text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
-    assert only(drawing) == "kept: 1 of 2 segments have no length"
+    assert only(drawing) == "kept: 1 of 2 segments has no length"
 
 
 def test_polyline_of_one_vertex_is_dropped() -> None:
@@ -236,7 +237,7 @@ def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     text = polyline(flat, flags=8).replace("30\n0\n30\n3", "30\n3")
     drawing = read(dxf(text))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: moved from the height z = 3 to z = 0"
+    assert only(drawing) == "kept: the object was moved from the height z = 3 to z = 0"
 
 
 def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
@@ -255,7 +256,8 @@ def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
     far = max(float(np.hypot(*(true - place).T).min()) for place in walk)
     assert far <= 0.0105
     fitted = (
-        f"its curves became {len(drawing)} lines and arcs, which deviate by at most 0.01 file units"
+        f"the curves of the object were converted to {len(drawing)} "
+        "lines and arcs, which deviate by at most 0.01 file units"
     )
     assert only(drawing) == f"kept: {fitted}"
 
@@ -287,7 +289,7 @@ def test_spline_through_fit_points_passes_them() -> None:
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
     assert only(drawing).startswith(
-        "kept: the curve was drawn through its fit points; its curves became"
+        "kept: the curve was computed from its fit points; the curves of the object were"
     )
     joints = drawing.ends.reshape(-1, 2)
     for x, y in points:
@@ -299,7 +301,7 @@ def test_spline_in_space_is_dropped() -> None:
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == "the object is not flat: its height z varies from 0 to 9"
+        == "the object is not parallel to the XY plane: its height z varies from 0 to 9"
     )
 
 
@@ -341,7 +343,7 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
 def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
     assert report_reasons(drawing) == (
-        "a coordinate of the object is 2e+07; the limit is 1e+07",
+        "a coordinate of the object is 2e+07, but the limit is 1e+07",
         "kept",
     )
 
@@ -351,7 +353,7 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> Non
     [
         ("TEXT", "texts are not cut"),
         ("POINT", "the object is a point, which has no length"),
-        ("3DFACE", "the object is a solid or a face, not a flat line"),
+        ("3DFACE", "the object is a solid or a face, not a line in a plane"),
         ("SOLID", "the object is a filled area without a line"),
         ("XLINE", "the object is a construction line of infinite length"),
         ("DIMENSION", "dimensions and notes are not cut"),

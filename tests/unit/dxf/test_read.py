@@ -144,7 +144,7 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
         ImportOutcome.MERGED,
         ImportOutcome.KEPT,
     ]
-    assert report_reasons(drawing)[1] == "the object is drawn twice: it lies exactly on 2F3"
+    assert report_reasons(drawing)[1] == "the object is drawn twice, because it lies exactly on 2F3"
     assert_array_equal(drawing.import_report.length, [10, 0, 0, 11])
 
 
@@ -186,7 +186,9 @@ def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
         + tags((0, "SEQEND"))
     )
     drawing = read(dxf(line(0, 0, 10, 0, (5, "B2")), square))
-    assert reasons(drawing)["A1"] == "kept: 1 of 2 segments are drawn twice: they lie exactly on B2"
+    assert (
+        reasons(drawing)["A1"] == "kept: 1 of 2 segments lies exactly on B2, so it is drawn twice"
+    )
     assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
     assert drawing.handles == ["B2", "A1"]
 
@@ -332,8 +334,11 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     starts = {tuple(start) for start in np.round(drawing.ends[:, 0]).tolist()}
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
-        "kept: inserts the block PART; a grid of copies (3 columns × 2 rows)",
-        "kept: drawn 6 times",
+        (
+            "kept: the object inserts the block PART; the object is a "
+            "grid of copies (3 columns × 2 rows)"
+        ),
+        "kept: the object is drawn 6 times",
     )
     assert_allclose(drawing.import_report.length, [0, 6])
 
@@ -349,7 +354,7 @@ def test_mirrored_insert_turns_arcs_around() -> None:
     ("text", "reason"),
     [
         (insert("NOWHERE"), "the block 'NOWHERE' is not in the file"),
-        (insert("PART", 0, 0, (41, 0)), "the object is scaled by 0 × 1, so it has no size"),
+        (insert("PART", 0, 0, (41, 0)), "the object is scaled by 0 × 1, so its size is 0"),
         (
             insert("PART", 0, 0, (50, "nan")),
             "the position, scale or rotation of the object is not a number",
@@ -357,7 +362,7 @@ def test_mirrored_insert_turns_arcs_around() -> None:
         (insert("PART", "inf", 0), "the position, scale or rotation of the object is not a number"),
         (
             insert("PART", 0, 0, (210, 1), (220, 0), (230, 0)),
-            "the object is not flat: its plane is tilted by 90°",
+            "the object is not parallel to the XY plane: its plane is tilted by 90°",
         ),
     ],
 )

@@ -105,7 +105,9 @@ async def test_a_machine_that_must_be_homed_first_stays_locked() -> None:
 async def test_what_is_refused_is_named_and_everything_else_is_done() -> None:
     machine = Machine()
     machine.refuses = {LIFT, "M65 P0"}
-    with pytest.raises(ControllerRejected, match=r"refused \$J.* refused M65 P0"):
+    with pytest.raises(
+        ControllerRejected, match=r"rejected the command \$J.* rejected the command M65 P0"
+    ):
         await make_safe(machine, SAFE, 0.2)
     assert machine.done == ["!", "reset", "M5", "M65 P1"]
 

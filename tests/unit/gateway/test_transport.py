@@ -21,7 +21,7 @@ async def test_nobody_there_is_a_controller_error() -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         port = taken.getsockname()[1]
-        with pytest.raises(ControllerError, match=f"No controller answers at 127.0.0.1:{port}"):
+        with pytest.raises(ControllerError, match=f"No controller responds at 127.0.0.1:{port}"):
             await connect(f"127.0.0.1:{port}")
 
 

@@ -198,7 +198,11 @@ def cut(bench: Bench) -> list[str]:
 
 ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], str]] = {
     "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was doubled"),
-    "lost": (lambda bench: lambda line: [], ControllerSilent, "an answer was lost"),
+    "lost": (
+        lambda bench: lambda line: [],
+        ControllerSilent,
+        "A response of the controller was lost",
+    ),
     "garbled": (lambda bench: lambda line: ["\xfe\x81" + line], ControllerSilent, "was lost"),
     "glued": (lambda bench: lambda line: [line + line], ControllerSilent, "was lost"),
     "banner": (lambda bench: lambda line: [BANNER, line], ControllerReset, "was reset"),
@@ -217,7 +221,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench: Bench, 
     with pytest.raises(error, match=words) as raised:
         await bench.run()
     bench.assert_safe()
-    assert "was stopped and lifted to Z 20.0, its stations were released" in raised.value.text
+    assert "was stopped and lifted to Z 20.0, and its stations were released" in raised.value.text
     assert raised.value.hint
     # It is in a known state: the next program runs.
     assert bench.controller.fault is None
@@ -251,7 +255,9 @@ async def test_a_connection_that_stays_lost_ends_in_words_that_the_machine_is_no
 ) -> None:
     bench.reachable = False
     bench.at_answer(lambda line: cut(bench))
-    with pytest.raises(ControllerError, match="The machine is not safe: No controller answers"):
+    with pytest.raises(
+        ControllerError, match="The machine is not in a safe state: No controller responds"
+    ):
         await bench.run()
     assert bench.controller.fault is not None
 
@@ -270,9 +276,13 @@ async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(benc
 @pytest.mark.parametrize(
     ("spoil", "error", "words"),
     [
-        (lambda line: line.replace(b"Y30", b"Y34"), ControllerError, "off the program's path"),
-        (lambda line: line[:-1], ControllerRejected, "refused line"),
-        (lambda line: line + line, ControllerError, "not sent from here"),
+        (
+            lambda line: line.replace(b"Y30", b"Y34"),
+            ControllerError,
+            "away from the path of the program",
+        ),
+        (lambda line: line[:-1], ControllerRejected, "rejected line"),
+        (lambda line: line + line, ControllerError, "did not send"),
     ],
     ids=["digit", "newline", "doubled"],
 )

@@ -162,7 +162,10 @@ def test_a_compile_that_takes_too_long_refuses_the_job(
     compiles_by(crew_tasks.hang_in_verify)
     service.limit = 4.0
     service.compile(begin(store, service))
-    assert str(store.jobs.get(job.id).message) == "The stage verify took longer than 4 s."
+    assert (
+        str(store.jobs.get(job.id).message)
+        == "Processing the drawing took longer than 4 s in the stage verify."
+    )
 
 
 def test_a_compile_tells_its_stage_and_is_broken_off_when_its_job_is_cancelled(

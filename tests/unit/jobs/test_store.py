@@ -228,7 +228,7 @@ def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
 
 
 def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
-    with pytest.raises(NoSuchJob, match="no job 'nothing'"):
+    with pytest.raises(NoSuchJob, match="Job 'nothing' does not exist"):
         store.jobs.cancel("nothing")
     with pytest.raises(NoSuchJob, match="does not exist"):
         store.drawings.get("nothing")
@@ -352,8 +352,9 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     assert job.state == "interrupted"
     assert not store.leases.run()
     assert str(job.message) == (
-        "Interrupted at line 199 of 231. The gateway gateway fell silent. The machine may have "
-        "executed more lines than it reported."
+        "The job was interrupted at line 199 of 231. The gateway "
+        "gateway stopped responding. The machine may have "
+        "executed more lines than the gateway reported."
     )
     assert store.gateways.jobs_on_tables() == {"table": job.id}
 
@@ -371,7 +372,7 @@ def test_a_finish_that_is_said_twice_does_no_harm(store: Store) -> None:
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
     again = store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
-    assert str(again.message) == "Interrupted at line 0 of 231. A belt tore."
+    assert str(again.message) == "The job was interrupted at line 0 of 231. A belt tore."
     assert course(store, job.id).count("interrupted") == 1
 
 
@@ -393,7 +394,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
     assert (
         str(store.events.of_job(job.id)[-1].message)
-        == "Copy 1 of 3 is done: put a new sheet on the table."
+        == "Copy 1 of 3 is finished. The next copy needs a new sheet."
     )
     store.gateways.finish(job.id, job.epoch, "interrupted")
     store.jobs.requeue(job.id)
@@ -420,7 +421,7 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
         job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
     )
     assert answer == "continue"
-    assert str(store.events.of_job(job.id)[-1].message).startswith("Copy 2 of 3 is done")
+    assert str(store.events.of_job(job.id)[-1].message).startswith("Copy 2 of 3 is finished")
 
 
 # The operator starts
@@ -441,8 +442,11 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
     who = [(event.who, str(event.message)) for event in store.events.of_job(job.id)][-2:]
     assert who == [
-        ("operator Kim", "Confirmed: table clear, board e-flute."),
-        ("gateway gateway", "Started."),
+        (
+            "operator Kim",
+            "The operator confirmed that the table is clear and that the board is e-flute.",
+        ),
+        ("gateway gateway", "The job was started."),
     ]
 
 
@@ -459,14 +463,14 @@ def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
 
 def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     job = queued(store)
-    with pytest.raises(WrongState, match="has not taken it yet"):
+    with pytest.raises(WrongState, match="has not claimed it yet"):
         store.jobs.confirm(job.id)
     job = fed(store)
     store.jobs.hold(job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, held=True))
-    with pytest.raises(WrongState, match="not waiting for a sheet") as caught:
+    with pytest.raises(WrongState, match="does not wait for a new sheet") as caught:
         store.jobs.confirm(job.id)
-    assert caught.value.hint == "Resume it."
+    assert caught.value.hint == "Resume the job."
     store.jobs.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
         store.jobs.confirm(job.id)
@@ -533,7 +537,7 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     row = store.jobs.get(job.id)
     assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
     assert str(store.events.of_job(job.id)[-1].message) == (
-        "The claim was returned. The gateway gateway fell silent."
+        "The gateway returned the job to the queue. The gateway gateway stopped responding."
     )
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
@@ -545,7 +549,7 @@ def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_g
 ) -> None:
     job = waiting(store)
     clock.now += LEASE + 0.1
-    with pytest.raises(WrongState, match="does not answer"):
+    with pytest.raises(WrongState, match="does not respond"):
         store.jobs.confirm(job.id)
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
@@ -591,7 +595,7 @@ def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: St
     row = store.gateways.finish(job.id, job.epoch, "returned", stored("Nothing was sent."))
     assert (row.state, str(row.message)) == (
         "interrupted",
-        "Interrupted at line 0 of 231. Nothing was sent.",
+        "The job was interrupted at line 0 of 231. Nothing was sent.",
     )
 
 
@@ -603,7 +607,7 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
     assert store.jobs.get(job.id).state == "running"
     assert (
         str(store.events.of_job(job.id)[-1].message)
-        == "Started without the operator's confirmation."
+        == "The job was started without the confirmation of the operator."
     )
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
     with pytest.raises(WrongState, match="without a confirmation"):
@@ -706,7 +710,7 @@ def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) 
     last = store.events.of_job(job.id)[-1]
     assert (last.who, str(last.message)) == (
         "gateway gateway",
-        "Reported late: Every line was executed.",
+        "The gateway reported late: Every line of the program was executed.",
     )
     assert store.gateways.finish(job.id, job.epoch, "done").state == "done"
     assert store.gateways.jobs_on_tables() == {}
@@ -719,7 +723,7 @@ def test_a_late_report_of_another_end_corrects_the_line(
     job = interrupted(store, clock, 56)
     row = store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert (row.state, row.line) == ("interrupted", 77)
-    assert str(row.message) == "Interrupted at line 77 of 231. A belt tore."
+    assert str(row.message) == "The job was interrupted at line 77 of 231. A belt tore."
     events = len(course(store, job.id))
     store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert len(course(store, job.id)) == events
@@ -749,7 +753,7 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
 ) -> None:
     job = interrupted(store, clock, LINES)
     row = store.jobs.get(job.id)
-    assert str(row.message).startswith("Interrupted at line 231 of 231. ")
+    assert str(row.message).startswith("The job was interrupted at line 231 of 231. ")
     assert "again" not in hint_of(row)
     assert "finished" in hint_of(row)
     with pytest.raises(WrongState) as caught:
@@ -764,12 +768,14 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     store.leases.run()
     row = store.jobs.get(job.id)
     assert (row.line, row.copies_done) == (0, 1)
-    assert str(row.message).startswith("Interrupted after copy 1 of 3, before a line of the next. ")
+    assert str(row.message).startswith(
+        "The job was interrupted after copy 1 of 3, before the first line of the next copy. "
+    )
     assert "remaining copies" in hint_of(row)
     # The gateway knows better: the second was cut to its end.
     row = store.gateways.finish(job.id, job.epoch, "interrupted", line=0, copies_done=2)
     assert row.copies_done == 2
-    assert str(row.message).startswith("Interrupted after copy 2 of 3")
+    assert str(row.message).startswith("The job was interrupted after copy 2 of 3")
 
 
 def test_a_copy_that_was_cut_to_its_last_line_is_counted(store: Store, clock: Clock) -> None:
@@ -782,7 +788,10 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
     row = store.jobs.declare_finished(job.id)
     assert (row.state, row.line, row.copies_done, row.message) == ("done", LINES, 2, None)
     last = store.events.of_job(job.id)[-1]
-    assert (last.who, str(last.message)) == ("operator", "Declared finished at line 200 of 231.")
+    assert (last.who, str(last.message)) == (
+        "operator",
+        "The operator marked the job as finished at line 200 of 231.",
+    )
     with pytest.raises(WrongState, match="is done"):
         store.jobs.declare_finished(job.id)
 
@@ -838,7 +847,7 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
     with pytest.raises(WrongState) as caught:
         store.jobs.cancel(job.id)
     assert caught.value.hint == hint_of(store.jobs.get(job.id))
-    assert caught.value.hint.startswith("Look at the table. Queue the job again")
+    assert caught.value.hint.startswith("Check the table. Then queue the job again")
 
 
 # Compiles

@@ -233,7 +233,11 @@ def test_the_fault_of_an_invalid_board_is_reported(
         ("tilt = 45.0", "", "tilt is missing"),
         ("back = 6.0", "back = 0.0", "back is 0.0, but must be greater than 0"),
         ("back = 6.0", "", "back"),
-        ("back = 6.0", "back = 6.0\nlength = 9.0", "station 1 → tool → length is not a field"),
+        (
+            "back = 6.0",
+            "back = 6.0\nlength = 9.0",
+            "station 1 → tool → length is not a known field",
+        ),
         (
             "number = 3",
             "number = 0",
@@ -277,19 +281,19 @@ def test_the_fault_of_an_invalid_machine_is_reported(
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("travel_z =", "travelz =", "travelz is not a field; did you mean travel_z?"),
+        ("travel_z =", "travelz =", "travelz is not a known field; did you mean travel_z?"),
         (
             "tilt = 45.0",
             "tilt = 45.0\ntill = 3.0",
-            "tool → till is not a field; did you mean tilt?",
+            "tool → till is not a known field; did you mean tilt?",
         ),
-        ("into_mat = 0.3", "into_mat = 0.3\nzebra = 1", "zebra is not a field."),
+        ("into_mat = 0.3", "into_mat = 0.3\nzebra = 1", "zebra is not a known field."),
     ],
 )
 def test_a_misspelt_field_is_refused_with_the_nearest_name(
     put: Put, old: str, new: str, expected: str
 ) -> None:
-    with pytest.raises(LibraryError, match="is not a field") as caught:
+    with pytest.raises(LibraryError, match="is not a known field") as caught:
         load.machine(put(MACHINE.replace(old, new)))
     assert expected in caught.value.text
 
@@ -326,7 +330,7 @@ def test_two_stations_with_one_number_are_refused(put: Put) -> None:
         (
             'layer = "RIEFE"',
             'laser = "RIEFE"',
-            "rule 2 → laser is not a field",
+            "rule 2 → laser is not a known field",
         ),
         ('layer = "RIEFE"', "layer = 20", "rule 2 → layer 1 is 20, but must be text"),
         (
@@ -432,10 +436,10 @@ def test_a_router_has_a_default_lead_of_one_and_a_half_radii(put: Put) -> None:
     ("line", "expected"),
     [
         ("speed = -1.0", "speed is -1.0, but must be at least 0"),
-        ("lead = 3.0", "its lead of 3 mm must be 0 or greater than its radius of 3 mm"),
+        ("lead = 3.0", "the lead-in of 3 mm must be 0 or greater than the tool radius of 3 mm"),
         ("step = nan", "step is nan, but must be a number"),
         ("dwell = -0.1", "dwell is -0.1, but must be at least 0"),
-        ("teeth = 2", "tool → teeth is not a field"),
+        ("teeth = 2", "tool → teeth is not a known field"),
     ],
 )
 def test_the_fault_of_an_invalid_router_is_reported(put: Put, line: str, expected: str) -> None:
@@ -510,7 +514,7 @@ def test_inherited_rules_are_not_written() -> None:
         text = load.profile_toml(own, "default")
         assert text.count("[[rule]]") == 1
         assert load.parse_profile("own", tomllib.loads(text)) == own
-    with pytest.raises(ProfileError, match="cannot be written as an extension of"):
+    with pytest.raises(ProfileError, match="cannot be saved as an extension of"):
         load.profile_toml(LineRules("own", "", (mine,)), "default")
 
 

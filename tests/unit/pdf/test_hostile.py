@@ -184,7 +184,7 @@ def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
         ("NaN 0", "the PDF operator 'l' has invalid operands"),
         ("inf 0", "the PDF operator 'l' has invalid operands"),
         ("9" * 400 + " 0", "a coordinate of the object is not a number"),
-        ("9" * 200 + " 0", "a coordinate of the object is 1e+200; the limit is 2.83465e+07"),
+        ("9" * 200 + " 0", "a coordinate of the object is 1e+200, but the limit is 2.83465e+07"),
         ("--5 0", "the PDF operator 'l' has invalid operands"),
         ("(5) 0", "the PDF operator 'l' has invalid operands"),
         ("/N 0", "the PDF operator 'l' has invalid operands"),

@@ -345,7 +345,7 @@ def test_several_spot_colours_on_one_layer_are_the_names() -> None:
         )
     )
     assert drawing.layers == ("CutContour", "Crease")
-    assert reasons(drawing)["#1"] == "kept: on the layer Outside"
+    assert reasons(drawing)["#1"] == "kept: the object lies on the layer Outside"
 
 
 @pytest.mark.parametrize(
@@ -516,19 +516,25 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
         ("path", "kept"),
         ("path", "the object is a filled area without a line, and the page has lines"),
         ("path", "the object is only a clipping path"),
-        ("path", "the object has neither a line nor a fill"),
+        ("path", "the object has neither a stroke nor a fill, so it is not visible"),
         ("image", "images are not cut"),
         ("form", "the PDF has no form or image with the name 'Gone'"),
         ("image", "images are not cut"),
-        ("shading", "shadings are not cut"),
+        ("shading", "shadings (colour gradients) are not cut"),
         ("path", "the path of the object is empty"),
         ("path", "a coordinate of the object is not a number"),
         ("path", "the PDF operator 'm' has invalid operands"),
         ("text", "texts are not cut"),
         ("operator", "the PDF operator 'frobnicate' is not supported"),
         ("path", "the object is completely transparent"),
-        ("path", "the path is never painted, because the page ends before"),
-        ("annotation", "2 notes and form fields on the page: not cut"),
+        (
+            "path",
+            (
+                "the path is neither stroked nor filled, because the page "
+                "ends before the path is finished"
+            ),
+        ),
+        ("annotation", "2 notes and form fields on the page are not cut"),
     ]
 
 
@@ -537,7 +543,8 @@ def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
     assert reasons(drawing)["#1"] == (
-        "kept: outline of a filled area, because the page has no lines"
+        "kept: the object is the outline of a filled area, which is "
+        "used because the page has no lines"
     )
 
 

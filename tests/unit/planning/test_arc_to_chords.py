@@ -29,7 +29,7 @@ def test_a_board_without_groove_curve_refuses_arcs() -> None:
 
 def test_an_arc_too_tight_for_the_blade_is_refused() -> None:
     # At R 50 the blade's 3 mm leave by 9 / 100 = 0.09 mm even from a chord of no length.
-    with pytest.raises(CurvedGroove, match=r"radius of 50\.0 mm, from which a blade of 3\.00 mm"):
+    with pytest.raises(CurvedGroove, match=r"radius of 50\.0 mm\. A straight blade of 3\.00 mm"):
         grooved(1.0, 100.0, 0.08)
 
 

@@ -95,7 +95,7 @@ def test_a_rounded_blank_has_bridges_on_its_straight_segments() -> None:
 
 
 def test_a_contour_without_room_for_bridges_is_refused() -> None:
-    with pytest.raises(NoRoomForBridges, match=r"12\.0 mm long and has no room for 2 bridges"):
+    with pytest.raises(NoRoomForBridges, match=r"12\.0 mm long, which is too short for 2 bridges"):
         cut(closed((0, 0), (3, 0), (3, 3), (0, 3)), replace(HELD, bridge_width=2.0))
 
 

@@ -40,7 +40,9 @@ def test_nested_entities_are_refused_before_expansion() -> None:
 
 def test_a_long_entity_with_many_references_is_refused() -> None:
     body = f'<path d="{"&a;" * 20_000}"/>'
-    assert "would expand the file" in refused(declared(f'<!ENTITY a "{"x" * 1000}">', body=body))
+    assert "1,000 characters, which is too long" in refused(
+        declared(f'<!ENTITY a "{"x" * 1000}">', body=body)
+    )
 
 
 @pytest.mark.parametrize(
@@ -107,7 +109,7 @@ def test_limits_are_kept() -> None:
 
 @pytest.mark.parametrize("data", [b"", b"   ", b"<", b"<svg", b"<svg ", b"<?xml", b"<!--"])
 def test_a_truncated_file_is_refused(data: bytes) -> None:
-    assert "cut short" in refused(data)
+    assert "incomplete" in refused(data)
 
 
 def test_a_file_truncated_anywhere_is_refused() -> None:

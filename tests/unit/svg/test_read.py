@@ -111,7 +111,7 @@ def test_an_unevenly_scaled_circle_is_an_ellipse_within_a_hundredth() -> None:
     x, y = (points.reshape(-1, 2) - [45, 50]).T
     # A point at distance e from the ellipse has a value that differs from 1 by about 2 e / 10.
     assert np.abs((x / 30) ** 2 + (y / 10) ** 2 - 1).max() < 2 * 0.0101 / 10
-    assert "its curves became" in reasons(drawing)["#1"]
+    assert "the curves of the object were converted to" in reasons(drawing)["#1"]
 
 
 def test_a_straight_curve_becomes_a_line() -> None:
@@ -375,7 +375,11 @@ def test_hidden_groups_are_dropped_with_their_content() -> None:
     assert drawing.lengths.tolist() == [3.0]
     reason = reasons(drawing)
     assert reason["a"] == reason["b"] == "the object is hidden"
-    assert reason["d"] == reason["e"] == "the object has neither a line nor a fill"
+    assert (
+        reason["d"]
+        == reason["e"]
+        == "the object has neither a stroke nor a fill, so it is not visible"
+    )
 
 
 def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
@@ -384,7 +388,8 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
     assert reasons(alone)["area"] == (
-        "kept: outline of a filled area, because the drawing has no lines"
+        "kept: the object is the outline of a filled area, which is "
+        "used because the drawing has no lines"
     )
     beside = only(area + '<path d="M0 0h1"/>')
     assert len(beside) == 1
@@ -408,27 +413,29 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     )
     reason = reasons(drawing)
     assert reason["a"] == (
-        "kept: the path data of the object is invalid at character 8 ('oops'); "
-        "the path was read up to there, as browsers do"
+        "kept: the path data of the object is invalid at character 8 ('oops'), "
+        "so only the path before this character was imported, as in a browser"
     )
     assert reason["n"] == (
-        "kept: the path data of the object ends inside a command; "
-        "the path was read up to there, as browsers do"
+        "kept: the path data of the object ends inside a command, "
+        "so only the commands before it were imported, as in a browser"
     )
     assert reason["b"] == "the object has no size: its width is -3 and its height 2"
     assert reason["c"].startswith("the attribute x1 of the object cannot be read: '1lightyear'")
     assert reason["d"] == "the object has no points"
     assert reason["e"] == (
         "the attribute transform of the object cannot be read: "
-        "the transform spin does not take 1 number"
+        "the transform spin has a wrong number of values (1)"
     )
-    assert reason["f"] == "a coordinate of the object is 1e+09; the limit is 1e+07"
+    assert reason["f"] == "a coordinate of the object is 1e+09, but the limit is 1e+07"
     assert reason["g"].startswith("a coordinate of the object is 2e+300")
     assert reason["h"] == "the radius is 0, but must be greater than 0"
     assert reason["j"] == "pictures are not cut"
     assert reason["k"] == "the content of the object is not SVG"
     assert reason["l"] == "the object is in another file, 'other.svg#x', which is not loaded"
-    assert reason["m"] == "no object has the id 'nobody', to which this object refers"
+    assert (
+        reason["m"] == "the object refers to an object with the id 'nobody', which does not exist"
+    )
     assert_allclose(drawing.lengths.sum(), 10.0 + 6 * math.pi)
 
 

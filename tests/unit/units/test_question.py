@@ -33,11 +33,11 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert question.choices[0] == "mm"
     assert set(question.choices) == {"mm", "cm", "m", "in", "ft"}
     assert question.text.startswith(
-        "The file does not state the unit of the drawing. In which unit is it drawn? "
-        "Its size would be 250.0 × 180.0 mm in mm, "
+        "The file does not state the unit of the drawing. In which unit is the drawing? "
+        "The size of the drawing would be 250.0 × 180.0 mm in mm, "
         "2500 × 1800 mm in cm, 6350 × 4572 mm in inches,"
     )
-    assert "Strongest evidence for mm: in mm 2 of 2 different lengths" in question.text
+    assert "The strongest evidence for mm is: in mm 2 of 2 different edge lengths" in question.text
 
 
 def test_small_numbers_put_centimetres_and_inches_first() -> None:
@@ -63,5 +63,5 @@ def test_question_names_an_unsupported_unit() -> None:
 
 def test_question_states_that_the_evidence_contradicts_the_header() -> None:
     assert question_about(dxf(*BOX, units=6)).text.startswith(
-        "The file states the unit metres, but the drawing does not fit this unit. "
+        "The file states the unit metres, but the size of the drawing does not match this unit. "
     )

@@ -60,7 +60,8 @@ def test_an_edge_that_is_ignored_is_found() -> None:
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
     assert (
-        "Edge 2: Internal error in cleaning: the drawn edge is cut, but the cleaned edge is ignored"
+        "Edge 2: Internal error in cleaning: the drawn edge has the "
+        "line type cut, but the cleaned edge has the line type ignored"
         in findings_text(with_changes(made, line_type=kinds))
     )
 
@@ -70,7 +71,8 @@ def test_a_cut_that_became_a_crease_is_found() -> None:
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
     assert (
-        "Edge 1: Internal error in cleaning: the drawn edge is cut, but the cleaned edge is crease"
+        "Edge 1: Internal error in cleaning: the drawn edge has the "
+        "line type cut, but the cleaned edge has the line type crease"
         in findings_text(with_changes(made, line_type=kinds))
     )
 
@@ -100,7 +102,7 @@ def test_a_lengthened_edge_is_found() -> None:
     ends = made.dieline.ends.copy()
     ends[1, 1] = (100, 103)
     assert (
-        "Edge 1: Internal error in cleaning: the cleaned edge extends beyond everything"
+        "Edge 1: Internal error in cleaning: the cleaned edge extends beyond all edges"
         in findings_text(with_changes(made, ends=ends))
     )
 

@@ -130,12 +130,12 @@ def test_a_wheel_must_not_turn_in_place() -> None:
         (
             "\nM65 P1\nT3",
             "\nM64 P1\nT3",
-            "Station 3 processes the board while station 2 is lowered too",
+            "Station 3 processes the board while station 2 is also lowered",
         ),
         (
             "\nM65 P2\nT1",
             "\nM64 P2\nT1",
-            "Station 1 processes the board while station 3 is lowered too",
+            "Station 1 processes the board while station 3 is also lowered",
         ),
         ("M3 S1\n", "M5\n", "oscillating knife cuts while"),
         (
@@ -273,7 +273,9 @@ def test_a_knife_turns_by_at_most_half_a_turn_in_the_board() -> None:
         return headings(text, machine)
 
     assert swivelled(-90.0) == []
-    assert "270.000° while the tool is in the board; at most 180.01°" in swivelled(270.0)[0].text
+    assert (
+        "270.000° while the tool is in the board, but at most 180.01°" in swivelled(270.0)[0].text
+    )
 
 
 def test_a_tool_may_turn_along_a_short_line_only_if_it_replaces_a_tiny_arc() -> None:

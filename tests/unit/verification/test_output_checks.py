@@ -129,8 +129,8 @@ def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     lines = program_findings((text[:at] + text[at + 12 :]).encode())
     assert lines == [lines[0]]
     assert (
-        "while axis Z is at 4.000 mm, which is too low. Lift the head to 20.000 mm first."
-        in lines[0]
+        "while axis Z is at 4.000 mm, which is too low. Lift the "
+        "head to Z 20.000 mm before this line." in lines[0]
     )
 
 
@@ -157,8 +157,8 @@ def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
 def test_a_program_without_work_must_set_all_states() -> None:
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
     assert program_findings(bare, drawn=False) == [
-        f"The program never switches off {thing}, so it may still be on. "
-        "Switch it off at the beginning of the program."
+        f"The program never switches off {thing}, which may be on from an earlier program. "
+        f"Switch off {thing} at the beginning of the program."
         for thing in (
             "output 0 (M65 P0)",
             "output 1 (M65 P1)",

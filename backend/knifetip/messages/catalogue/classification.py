@@ -11,7 +11,9 @@ MESSAGES: Final[Entries] = {
     "classification.arrow": entry(
         "the edge has an arrowhead, or is connected to a line with an arrowhead",
     ),
-    "classification.as-its-style": entry("like all edges of this style"),
+    "classification.as-its-style": entry(
+        "the edge is treated like all edges of the same layer, colour and linetype",
+    ),
     "classification.bleed": entry(
         "the edge surrounds a blank at a constant distance, as a bleed line does",
     ),
@@ -19,45 +21,63 @@ MESSAGES: Final[Entries] = {
     "classification.closes-nothing": entry(" and does not close an outline"),
     "classification.contradicted": entry("{rule}; but {reason}", rule="message", reason="message"),
     "classification.convention": entry(
-        'the colours fit the convention "{name}": the outline closes, and {folds} of {lines:# '
-        "dividing line is a fold|# dividing lines are folds}",
+        'the colours match the colour convention "{name}": with this convention the outline '
+        "closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
         name="text",
         folds="count",
         lines="count",
     ),
     "classification.cuts-panel-off": entry("a cut there would separate a panel from its blank"),
-    "classification.dashed": entry("they are dashed"),
+    "classification.dashed": entry(
+        "the edges are dashed",
+    ),
     "classification.divider": entry("the edge divides two panels"),
     "classification.divides-panels": entry(", but edges of type {type} divide panels", type="text"),
     "classification.frame": entry("the edge frames the whole drawing"),
     "classification.free": entry("the edge lies inside a panel and touches no other edge"),
     "classification.hole": entry("the edge closes a hole in a panel"),
-    "classification.inner": entry("the edge lies inside a hole or divides one"),
+    "classification.inner": entry(
+        "the edge lies inside a hole or divides a hole",
+    ),
     "classification.layer-denies": entry(
-        'but the name of its layer, "{layer}", suggests another line type',
+        'but the name of the layer of the edge, "{layer}", suggests another line type',
         layer="text",
     ),
-    "classification.layer-name": entry('the name of its layer contains "{word}"', word="text"),
+    "classification.layer-name": entry(
+        'the name of the layer of the edge contains "{word}"',
+        word="text",
+    ),
     "classification.legend": entry(
         "the edge lies outside all blanks, beside the name of a line type, so it belongs to a "
         "legend",
     ),
-    "classification.letter": entry("the edge lies in a row of small shapes, as letters do"),
-    "classification.like-outline": entry("it has the style of the outline"),
+    "classification.letter": entry(
+        "the edge lies in a row of small shapes, as the outlines of letters do",
+    ),
+    "classification.like-outline": entry(
+        "the edge has the layer, colour and linetype of the outline",
+    ),
     "classification.like-outline-not-folds": entry(
-        "it has the style of the outline, and the folds have another style",
+        "the edge has the layer, colour and linetype of the outline, and the folds have others",
     ),
     "classification.linetype-name": entry(
-        'the name of its linetype contains "{word}"',
+        'the name of the linetype of the edge contains "{word}"',
         word="text",
     ),
     "classification.mark": entry("the edge closes a shape that is much smaller than the blank"),
-    "classification.mirror-cut": entry("its mirror image in the drawing is cut"),
-    "classification.mirror-folded": entry("its mirror image in the drawing is folded"),
-    "classification.mixed": entry("{reason} (true for most of its length)", reason="message"),
+    "classification.mirror-cut": entry(
+        "the mirror image of the edge in the drawing is a cut",
+    ),
+    "classification.mirror-folded": entry(
+        "the mirror image of the edge in the drawing is a fold",
+    ),
+    "classification.mixed": entry(
+        "{reason} (this is true for most of the length of the edge)",
+        reason="message",
+    ),
     "classification.named": entry(
-        "the name of its layer shows that the edge is not part of the carton, and the outlines "
-        "close without it",
+        "the name of the layer of the edge shows that the edge is not part of the carton, and "
+        "the outlines close without the edge",
     ),
     "classification.no-rule": entry("no rule of the profile {profile} matches", profile="text"),
     "classification.no-rule-but-shape": entry(
@@ -66,17 +86,33 @@ MESSAGES: Final[Entries] = {
         shape="message",
     ),
     "classification.none-closes": entry(
-        ", as all edges of this style do, and none of them closes an outline",
+        ", as all edges of the same layer, colour and linetype do, and none of these edges "
+        "closes an outline",
     ),
-    "classification.not-made": entry(", so no tool must process it"),
-    "classification.on-cut": entry("{rule}; the edge lies on a cut", rule="message"),
+    "classification.not-made": entry(
+        ", so the edge must not be processed",
+    ),
+    "classification.on-cut": entry(
+        "{rule}, and the edge lies on a cut",
+        rule="message",
+    ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
-    "classification.other-style-closes": entry("edges of another style close most of this outline"),
+    "classification.other-style-closes": entry(
+        "edges of another layer, colour or linetype close most of this outline",
+    ),
     "classification.outline": entry("the edge closes the outline of a blank"),
-    "classification.override": entry("set by the user"),
-    "classification.paired": entry("some of them are parallel pairs"),
-    "classification.panel-hangs": entry("a panel is connected only by it"),
-    "classification.panels-hang": entry("most of them connect a panel to the rest of the blank"),
+    "classification.override": entry(
+        "set by the user",
+    ),
+    "classification.paired": entry(
+        "some of the edges are parallel pairs",
+    ),
+    "classification.panel-hangs": entry(
+        "only this edge connects a panel to the rest of the blank",
+    ),
+    "classification.panels-hang": entry(
+        "most of the edges connect a panel to the rest of the blank",
+    ),
     "classification.role-against": entry("{role}{against}", role="message", against="message?"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),
     "classification.shape": entry("{parts:, }", parts="messages"),
@@ -86,10 +122,12 @@ MESSAGES: Final[Entries] = {
         "the edge is short, lies outside all blanks and touches no other edge",
     ),
     "classification.stray": entry("the edge lies outside all blanks"),
-    "classification.swapped": entry("the edges that this rule makes creases close the outline"),
+    "classification.swapped": entry(
+        "the edges to which this rule gives the line type crease close the outline",
+    ),
     "classification.swapped-both": entry(
-        "the edges that this rule makes creases close the outline, and the edges that it makes "
-        "cuts divide the panels",
+        "the edges to which this rule gives the line type crease close the outline, and the "
+        "edges to which it gives the line type cut divide the panels",
     ),
     "classification.swapped-like": entry(
         "{reason}; {convention}",
@@ -97,9 +135,14 @@ MESSAGES: Final[Entries] = {
         convention="message",
     ),
     "classification.table": entry(
-        "the edge lies beside a text, as in a title block, a dimension or a label",
+        "the edge lies beside a text, so it belongs to a title block, a dimension or a label",
     ),
-    "classification.unknown": entry("the shape of the drawing does not show what the edge is"),
+    "classification.unknown": entry(
+        "the geometry of the drawing does not show which line type the edge has",
+    ),
     "classification.votes": entry("{votes:; }", votes="messages"),
-    "classification.with-text": entry("{reason}; a text lies beside it", reason="message"),
+    "classification.with-text": entry(
+        "{reason}, and a text lies beside the edge",
+        reason="message",
+    ),
 }

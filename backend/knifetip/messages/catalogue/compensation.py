@@ -8,9 +8,9 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "bridges.no-room": entry(
-        "The contour at edge {edge} is {length:.1f} mm long and has no room for {fewest:# "
-        "bridge|# bridges} of {gap:.2f} mm that are at most {spacing:.1f} mm apart and away from "
-        "corners and narrow slots.",
+        "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# "
+        "bridge|# bridges} of {gap:.2f} mm. The distance between bridges may be at most "
+        "{spacing:.1f} mm, and bridges must stay away from corners and narrow slots.",
         "Choose narrower bridges or a larger spacing, or cut this board without bridges.",
         edge="count",
         length="number",
@@ -27,10 +27,10 @@ MESSAGES: Final[Entries] = {
         offset="number",
     ),
     "crease.too-short": entry(
-        "The crease at edge {edge} is {length:.2f} mm long, which is too short for a wheel of "
-        "{radius:.1f} mm radius that ends {clearance:.2f} mm before both ends.",
-        "Join it to a collinear crease, set it to ignored, or choose a board on which short "
-        "creases are pressed.",
+        "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing "
+        "wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
+        "Join the crease to a collinear crease, set it to ignored, or choose a board on which "
+        "short creases are pressed.",
         edge="count",
         length="number",
         radius="number",
@@ -42,9 +42,9 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "cut.too-short": entry(
-        "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge, "
-        "but the slanted blade needs {lead:.2f} mm.",
-        "Set it to ignored, join it to another cut, or choose a steeper blade.",
+        "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a "
+        "bridge. The slanted blade needs a length of at least {lead:.2f} mm.",
+        "Set the cut to ignored, join it to another cut, or choose a steeper blade.",
         edge="count",
         length="number",
         lead="number",
@@ -58,8 +58,8 @@ MESSAGES: Final[Entries] = {
         others="count",
     ),
     "cutter.misses-bridge": entry(
-        "The cutter does not reach the contour at edge {edge}, {distance:.1f} mm along it, where "
-        "a bridge is needed.",
+        "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, "
+        "but the cutter does not reach the contour there.",
         "Choose a thinner cutter, another spacing of bridges, or a board without bridges.",
         edge="count",
         distance="number",
@@ -67,7 +67,7 @@ MESSAGES: Final[Entries] = {
     "cutter.short-lead": entry(
         "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of "
         "{radius:g} mm.",
-        "Correct the lead in the machine file.",
+        "Correct the lead-in in the machine file.",
         lead="number",
         radius="number",
     ),
@@ -86,8 +86,8 @@ MESSAGES: Final[Entries] = {
         edge="count",
     ),
     "groove.overcut": entry(
-        "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the "
-        "board allows {allowed:.2f} mm.",
+        "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but "
+        "the board allows an overcut of only {allowed:.2f} mm.",
         "Choose a narrower blade, or allow a longer overcut for this board.",
         overrun="number",
         allowed="number",
@@ -95,15 +95,15 @@ MESSAGES: Final[Entries] = {
     "groove.runs-out": entry(
         "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the "
         "board and cut into the next part.",
-        "End the groove before the edge, let it meet the edge at a larger angle, or move the "
-        "parts apart.",
+        "End the groove before the edge of the board, let it meet the edge of the board at a "
+        "larger angle, or move the parts apart.",
         edge="count",
         distance="number",
     ),
     "groove.through-cut": entry(
-        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm "
-        "from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which "
-        "lies {distance:.2f} mm beside it.",
+        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
+        "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
+        "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
         "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep.",
         groove="count",
         width="number",
@@ -113,10 +113,10 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "groove.through-cut-at-it": entry(
-        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face. {place:.1f} mm "
-        "from its start, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which "
-        "lies {distance:.2f} mm beside it.",
-        "End the groove at the cut, or move one of them.",
+        "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
+        "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
+        "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
+        "End the groove at the cut, or move the groove or the cut.",
         groove="count",
         width="number",
         through="number",
@@ -125,8 +125,8 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "groove.tight-bend": entry(
-        "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm, from which a blade "
-        "of {blade:.2f} mm deviates by more than {error:.3f} mm.",
+        "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight "
+        "blade of {blade:.2f} mm would deviate from this bend by more than {error:.3f} mm.",
         "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board.",
         edge="count",
         radius="number",
@@ -156,8 +156,8 @@ MESSAGES: Final[Entries] = {
         diameter="number",
     ),
     "tool.bad-radius": entry(
-        "The radius of a tool is not a number of 0 mm or more.",
-        "Correct it in the machine file.",
+        "The radius of a tool is negative or not a number.",
+        "Correct the radius in the machine file.",
     ),
     "tool.cannot-work": entry(
         "Station {station} ({name}) of {machine} cannot be used: {reason}",
@@ -175,7 +175,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "tool.short-lead": entry(
-        "its lead of {lead:g} mm must be 0 or greater than its radius of {radius:g} mm",
+        "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",
         lead="number",
         radius="number",
     ),
@@ -188,15 +188,16 @@ MESSAGES: Final[Entries] = {
     ),
     "tool.without-power": entry(
         "The power of the laser is 0.",
-        "Set its power in the machine file.",
+        "Set the power of the laser in the machine file.",
     ),
     "tool.without-speed": entry(
         "The spindle speed of the cutter is 0.",
-        "Set its speed in the machine file.",
+        "Set the spindle speed of the cutter in the machine file.",
     ),
     "track.too-flat": entry(
-        "The path of the tool meets the edge of the board at {angle:.2f}° from the perpendicular "
-        "(limit {limit:g}°), so the tool does not leave the board (path {track}).",
+        "The path of the tool (path {track}) meets the edge of the board at {angle:.2f}° from "
+        "the perpendicular, but at most {limit:g}° is allowed, so the tool does not leave the "
+        "board.",
         "End the line inside the board, or draw it across the edge.",
         track="count",
         angle="number",

@@ -17,15 +17,18 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.alarm-code": entry("ALARM:{code} ({alarm})", code="count", alarm="message"),
     "controller.alarm-state": entry(
-        "{name} reports alarm{due}.",
-        "Check the table, then home it ($H) or unlock it ($X).",
+        "{name} reports an alarm{due}.",
+        "Check the table, then home the machine ($H) or unlock it ($X).",
         name="text",
         due="message",
     ),
-    "controller.alarm-unknown": entry("an alarm"),
+    "controller.alarm-unknown": entry(
+        "an unknown alarm",
+    ),
     "controller.answer-lost": entry(
-        "{name} has reported {state} for {seconds:g} s{due}: an answer was lost on the way.",
-        "Check the cable, then the board.",
+        "{name} has reported the state {state} for {seconds:g} s{due}. A response of the "
+        "controller was lost.",
+        "Check the cable, then check the board.",
         name="text",
         state="text",
         seconds="number",
@@ -33,12 +36,12 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.bad-address": entry(
         "{address!r} is not the address of a controller.",
-        "Write host:port, for example 127.0.0.1:2323.",
+        "Write the address as host:port, for example 127.0.0.1:2323.",
         address="text",
     ),
     "controller.busy": entry(
-        "{name} is busy: it reports {state}.",
-        "Wait until it is idle, or reset it at the table; nothing was sent.",
+        "{name} is busy: it reports the state {state}. Nothing was sent.",
+        "Wait until the controller is idle, or reset it at the table.",
         name="text",
         state="text",
     ),
@@ -48,75 +51,88 @@ MESSAGES: Final[Entries] = {
         name="text",
         seconds="number",
     ),
-    "controller.closed": entry("The connection to {name} was closed.", name="text"),
+    "controller.closed": entry(
+        "The connection to {name} was closed.",
+        "Connect to the controller again.",
+        name="text",
+    ),
     "controller.connection-failed": entry(
         "The connection to {address} is lost ({reason}).",
-        "Check the table before anything is sent again.",
+        "Check the table before you send anything again.",
         address="text",
         reason="text",
     ),
     "controller.due": entry(
-        "; the answer to line {line} ({text}) is due",
+        "; no response to line {line} ({text}) was received",
         line="count",
         text="text",
     ),
     "controller.lift-not-finished": entry(
-        "{name} did not finish its lift within {seconds:g} s.",
+        "{name} did not finish lifting the tool within {seconds:g} s.",
         "Lift the tool and raise the stations at the table.",
         name="text",
         seconds="number",
     ),
     "controller.locked": entry(
-        "{name} is locked by {cause}: the stations may still be lowered.",
-        "Lift the tool and raise the stations at the table, then home ($H) or unlock ($X) it.",
+        "{name} is locked by {cause}. The stations may still be lowered.",
+        "Lift the tool and raise the stations at the table, then home the machine ($H) or "
+        "unlock it ($X).",
         name="text",
         cause="message",
     ),
     "controller.locked-by-alarm": entry(
         "{name} is locked by an alarm.",
-        "Home it ($H) or unlock it ($X) at the table.",
+        "Home the machine ($H) or unlock it ($X) at the table.",
         name="text",
     ),
     "controller.lost": entry(
         "The connection to {name} is lost{due}.",
-        "Check the cable, then the board.",
+        "Check the cable, then check the board.",
         name="text",
         due="message?",
     ),
     "controller.lost-in-buffer": entry(
-        "The connection to {name} is lost.",
-        "Check the table: the controller may still execute what is in its buffer.",
+        "The connection to {name} is lost. The controller may still execute the lines in its "
+        "buffer.",
+        "Check the table before you touch it.",
         name="text",
     ),
     "controller.not-in-laser-mode": entry(
-        "{name} is not in laser mode, so a hold would leave the beam on.",
-        "Set $32=1 at the controller and connect again; nothing was sent.",
+        "{name} is not in laser mode, so the laser beam would stay on during a feed hold. "
+        "Nothing was sent.",
+        "Set $32=1 at the controller and connect again.",
         name="text",
     ),
     "controller.not-ready": entry(
-        "{name} is not ready: it reports {state}.",
-        "Wait until it is idle, or unlock it, then send the job again; nothing was sent.",
+        "{name} is not ready: it reports the state {state}. Nothing was sent.",
+        "Wait until the controller is idle, or unlock it, then send the job again.",
         name="text",
         state="text",
     ),
-    "controller.not-recovered": entry("{name} was not brought into its safe state.", name="text"),
+    "controller.not-recovered": entry(
+        "{name} did not reach its safe state (tool lifted, stations raised).",
+        "Lift the tool and raise the stations at the table.",
+        name="text",
+    ),
     "controller.not-secured": entry(
-        "{name} cannot be brought into its safe state: it reports {state}.",
+        "{name} cannot be brought into its safe state (tool lifted, stations raised), because "
+        "it reports the state {state}.",
         "Lift the tool and raise the stations at the table.",
         name="text",
         state="text",
     ),
     "controller.not-stopped": entry(
-        "{error} {progress} The machine is not safe: {unsafe}",
+        "{error} {progress} The machine is not in a safe state: {unsafe}",
         "{unsafe:hint}",
         error="message",
         progress="message",
         unsafe="message",
     ),
     "controller.off-path": entry(
-        "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, {distance:.1f} mm off the program's path "
-        "near line {line}: a line was changed on its way to the controller, or steps were lost.",
-        "Check the cable and home the machine; the board may be spoiled.",
+        "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, which is {distance:.1f} mm away from "
+        "the path of the program near line {line}. A line was corrupted on its way to the "
+        "controller, or steps were lost.",
+        "Check the cable and home the machine. Check the board, which may be spoiled.",
         x="number",
         y="number",
         z="number",
@@ -125,12 +141,12 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.refused-safe-state": entry(
         "{refusals: }",
-        "Lift the tool and raise the stations at the table; compare the machine's file with the "
-        "controller's outputs.",
+        "Lift the tool and raise the stations at the table. Then compare the outputs in the "
+        "machine file with the outputs of the controller.",
         refusals="messages",
     ),
     "controller.rejected-command": entry(
-        "{name} refused {command}: {error} (error:{code}).",
+        "{name} rejected the command {command}: {error} (error:{code}).",
         "Check the table, then try again.",
         name="text",
         command="text",
@@ -138,8 +154,8 @@ MESSAGES: Final[Entries] = {
         code="count",
     ),
     "controller.rejected-in-check": entry(
-        "{name} refused line {line} ({text}): {error} (error:{code}).",
-        "Nothing has moved: compile the job again for this controller.",
+        "{name} rejected line {line} ({text}) before anything moved: {error} (error:{code}).",
+        "Compile the job again for this controller.",
         name="text",
         line="count",
         text="text",
@@ -147,7 +163,7 @@ MESSAGES: Final[Entries] = {
         code="count",
     ),
     "controller.rejected-line": entry(
-        "{name} refused line {line} ({text}): {error} (error:{code}).",
+        "{name} rejected line {line} ({text}): {error} (error:{code}).",
         "Check the board, then compile the job again for this controller.",
         name="text",
         line="count",
@@ -157,13 +173,12 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.reports-alarm": entry(
         "{name} reports an alarm.",
-        "Check the table, then home or unlock it.",
+        "Check the table, then home the machine ($H) or unlock it ($X).",
         name="text",
     ),
     "controller.reset": entry(
-        "{name} was reset{due}.",
-        "Check the table and home the machine: its position may be lost. Nothing continues by "
-        "itself.",
+        "{name} was reset{due}. The position of the machine may be lost.",
+        "Check the table and home the machine. The job does not continue automatically.",
         name="text",
         due="message?",
     ),
@@ -175,43 +190,49 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.silent": entry(
         "{name} has not answered for {seconds:g} s{due}.",
-        "Check the cable, then the board.",
+        "Check the cable, then check the board.",
         name="text",
         seconds="number",
         due="message?",
     ),
     "controller.stopped": entry(
-        "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, its stations "
-        "were released.",
+        "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, and its "
+        "stations were released.",
         "{error:hint}",
         error="message",
         progress="message",
         height="number",
     ),
     "controller.unexpected-answer": entry(
-        "{name} answered a line that was not sent from here: an answer was doubled on the way, or "
-        "another program sends to the controller.",
-        "Check the cable, and close any other program that sends to it.",
+        "{name} responded to a line that this gateway did not send. A response was duplicated, "
+        "or another program sends lines to the controller.",
+        "Check the cable, and close any other program that is connected to the controller.",
         name="text",
     ),
     "controller.unreachable": entry(
-        "No controller answers at {address} ({reason}).",
-        "Switch it on, or correct the address.",
+        "No controller responds at {address} ({reason}).",
+        "Switch on the controller, or correct the address.",
         address="text",
         reason="text",
     ),
-    "controller.was-reset": entry("{name} was reset.", name="text"),
+    "controller.was-reset": entry(
+        "{name} was reset.",
+        "Check the table and home the machine before the next job.",
+        name="text",
+    ),
     "run.executed": entry(
         "{executed} of {lines} lines were executed.",
         executed="count",
         lines="count",
     ),
     "run.in-buffer": entry(
-        "{executed} of {lines} lines were executed, and up to {rest} more, which were in the "
-        "controller's buffer, may have been.",
+        "{executed} of {lines} lines were executed. Up to {rest} more lines, which were in the "
+        "buffer of the controller, may also have been executed.",
         executed="count",
         lines="count",
         rest="count",
     ),
-    "run.nothing-sent": entry("No line was sent."),
+    "run.nothing-sent": entry(
+        "No program line was sent.",
+    ),
 }

@@ -9,33 +9,33 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "corner.at": entry(" at ({x:g}, {y:g})", x="number", y="number"),
     "corner.bad-interference": entry(
-        "{interference!r} is not a method for places where the cutter does not fit.",
+        "{interference!r} is not a valid method for contours into which the cutter does not fit.",
         "Choose trim or refuse.",
         interference="text",
     ),
     "corner.bad-k": entry(
-        "The parameter k of the corner at the start of edge {edge} is {k}, but must be between 0 "
-        "and 1.",
-        "Give a k from 0 (as type B) to 1 (as type C).",
+        "The parameter k of the corner at the start of edge {edge} is {k}, but must be between "
+        "0 and 1.",
+        "Choose a k from 0 (equal to type B) to 1 (equal to type C).",
         edge="count",
         k="text",
     ),
     "corner.bad-k-at": entry(
-        "The parameter k of the D corner{where} is {k}, but must be greater than 0 and less than "
-        "1.",
-        "Choose type B instead of 0, and type C instead of 1.",
+        "The parameter k of the corner of type D{where} is {k}, but must be greater than 0 and "
+        "less than 1.",
+        "Choose corner type B instead of k = 0, and corner type C instead of k = 1.",
         where="message?",
         k="text",
     ),
     "corner.bad-place": entry(
         "The position ({x}, {y}) of a corner is not valid.",
-        "Give X and Y in mm of the drawing.",
+        "Give X and Y as numbers, in mm of the drawing.",
         x="text",
         y="text",
     ),
     "corner.bad-share": entry(
         "Corner {corner} has type D with the parameter k = {k}, which must be between 0 and 1.",
-        "Give a k from 0 (as type B) to 1 (as type C).",
+        "Choose a k from 0 (equal to type B) to 1 (equal to type C).",
         corner="count",
         k="text",
     ),
@@ -46,22 +46,22 @@ MESSAGES: Final[Entries] = {
         y="number",
     ),
     "corner.no-contour": entry(
-        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because the "
-        "drawing has no contour that is milled around outside corners.",
-        "Leave the corner types out for this drawing.",
+        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because "
+        "the drawing has no contour whose outside corners are milled.",
+        "Remove the corner types from the request for this drawing.",
         within="number",
         x="number",
         y="number",
     ),
     "corner.no-cutter": entry(
         "Corner types were chosen, but {machine} has no rotating cutter.",
-        "Leave the corner types out, or choose a machine with a rotating cutter.",
+        "Remove the corner types from the request, or choose a machine with a rotating cutter.",
         machine="text",
     ),
     "corner.not-found": entry(
-        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the nearest "
-        "corner is {distance:.2f} mm away.",
-        "Give X and Y of a corner in mm of the drawing; the nearest are {known:, }.",
+        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the "
+        "nearest corner is {distance:.2f} mm away.",
+        "Give X and Y of a corner in mm of the drawing. The nearest corners are {known:, }.",
         within="number",
         x="number",
         y="number",
@@ -70,54 +70,54 @@ MESSAGES: Final[Entries] = {
     ),
     "corner.unknown-number": entry(
         "Corner {corner} has the type {type}, which does not exist.",
-        "Choose type B, C or D.",
+        "Choose corner type B, C or D.",
         corner="count",
         type="count",
     ),
     "corner.unknown-type": entry(
         "The corner type {type!r} does not exist.",
-        "Choose B, C, D or auto.",
+        "Choose corner type B, C, D or auto.",
         type="text",
     ),
     "corner.unknown-type-at": entry(
         "The corner type {type!r}{where} does not exist.",
-        "Choose B, C, D or auto.",
+        "Choose corner type B, C, D or auto.",
         type="text",
         where="message?",
     ),
     "deflection.arc-too-small": entry(
         "Near ({x:.2f}, {y:.2f}) the centre of the cutter moves on an arc of {radius:.3f} mm "
         "radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-        "Choose a smaller k or corner type B, or measure the deflection again.",
+        "Choose a smaller k or corner type B, or measure the deflection of the cutter again.",
         radius="number",
         x="number",
         y="number",
         deflection="number",
     ),
     "deflection.path-too-short": entry(
-        "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns too "
-        "sharply to correct the deflection.",
-        "Join short edges there, or measure the deflection again.",
+        "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns "
+        "too sharply to correct the deflection of the cutter.",
+        "Join short edges near this point, or measure the deflection again.",
         x="number",
         y="number",
     ),
     "calibration.bad-points": entry(
-        "The {count:# measured point|# measured points} cannot be used: at least one point is "
-        "needed, and all values must be numbers.",
+        "The {count:# measured point|# measured points} cannot be used. At least one point is "
+        "needed, and all values must be finite numbers.",
         "Measure at least one point on a slanted part of the contour.",
         count="count",
     ),
     "calibration.choose-cutter": entry(
         "{machine} has {count:# cutter|# cutters}, so the cutter to calibrate must be named.",
-        "Choose one: {cutters:, }.",
+        "Choose one of {cutters:, }.",
         machine="text",
         count="count",
         cutters="texts",
     ),
     "calibration.missing-column": entry(
         "Line {line} of {file} has no value for {columns}.",
-        "Write azimuth,dx,dy on the first line and degrees, mm, mm on the others, for example "
-        "45,-0.05,0.06.",
+        "Write azimuth,dx,dy on the first line. Write degrees, mm and mm on all other lines, "
+        "for example 45,-0.05,0.06.",
         file="text",
         line="count",
         columns="text",
@@ -131,13 +131,14 @@ MESSAGES: Final[Entries] = {
     ),
     "calibration.not-csv": entry(
         "{file} is not a CSV file: {reason}.",
-        "Save it as CSV in UTF-8.",
+        "Save the file as CSV in UTF-8.",
         file="text",
         reason="text",
     ),
     "calibration.undetermined": entry(
-        "The contour runs along {along} at every measured point, so the deflection along {other} "
-        "cannot be determined (the sum of squares is {weight:.4f}, but {least} is needed).",
+        "The contour runs along {along} at every measured point, so the deflection of the "
+        "cutter along {other} cannot be determined. The sum of squares is {weight:.4f}, but "
+        "must be at least {least}.",
         "Measure one more point where the contour runs along {direction}, or at 45°.",
         along="text",
         other="text",
@@ -146,9 +147,9 @@ MESSAGES: Final[Entries] = {
         direction="text",
     ),
     "calibration.wrong-sign": entry(
-        "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy {y:.3f} "
-        "mm), which is not possible.",
-        "Check the signs of ΔX and ΔY, and on which side of the contour the tool moves.",
+        "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy "
+        "{y:.3f} mm), which is not possible.",
+        "Check the signs of ΔX and ΔY, and check on which side of the contour the tool moves.",
         x="number",
         y="number",
     ),

@@ -13,11 +13,11 @@ MESSAGES: Final[Entries] = {
         drawing="text",
     ),
     "drawing.deleted": entry(
-        "Deleted.",
+        "The drawing was deleted.",
     ),
     "drawing.in-use": entry(
         "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
-        "Delete only drawings without jobs.",
+        "Delete only drawings from which no job was made.",
         job="text",
         drawing="text",
     ),
@@ -33,39 +33,39 @@ MESSAGES: Final[Entries] = {
     ),
     "drawing.open-questions": entry(
         "{count:# question|# questions} about the drawing must be answered first: {questions: }",
-        "Answer them on the page of the drawing; edges without an answer are not cut.",
+        "Answer the questions on the page of the drawing. Edges without an answer are not cut.",
         count="count",
         questions="messages",
     ),
     "drawing.read": entry(
-        "Read from {name}.",
+        "The drawing was read from {name}.",
         name="text",
     ),
     "drawing.reinterpreted": entry(
-        "Unit: {unit:unit}, profile: {profile}.",
+        "The drawing was read again with the unit {unit:unit} and the profile {profile}.",
         unit="text",
         profile="text",
     ),
     "drawing.stale": entry(
-        "Drawing {drawing} was changed since it was read: it is at revision {revision}, but the "
-        "request names revision {named}.",
-        "Read the drawing again, check it, and repeat the request.",
+        "Drawing {drawing} was changed after you loaded it. The request is for revision "
+        "{named}, but the drawing is at revision {revision}.",
+        "Load the drawing again, check it, and repeat the request.",
         drawing="text",
         revision="count",
         named="text",
     ),
     "drawing.types-set": entry(
-        "{count:# line type was|# line types were} set.",
+        "{count:# edge was|# edges were} given a line type.",
         count="count",
     ),
     "drawing.unit-for-cleaning": entry(
-        "The drawing has no unit, so the lengths of short edges and gaps cannot be compared with "
-        "the limits in mm.",
-        "Set the unit on the page, or with PATCH /api/drawings/ID.",
+        "The drawing has no unit, so the lengths of short edges and gaps cannot be compared "
+        "with the limits in mm.",
+        "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID.",
     ),
     "drawing.unit-unknown": entry(
         "The unit of the drawing is not known ({evidence}).",
-        "Set the unit on the page, with --unit, or with PATCH /api/drawings/ID.",
+        "Set the unit of the drawing on the page, with --unit, or with PATCH /api/drawings/ID.",
         evidence="message",
     ),
     "drawing.unknown": entry(
@@ -74,13 +74,13 @@ MESSAGES: Final[Entries] = {
         drawing="text",
     ),
     "drawing.upload-too-large": entry(
-        "{name} is larger than {limit} MB.",
+        "The file {name} is larger than {limit} MB.",
         "Send a smaller file.",
         name="text",
         limit="count",
     ),
     "question.guess": entry(
-        " It is most likely {type} ({percent} %): {reason}.",
+        " The most likely line type is {type} ({percent} %): {reason}.",
         type="text",
         percent="count",
         reason="message",
@@ -102,7 +102,10 @@ MESSAGES: Final[Entries] = {
         unit="text",
         guess="message?",
     ),
-    "question.shape": entry(" The shape of the drawing shows: {reason}.", reason="message"),
+    "question.shape": entry(
+        " The geometry of the drawing shows: {reason}.",
+        reason="message",
+    ),
     "question.tool": entry(
         "{machine} has no tool for {edges:# edge|# edges} of type {type}. Which line type should "
         "{edges:it|they} get?",
@@ -111,13 +114,15 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "question.unit": entry(
-        "{reason} In which unit is it drawn? Its size would be {sizes:, }.{evidence}",
+        "{reason} In which unit is the drawing? The size of the drawing would be {sizes:, "
+        "}.{evidence}",
         reason="message",
         sizes="messages",
         evidence="message?",
     ),
     "question.unit-contradicted": entry(
-        "The file states the unit {stated:unit}, but the drawing does not fit this unit.",
+        "The file states the unit {stated:unit}, but the size of the drawing does not match "
+        "this unit.",
         stated="text",
     ),
     "question.unit-doubtful": entry(
@@ -126,7 +131,7 @@ MESSAGES: Final[Entries] = {
         other="text",
     ),
     "question.unit-evidence": entry(
-        " Strongest evidence for {unit:unit}: {evidence:; }.",
+        " The strongest evidence for {unit:unit} is: {evidence:; }.",
         unit="text",
         evidence="messages",
     ),
@@ -142,8 +147,9 @@ MESSAGES: Final[Entries] = {
         evidence="message",
     ),
     "override.ambiguous": entry(
-        "An override must name its edges in exactly one way.",
-        "Give edges, or handles, or layer and colour.",
+        "An override must select its edges in exactly one way: by number, by handle, or by "
+        "layer and colour.",
+        "Give either edges, or handles, or layer and colour.",
     ),
     "override.no-edges-there": entry(
         "The drawing has no edge {place: and }.",
@@ -151,8 +157,8 @@ MESSAGES: Final[Entries] = {
         place="messages",
     ),
     "override.no-such-edge": entry(
-        "Edge {edge} does not exist; the drawing has {count:# edge|# edges}.",
-        "Number the edges from 0.",
+        "Edge {edge} does not exist. The drawing has {count:# edge|# edges}.",
+        "Choose an edge number that exists. The first edge has number 0.",
         count="count",
         edge="text",
     ),

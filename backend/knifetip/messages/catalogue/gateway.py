@@ -8,35 +8,42 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "gateway.cancelled": entry(
-        "Cancelled by the operator at line {line}.",
+        "The operator cancelled the job at line {line}.",
         line="count",
     ),
     "gateway.controller-not-idle": entry(
-        "{name} is not idle: it reports {state}.",
-        "Wait until it is idle, or reset it at the table.",
+        "{name} is not idle: it reports the state {state}.",
+        "Wait until the controller is idle, or reset it at the table.",
         name="text",
         state="text",
     ),
     "gateway.job-withdrawn": entry(
-        "The server took the job back; the machine was stopped.",
+        "The server withdrew the job from the gateway; the machine was stopped.",
+        "Check the table.",
     ),
     "gateway.job-withdrawn-before-start": entry(
-        "The server took the job back before its start; nothing was sent to the machine.",
+        "The server withdrew the job from the gateway before the job was started. Nothing was "
+        "sent to the machine.",
     ),
     "gateway.no-reason": entry(
-        "The gateway ended the job and stated no reason.",
+        "The gateway ended the job without stating a reason.",
+        "Check the log of the gateway.",
     ),
     "gateway.switched-off": entry(
         "The gateway was switched off.",
+        "Switch on the gateway.",
     ),
     "gateway.switched-off-before-report": entry(
-        "The gateway was switched off before it could report.",
+        "The gateway was switched off before it reported the result of the job.",
+        "Switch on the gateway.",
     ),
     "gateway.switched-off-in-run": entry(
-        "The gateway was switched off; the machine was stopped.",
+        "The gateway was switched off while it executed the job. It stopped the machine.",
+        "Switch on the gateway.",
     ),
     "gateway.system-error": entry(
-        "The operating system of the gateway reports: {reason}.",
+        "The operating system of the gateway reports an error: {reason}.",
+        "Correct the cause on the computer of the gateway.",
         reason="text",
     ),
 }

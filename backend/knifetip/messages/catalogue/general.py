@@ -9,7 +9,7 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "stored.text": entry("{text}", "{hint}", text="text", hint="text"),
     "error.at-edge": entry(
-        '{error} Object: handle {handle}, layer "{layer}".',
+        '{error} The object has the handle {handle} and lies on the layer "{layer}".',
         "{error:hint}",
         error="message",
         handle="text",

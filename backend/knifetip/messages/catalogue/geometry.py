@@ -8,23 +8,24 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "curve.bad-ellipse": entry(
-        "An ellipse has no size, or its start or end angle is not a number.",
+        "An ellipse has an angle range that is not valid, or one of its values is not a number.",
         "Draw the ellipse again.",
     ),
     "curve.bad-spline": entry(
-        "A spline of degree {degree} with {points} control points and {knots} knots is damaged.",
+        "A spline is damaged: degree {degree}, {points} control points and {knots} knots do "
+        "not match.",
         "Draw the spline again, or export it as lines and arcs.",
         degree="count",
         points="count",
         knots="count",
     ),
     "curve.bad-tolerance": entry(
-        "Curves cannot be converted with a tolerance of {tolerance} mm.",
+        "The tolerance for converting curves is {tolerance} mm, which is not valid.",
         "Give a tolerance greater than 0.",
         tolerance="number",
     ),
     "curve.not-finite": entry(
-        "A point of a curve is not a number.",
+        "A coordinate of a point of a curve is not a number.",
         "Draw the curve again, as lines and arcs.",
     ),
     "curve.not-fitted": entry(
@@ -33,11 +34,12 @@ MESSAGES: Final[Entries] = {
         tolerance="number",
     ),
     "curve.parameters": entry(
-        "The parameters of a curve do not increase.",
+        "The parameter values of a curve do not increase.",
         "Draw the curve again, as lines and arcs.",
     ),
     "curve.too-many-pieces": entry(
-        "A curve needs more than {limit:,} lines and arcs to stay within {tolerance:g} mm.",
+        "A curve must be divided into more than {limit:,} lines and arcs to stay within "
+        "{tolerance:g} mm.",
         "Increase the tolerance, or simplify the curve.",
         limit="count",
         tolerance="number",
@@ -49,7 +51,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "edge.no-length": entry(
-        "Edge {edges:, } has no length, so its direction is not defined.",
+        "Edge {edges:, } has a length of 0, so it has no direction.",
         "Delete the edge from the drawing.",
         edges="texts",
     ),
@@ -60,31 +62,31 @@ MESSAGES: Final[Entries] = {
     ),
     "edge.place": entry(" at edge {edge}", edge="count"),
     "edge.too-crowded": entry(
-        "More than {limit:,} pairs of line ends lie closer together than {distance} mm.",
+        "More than {limit:,} pairs of edge ends lie closer together than {distance} mm.",
         "Delete edges that are drawn many times on top of each other.",
         limit="count",
         distance="number",
     ),
     "edge.too-far": entry(
-        "Edge {edge} lies {distance:.3g} mm from the origin of the drawing.",
+        "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far.",
         "Check the unit of the drawing, or delete the edge.",
         edge="count",
         distance="number",
     ),
     "edge.too-many-overlaps": entry(
-        "{edges:,} edges overlap each other in more than {limit:,} places.",
+        "{edges:,} edges overlap each other at more than {limit:,} positions.",
         "Delete edges that are drawn many times on top of each other.",
         edges="count",
         limit="count",
     ),
     "segment.not-finite": entry(
         "Segment {segment} of the path has a coordinate or a bulge that is not a number.",
-        "Draw the segment again.",
+        "Draw this segment of the path again.",
         segment="count",
     ),
     "input.not-finite": entry(
         "{what} has a coordinate that is not a number.",
-        "Draw it again.",
+        "Draw the object again.",
         what="text",
     ),
     "layer.not-finite": entry(
@@ -93,11 +95,11 @@ MESSAGES: Final[Entries] = {
         layer="text",
     ),
     "offset.bad-distance": entry(
-        "The offset distance is not a number of 0 mm or more.",
+        "The offset distance is negative or not a number.",
         "Correct the radius of the tool.",
     ),
     "offset.bad-interference": entry(
-        "{interference!r} is not a method for places where the tool does not fit.",
+        "{interference!r} is not a valid method for contours into which the tool does not fit.",
         "Choose 'trim' or 'refuse'.",
         interference="text",
     ),
@@ -106,32 +108,32 @@ MESSAGES: Final[Entries] = {
         "Give +1 or -1.",
     ),
     "offset.dead-end": entry(
-        "The offset of path {path} by {radius:g} mm does not close: {depth:.4g} mm of it beside "
-        "segment {segment} have no continuation.",
-        "Draw the contour without overlaps, or change the radius a little.",
+        "The offset of path {path} by {radius:g} mm is not closed, because {depth:.4g} mm of "
+        "the offset beside segment {segment} do not connect to the rest.",
+        "Draw the contour without overlaps, or change the radius slightly.",
         path="count",
         radius="number",
         depth="number",
         segment="count",
     ),
     "offset.interference": entry(
-        "A tool of radius {radius:g} mm beside segment {segment} would cut {depth:.4g} mm into "
-        "segment {other}.",
-        "Choose a smaller tool, or accept uncut remains where the tool does not fit.",
+        "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} "
+        "mm into segment {other}.",
+        "Choose a smaller tool, or accept uncut areas where the tool does not fit.",
         radius="number",
         segment="count",
         depth="number",
         other="count",
     ),
     "offset.mixed-group": entry(
-        "Path {path} has another radius or side than the other paths of its group.",
-        "Reverse the path, or put it into a group of its own.",
+        "Path {path} has a different radius or offset side than the rest of its group.",
+        "Reverse the path, or put it into a separate group.",
         path="count",
     ),
     "offset.self-contact": entry(
-        "The offset of path {path} by {radius:g} mm does not close: the contour touches itself at "
-        "({x:.4f}, {y:.4f}), in segments {one} and {two}.",
-        "Trim the two segments where they meet, or move one of them away.",
+        "The offset of path {path} by {radius:g} mm is not closed, because the contour touches "
+        "itself at ({x:.4f}, {y:.4f}) in segments {one} and {two}.",
+        "Trim the two segments at their intersection, or move one of the segments.",
         path="count",
         radius="number",
         x="number",

@@ -8,13 +8,13 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "grbl.alarm-1": entry(
-        "a limit switch was hit; its position is lost",
+        "a limit switch was hit, so the position of the machine is lost",
     ),
     "grbl.alarm-10": entry(
         "an emergency stop is pressed",
     ),
     "grbl.alarm-11": entry(
-        "it must be homed first",
+        "the machine must be homed first",
     ),
     "grbl.alarm-12": entry(
         "a limit switch is closed",
@@ -29,150 +29,150 @@ MESSAGES: Final[Entries] = {
         "a move would have left the travel of the machine",
     ),
     "grbl.alarm-3": entry(
-        "it was reset while moving; its position may be lost",
+        "the controller was reset during a move, so the position of the machine may be lost",
     ),
     "grbl.alarm-4": entry(
-        "the probe was not in the expected state",
+        "the probe was not in the expected state before probing",
     ),
     "grbl.alarm-5": entry(
-        "the probe did not touch",
+        "the probe did not touch the workpiece",
     ),
     "grbl.alarm-6": entry(
-        "homing was reset",
+        "the controller was reset during homing",
     ),
     "grbl.alarm-7": entry(
-        "the door was opened during homing",
+        "the safety door was opened during homing",
     ),
     "grbl.alarm-8": entry(
-        "homing could not leave the limit switch",
+        "the limit switch stayed closed during homing",
     ),
     "grbl.alarm-9": entry(
-        "homing did not find the limit switch",
+        "homing did not reach the limit switch",
     ),
     "grbl.error-1": entry(
-        "a word without its letter",
+        "a number has no letter before it",
     ),
     "grbl.error-10": entry(
-        "soft limits need homing",
+        "soft limits can be enabled only if homing is enabled",
     ),
     "grbl.error-11": entry(
         "the line is too long",
     ),
     "grbl.error-12": entry(
-        "a setting beyond its step rate",
+        "the setting exceeds the maximum step rate of the controller",
     ),
     "grbl.error-13": entry(
         "a safety door is open",
     ),
     "grbl.error-14": entry(
-        "its stored build line is too long",
+        "the stored start-up line or build information is too long",
     ),
     "grbl.error-15": entry(
-        "a jog beyond the travel",
+        "the jog target lies outside the travel of the machine",
     ),
     "grbl.error-16": entry(
-        "a jog without a feed, or with a word that has no place in it",
+        "the jog command has no feed, or contains a word that is not allowed in it",
     ),
     "grbl.error-17": entry(
-        "laser mode without a variable output",
+        "laser mode needs a PWM output",
     ),
     "grbl.error-18": entry(
-        "it was reset and waits",
+        "the controller was reset and needs a new start",
     ),
     "grbl.error-2": entry(
-        "a number that cannot be read",
+        "a number is missing or cannot be read",
     ),
     "grbl.error-20": entry(
-        "a command that it does not know",
+        "the controller does not support this command",
     ),
     "grbl.error-21": entry(
-        "two commands of one modal group in a line",
+        "the line has two commands of one modal group",
     ),
     "grbl.error-22": entry(
         "no feed has been set",
     ),
     "grbl.error-23": entry(
-        "a command that must be a whole number is not",
+        "the number of the command must be an integer",
     ),
     "grbl.error-24": entry(
-        "two commands in a line want the axis words",
+        "the line has two commands that both need axis words",
     ),
     "grbl.error-25": entry(
-        "a word twice in a line",
+        "a word is repeated in the line",
     ),
     "grbl.error-26": entry(
-        "a command without the axis words that it needs",
+        "the line lacks the axis words that its command needs",
     ),
     "grbl.error-27": entry(
-        "a line number out of range",
+        "the line number is out of range",
     ),
     "grbl.error-28": entry(
-        "a command without its P or L word",
+        "the command lacks its P or L word",
     ),
     "grbl.error-29": entry(
-        "a work offset that it does not have",
+        "the controller does not support this work coordinate system",
     ),
     "grbl.error-3": entry(
-        "a $ command that it does not know",
+        "the controller does not support this $ command",
     ),
     "grbl.error-30": entry(
-        "G53 without G0 or G1",
+        "G53 is used without G0 or G1",
     ),
     "grbl.error-31": entry(
-        "axis words that no command uses",
+        "the line has axis words that no command uses",
     ),
     "grbl.error-32": entry(
-        "an arc without axis words in its plane",
+        "the arc has no axis words in its plane",
     ),
     "grbl.error-33": entry(
-        "an arc whose ends do not lie on one circle",
+        "the start and end of the arc do not lie on one circle",
     ),
     "grbl.error-34": entry(
-        "an arc whose radius cannot be worked out",
+        "the radius of the arc cannot be computed",
     ),
     "grbl.error-35": entry(
-        "an arc without I and J",
+        "the arc has neither I nor J",
     ),
     "grbl.error-36": entry(
-        "words that no command uses",
+        "the line has words that no command uses",
     ),
     "grbl.error-37": entry(
-        "a tool length offset on the wrong axis",
+        "the tool length offset is applied to the wrong axis",
     ),
     "grbl.error-38": entry(
-        "a tool number that is too high",
+        "the tool number is too high",
     ),
     "grbl.error-39": entry(
-        "a value out of range",
+        "a value is out of range",
     ),
     "grbl.error-4": entry(
-        "a negative value where none may be",
+        "a value is negative, but must be positive",
     ),
     "grbl.error-5": entry(
-        "homing is switched off in its settings",
+        "homing is disabled in the settings of the controller",
     ),
     "grbl.error-6": entry(
-        "a step pulse that is too short",
+        "the step pulse is too short",
     ),
     "grbl.error-60": entry(
-        "its memory card could not be opened",
+        "the memory card of the controller could not be opened",
     ),
     "grbl.error-7": entry(
-        "its settings could not be read and were set to defaults",
+        "the settings of the controller could not be read, so the defaults were restored",
     ),
     "grbl.error-79": entry(
         "an emergency stop is pressed",
     ),
     "grbl.error-8": entry(
-        "this is possible only while it is idle",
+        "the command is allowed only while the controller is idle",
     ),
     "grbl.error-9": entry(
-        "it is locked by an alarm or jogs",
+        "the controller is locked by an alarm, or is jogging",
     ),
     "grbl.unknown-alarm": entry(
-        "an alarm without a published meaning",
+        "the alarm code is not documented by Grbl",
     ),
     "grbl.unknown-error": entry(
-        "an error without a published meaning",
+        "the error code is not documented by Grbl",
     ),
 }

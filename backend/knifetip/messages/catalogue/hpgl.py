@@ -7,7 +7,11 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "hpgl.bad-byte": entry("The byte {byte} is not allowed here.", "Remove it.", byte="text"),
+    "hpgl.bad-byte": entry(
+        "The byte {byte} is not allowed here.",
+        "Remove the byte.",
+        byte="text",
+    ),
     "hpgl.bad-feed": entry(
         "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from "
         "{slowest} to {fastest}.",
@@ -20,11 +24,11 @@ MESSAGES: Final[Entries] = {
         step="number",
     ),
     "hpgl.bad-number": entry(
-        "A sign is not followed by a number, or a number has too many digits.",
+        "A plus or minus sign is not followed by a number, or a number has too many digits.",
         "Correct the number.",
     ),
     "hpgl.depth-change": entry(
-        "{place} changes its depth while it cuts, which HPGL cannot express.",
+        "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
         "Choose a board and a tool that need only one pass.",
         place="message",
     ),
@@ -33,7 +37,7 @@ MESSAGES: Final[Entries] = {
         "Lift the tool (PU) before the end.",
     ),
     "hpgl.ends-with-pen": entry(
-        "The program ends without putting the tool away.",
+        "The program ends while a pen is selected.",
         "Add SP0 before the end.",
     ),
     "hpgl.force-out-of-range": entry(
@@ -51,11 +55,11 @@ MESSAGES: Final[Entries] = {
         "Correct the instruction.",
     ),
     "hpgl.loose-number": entry(
-        "A number does not follow an instruction.",
+        "A number stands before any instruction.",
         "Delete the number, or add the instruction before it.",
     ),
     "hpgl.moves-before-pa": entry(
-        "The line moves before the program has chosen absolute coordinates.",
+        "The line moves the tool before the program has chosen absolute coordinates (PA).",
         "Write PA before the first move.",
     ),
     "hpgl.needs-no-number": entry("The instruction does not take a number.", "Delete the number."),
@@ -65,22 +69,26 @@ MESSAGES: Final[Entries] = {
         "Give at least one edge a line type for which the machine has a tool.",
     ),
     "hpgl.no-approach": entry(
-        "{place} starts a cut before a rapid move has reached its start.",
-        "Report it as an internal error with the drawing.",
+        "Internal error: {place} starts a cut, but no rapid move to the start of the cut "
+        "precedes it.",
+        "Report the error with the drawing.",
         place="message",
     ),
     "hpgl.no-device": entry(
-        "The file of {machine} does not describe an HPGL device.",
-        "Describe it under [controller] in the machine file.",
+        "The machine file of {machine} does not describe an HPGL device.",
+        "Describe the device under [controller] in the machine file.",
         machine="text",
     ),
     "hpgl.no-force-setting": entry(
-        "The device has no force setting, so it does not understand FS.",
+        "The instruction FS is not allowed, because the device has no force setting.",
         "Remove FS.",
     ),
-    "hpgl.no-instruction": entry("The program has no instruction.", "Choose an HPGL program."),
+    "hpgl.no-instruction": entry(
+        "The program contains no instruction.",
+        "Choose an HPGL program.",
+    ),
     "hpgl.no-pen": entry(
-        "The file of {machine} assigns no pen to {work} with station {station}.",
+        "The machine file of {machine} assigns no pen to {work} with station {station}.",
         "Add a [[controller.pen]] to the machine file.",
         machine="text",
         work="text",
@@ -88,14 +96,14 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.no-pen-selected": entry(
         "The line lowers the tool, but no pen is selected.",
-        "Select a pen (SP) before it.",
+        "Select a pen (SP) before this line.",
     ),
     "hpgl.no-speed": entry(
         "The line cuts, but no speed has been set.",
-        "Set the speed (VS) before it.",
+        "Set the speed (VS) before this line.",
     ),
     "hpgl.no-speed-setting": entry(
-        "The device has no speed setting, so it does not understand VS.",
+        "The instruction VS is not allowed, because the device has no speed setting.",
         "Remove VS.",
     ),
     "hpgl.no-terminator": entry(
@@ -107,11 +115,11 @@ MESSAGES: Final[Entries] = {
         "Begin the program with IN.",
     ),
     "hpgl.outside-area": entry(
-        "The line moves outside the area of the device.",
-        "Move the drawing on the table.",
+        "The line moves the tool outside the working area of the device.",
+        "Move the drawing on the table, or choose a larger machine.",
     ),
     "hpgl.plunge-without-move": entry(
-        "The line lowers the tool without a move, so the direction of the tool is not known.",
+        "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
         "Add a move after PD.",
     ),
     "hpgl.press": entry(
@@ -136,12 +144,13 @@ MESSAGES: Final[Entries] = {
         high="count",
     ),
     "hpgl.swivel": entry(
-        "{place} turns the head about the tip of the knife, which HPGL cannot express.",
-        "Set the trail of the knife to 0 in the machine file; the device compensates for it.",
+        "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
+        "Set the trail of the knife to 0 in the machine file, because the device itself "
+        "compensates for the trail.",
         place="message",
     ),
     "hpgl.turn-in-board": entry(
-        "The tool turns by {degrees:.2f}° while it is in the board; at most {most:.2f}° is "
+        "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is "
         "allowed.",
         "Lift the tool before the corner.",
         degrees="number",
@@ -149,18 +158,22 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.unknown-instruction": entry(
         "The instruction {name} is not supported.",
-        "Remove it.",
+        "Remove the instruction.",
         name="text",
     ),
     "hpgl.unknown-pen": entry(
-        "The device does not have this pen.",
-        "Select a pen of the machine file.",
+        "The device has no pen with this number.",
+        "Select a pen that is defined in the machine file.",
     ),
     "hpgl.wrong-force": entry(
-        "The line lowers pen {pen} with a force that is not the force of this pen (FS{force}).",
-        "Set FS{force} before it.",
+        "The line lowers pen {pen} with a force that differs from the force of this pen in the "
+        "machine file (FS{force}).",
+        "Write FS{force} before this line.",
         pen="count",
         force="count",
     ),
-    "hpgl.x-without-y": entry("A coordinate X is not followed by Y.", "Give both coordinates."),
+    "hpgl.x-without-y": entry(
+        "An X coordinate is not followed by a Y coordinate.",
+        "Give both coordinates.",
+    ),
 }

@@ -9,13 +9,18 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "import.angles-not-numbers": entry("the angles of the arc are not numbers"),
     "import.annotations": entry(
-        "{count:# note or form field|# notes and form fields} on the page: not cut",
+        "{count:# note or form field|# notes and form fields} on the page {count:is|are} not cut",
         count="count",
     ),
-    "import.area-outline": entry("outline of a filled area, because the drawing has no lines"),
-    "import.area-outline-on-page": entry("outline of a filled area, because the page has no lines"),
+    "import.area-outline": entry(
+        "the object is the outline of a filled area, which is used because the drawing has no "
+        "lines",
+    ),
+    "import.area-outline-on-page": entry(
+        "the object is the outline of a filled area, which is used because the page has no lines",
+    ),
     "import.array": entry(
-        "a grid of copies ({columns} columns × {rows} rows)",
+        "the object is a grid of copies ({columns} columns × {rows} rows)",
         columns="count",
         rows="count",
     ),
@@ -24,8 +29,8 @@ MESSAGES: Final[Entries] = {
         operator="text",
     ),
     "import.bad-path-data": entry(
-        "the path data of the object is invalid at character {character} ({text!r}); the path was "
-        "read up to there, as browsers do",
+        "the path data of the object is invalid at character {character} ({text!r}), so only "
+        "the path before this character was imported, as in a browser",
         character="count",
         text="text",
     ),
@@ -61,45 +66,58 @@ MESSAGES: Final[Entries] = {
         block="text",
     ),
     "import.block-in-itself": entry("the block {block!r} contains itself", block="text"),
-    "import.block-missing": entry("the block {block!r} is not in the file", block="text"),
+    "import.block-missing": entry(
+        "the block {block!r} is not in the file",
+        "Insert the block in the CAD program and export again.",
+        block="text",
+    ),
     "import.bridge": entry(
-        "the rule in the die has 1 bridge of {width:g} (file units)",
+        "the steel rule of the die has 1 bridge, {width:g} wide (in units of the file)",
         width="number",
     ),
     "import.bridges": entry(
-        "the rule in the die has {bridges:g} bridges of {width:g} (file units)",
+        "the steel rule of the die has {bridges:g} bridges, each {width:g} wide (in units of "
+        "the file)",
         bridges="number",
         width="number",
     ),
-    "import.clip-path": entry("the object is only a clipping path"),
+    "import.clip-path": entry(
+        "the object is only a clipping path",
+    ),
     "import.contains-itself": entry("the object contains itself"),
     "import.coordinate-not-a-number": entry("a coordinate of the object is not a number"),
     "import.curves-fitted": entry(
-        "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most "
-        "{tolerance:.2g} file units",
+        "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, "
+        "which deviate by at most {tolerance:.2g} file units",
         pieces="count",
         tolerance="number",
     ),
     "import.curves-fitted-relative": entry(
-        "its curves became {pieces:# line or arc|# lines and arcs}, which deviate by at most "
-        "{tolerance:.2g} file units (1/250,000 of the size of the drawing)",
+        "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, "
+        "which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the "
+        "drawing)",
         pieces="count",
         tolerance="number",
     ),
     "import.damaged": entry("the object is damaged: {reason}", reason="text"),
-    "import.damaged-or-frame": entry("the object is damaged, or is only the frame of a text"),
+    "import.damaged-or-frame": entry(
+        "the object is damaged, or is only the frame around a text",
+    ),
     "import.dimension": entry("dimensions and notes are not cut"),
     "import.drawn-twice": entry(
-        "the object is drawn twice: it lies exactly on {same:, }",
+        "the object is drawn twice, because it lies exactly on {same:, }",
         same="texts",
     ),
     "import.drawn-twice-often": entry(
-        "the object is drawn several times: it lies exactly on {same:, } and {more} more",
+        "the object is drawn several times, because it lies exactly on {same:, } and {more} "
+        "more {more:object|objects}",
         same="texts",
         more="count",
     ),
     "import.empty-path": entry("the path of the object is empty"),
-    "import.end-mark": entry("the object only marks the end of a list"),
+    "import.end-mark": entry(
+        "the object (SEQEND) only marks the end of a list of vertices or attributes",
+    ),
     "import.endless-line": entry("the object is a construction line of infinite length"),
     "import.extrusion-not-a-number": entry("the extrusion direction of the object is not a number"),
     "import.few-vertices": entry(
@@ -113,10 +131,12 @@ MESSAGES: Final[Entries] = {
     "import.filled-area-on-page": entry(
         "the object is a filled area without a line, and the page has lines",
     ),
-    "import.fit-points": entry("the curve was drawn through its fit points"),
+    "import.fit-points": entry(
+        "the curve was computed from its fit points",
+    ),
     "import.font-shape": entry(
         "the object is a shape from a font file, which cannot be read",
-        "Explode it into lines in the CAD program and export again.",
+        "Explode the shape into lines in the CAD program and export again.",
     ),
     "import.height-not-a-number": entry("the height (z) of the object is not a number"),
     "import.height-too-far": entry(
@@ -131,14 +151,26 @@ MESSAGES: Final[Entries] = {
         layer="text",
     ),
     "import.image": entry("images are not cut"),
-    "import.incomplete": entry("the object is incomplete: its {part} is missing", part="text"),
+    "import.incomplete": entry(
+        "the object is incomplete, because its {part} is missing",
+        part="text",
+    ),
     "import.interrupted-path": entry(
-        "the path is never painted, because another object starts before",
+        "the path is neither stroked nor filled, because another object begins before the path "
+        "is finished",
     ),
     "import.invisible": entry("the object is marked as invisible"),
-    "import.kept": entry("kept"),
-    "import.kept-changed": entry("kept: {notes:; }", notes="messages"),
-    "import.laid-flat": entry("moved from the height z = {height:g} to z = 0", height="number"),
+    "import.kept": entry(
+        "kept",
+    ),
+    "import.kept-changed": entry(
+        "kept: {notes:; }",
+        notes="messages",
+    ),
+    "import.laid-flat": entry(
+        "the object was moved from the height z = {height:g} to z = 0",
+        height="number",
+    ),
     "import.layer-frozen": entry(
         "the layer of the object is frozen",
         "Thaw the layer and export again if the object must be cut.",
@@ -158,26 +190,30 @@ MESSAGES: Final[Entries] = {
         values="texts",
     ),
     "import.lone-vertex": entry("the vertex does not belong to a polyline"),
-    "import.mesh": entry("the object is a three-dimensional mesh, not a flat line"),
+    "import.mesh": entry(
+        "the object is a three-dimensional mesh, not a line in a plane",
+    ),
     "import.missing-id": entry(
-        "no object has the id {id!r}, to which this object refers",
+        "the object refers to an object with the id {id!r}, which does not exist",
         id="text",
     ),
     "import.missing-subroutine": entry("the subroutine {name} does not exist", name="text"),
     "import.multiple-line": entry(
         "multilines cannot be read",
-        "Explode it into lines in the CAD program and export again.",
+        "Explode the multiline into lines in the CAD program and export again.",
     ),
     "import.no-length": entry("the object has no length ({length:g})", length="number"),
     "import.no-major-axis": entry("the major axis of the ellipse has a length of 0"),
-    "import.no-paint": entry("the object has neither a line nor a fill"),
+    "import.no-paint": entry(
+        "the object has neither a stroke nor a fill, so it is not visible",
+    ),
     "import.no-parameter-range": entry(
         "the object has no length: it starts and ends at parameter {parameter:g}",
         parameter="number",
     ),
     "import.no-points": entry("the object has no points"),
     "import.no-scale": entry(
-        "the object is scaled by {x:g} × {y:g}, so it has no size",
+        "the object is scaled by {x:g} × {y:g}, so its size is 0",
         x="number",
         y="number",
     ),
@@ -192,17 +228,25 @@ MESSAGES: Final[Entries] = {
     ),
     "import.not-a-line": entry("objects of type {kind} cannot be read", kind="text"),
     "import.not-clipped": entry(
-        "the object is imported completely, although the file shows only a part of it",
+        "the object is clipped in the file, but it is imported completely",
     ),
-    "import.not-flat": entry("the object is not flat"),
-    "import.not-numbers": entry("its coordinates are not all numbers: {values:, }", values="texts"),
+    "import.not-flat": entry(
+        "the object is not parallel to the XY plane",
+    ),
+    "import.not-numbers": entry(
+        "the coordinates of the object are not all numbers: {values:, }",
+        values="texts",
+    ),
     "import.not-svg": entry("the content of the object is not SVG"),
     "import.not-visible": entry("the object is completely transparent"),
     "import.nothing-named": entry(
         "the PDF has no form or image with the name {name!r}",
         name="text",
     ),
-    "import.on-layer": entry("on the layer {layer}", layer="text"),
+    "import.on-layer": entry(
+        "the object lies on the layer {layer}",
+        layer="text",
+    ),
     "import.other-file": entry(
         "the object is in another file, {file!r}, which is not loaded",
         "Embed the object in the file and export again.",
@@ -210,11 +254,13 @@ MESSAGES: Final[Entries] = {
     ),
     "import.other-pages": entry(
         "only the first of {pages:# page|# pages} is read",
-        "Export the other pages as separate files.",
+        "Export each page as a separate file.",
         pages="count",
     ),
     "import.outside-page": entry("the object lies outside the visible area of the page"),
-    "import.page-ends-early": entry("the path is never painted, because the page ends before"),
+    "import.page-ends-early": entry(
+        "the path is neither stroked nor filled, because the page ends before the path is finished",
+    ),
     "import.paper-space": entry("the object is in a layout (paper space), not in the model"),
     "import.parameters-not-numbers": entry("the parameters of the object are not numbers"),
     "import.partly-outside-page": entry(
@@ -222,27 +268,28 @@ MESSAGES: Final[Entries] = {
     ),
     "import.picture": entry("pictures are not cut"),
     "import.picture-block": entry(
-        "the block {block} with {entities:# object|# objects} is the picture of a dimension or a "
-        "hatch",
+        "the block {block} with {entities:# object|# objects} is the graphic of a dimension or "
+        "a hatch, which is not cut",
         block="text",
         entities="count",
     ),
     "import.pieces-drawn-twice": entry(
-        "{pieces} of {all} segments are drawn twice: they lie exactly on {same:, }",
+        "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, }, so {pieces:it "
+        "is|they are} drawn twice",
         pieces="count",
         all="count",
         same="texts",
     ),
     "import.pieces-drawn-twice-often": entry(
-        "{pieces} of {all} segments are drawn several times: they lie exactly on {same:, } and "
-        "{more} more",
+        "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, } and {more} more "
+        "{more:object|objects}, so {pieces:it is|they are} drawn several times",
         pieces="count",
         all="count",
         same="texts",
         more="count",
     ),
     "import.pieces-no-length": entry(
-        "{pieces} of {all} segments have no length",
+        "{pieces} of {all} segments {pieces:has|have} no length",
         pieces="count",
         all="count",
     ),
@@ -250,45 +297,61 @@ MESSAGES: Final[Entries] = {
     "import.placement-not-a-number": entry(
         "the position, scale or rotation of the object is not a number",
     ),
-    "import.places-block": entry("inserts the block {block}", block="text"),
-    "import.places-subroutine": entry("inserts the subroutine {name}", name="text"),
+    "import.places-block": entry(
+        "the object inserts the block {block}",
+        block="text",
+    ),
+    "import.places-subroutine": entry(
+        "the object inserts the subroutine {name}",
+        name="text",
+    ),
     "import.point": entry("the object is a point, which has no length"),
     "import.proxy": entry(
         "only the program that made this object can read it",
-        "Explode it into lines in that program and export again.",
+        "Explode the object into lines in that program and export again.",
     ),
     "import.region": entry(
         "regions cannot be read",
-        "Explode it into lines in the CAD program and export again.",
+        "Explode the region into lines in the CAD program and export again.",
     ),
-    "import.repeated": entry("drawn {times} times", times="count"),
+    "import.repeated": entry(
+        "the object is drawn {times} times",
+        times="count",
+    ),
     "import.rules-not-read": entry(
         "the style sheet has rules that are not supported: {rules:, }",
         rules="texts",
     ),
     "import.script": entry("scripts are not executed"),
-    "import.shading": entry("shadings are not cut"),
-    "import.short-path-data": entry(
-        "the path data of the object ends inside a command; the path was read up to there, as "
-        "browsers do",
+    "import.shading": entry(
+        "shadings (colour gradients) are not cut",
     ),
-    "import.solid": entry("the object is a solid or a face, not a flat line"),
-    "import.spot-colour": entry("drawn in the spot colour {colour}", colour="text"),
+    "import.short-path-data": entry(
+        "the path data of the object ends inside a command, so only the commands before it "
+        "were imported, as in a browser",
+    ),
+    "import.solid": entry(
+        "the object is a solid or a face, not a line in a plane",
+    ),
+    "import.spot-colour": entry(
+        "the object is drawn in the spot colour {colour}",
+        colour="text",
+    ),
     "import.subroutine-in-itself": entry("the subroutine {name} contains itself", name="text"),
     "import.text": entry("texts are not cut"),
     "import.text-unknown-letters": entry(
         "texts are not cut, and the characters of this text cannot be read",
     ),
     "import.tilted": entry(
-        "the object is not flat: its plane is tilted by {degrees:g}°",
+        "the object is not parallel to the XY plane: its plane is tilted by {degrees:g}°",
         degrees="number",
     ),
     "import.tilted-axis": entry(
-        "the object is not flat: its major axis rises by {rise:g} file units",
+        "the object is not parallel to the XY plane: its major axis rises by {rise:g} file units",
         rise="number",
     ),
     "import.too-far": entry(
-        "a coordinate of the object is {coordinate:g}; the limit is {limit:g}",
+        "a coordinate of the object is {coordinate:g}, but the limit is {limit:g}",
         coordinate="number",
         limit="number",
     ),
@@ -304,7 +367,7 @@ MESSAGES: Final[Entries] = {
     ),
     "import.underlay": entry("underlays (inserted pictures and PDF pages) are not cut"),
     "import.uneven-height": entry(
-        "the object is not flat: its height z varies from {low:g} to {high:g}",
+        "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g}",
         low="number",
         high="number",
     ),
@@ -312,7 +375,9 @@ MESSAGES: Final[Entries] = {
         "the PDF operator {operator!r} is not supported",
         operator="text",
     ),
-    "import.unknown-record": entry("records of this type are not supported"),
+    "import.unknown-record": entry(
+        "CF2 records of this type are not supported",
+    ),
     "import.unsupported-element": entry("elements of type {kind} are not supported", kind="text"),
     "import.unused-block": entry(
         "the block {block} with {entities:# object|# objects} is not used in the drawing",
@@ -324,19 +389,27 @@ MESSAGES: Final[Entries] = {
         name="text",
         records="count",
     ),
-    "import.value-angle": entry("{degrees:g}° is not a finite angle", degrees="number"),
+    "import.value-angle": entry(
+        "the angle {degrees:g}° is not finite",
+        degrees="number",
+    ),
     "import.value-not-numbers": entry("{value!r} is not a number", value="text"),
-    "import.value-not-transform": entry("{value!r} is not a transform", value="text"),
+    "import.value-not-transform": entry(
+        "{value!r} is not a valid transform",
+        value="text",
+    ),
     "import.value-transform-numbers": entry(
-        "the transform {name} does not take {count:# number|# numbers}",
+        "the transform {name} has a wrong number of values ({count})",
         name="text",
         count="count",
     ),
     "import.value-unit": entry("{value!r} has an unknown unit of length", value="text"),
-    "import.viewport": entry("the object is a viewport, which only displays lines"),
+    "import.viewport": entry(
+        "the object is a viewport, which only displays a part of the drawing",
+    ),
     "import.wrong-field-count": entry(
-        "line {line} of the file has {fields:# field|# fields}, which is too few or too many for "
-        "its record",
+        "line {line} of the file has {fields:# field|# fields}, which is the wrong number of "
+        "fields for its record",
         line="count",
         fields="count",
     ),

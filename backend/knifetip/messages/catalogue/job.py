@@ -8,17 +8,17 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "job.action-requested": entry(
-        "The operator requested: {action}.",
+        "The operator requested the action {action}.",
         action="text",
     ),
     "job.at-line": entry(
-        "At line {line}.",
+        "The program is at line {line}.",
         line="count",
     ),
     "job.awaits-kernels": entry(
-        "Waiting until the functions that the machine {machine} needs are compiled, once "
-        "after an installation.",
-        "Wait: the job is compiled as soon as they are ready.",
+        "The job waits until the functions for the machine {machine} are compiled. This "
+        "happens once after an installation.",
+        "Wait. The job starts automatically when the functions are compiled.",
         machine="text",
     ),
     "job.being-cancelled": entry(
@@ -27,104 +27,109 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.cancelled": entry(
-        "Cancelled.",
+        "The job was cancelled.",
     ),
     "job.cancelled-before-request": entry(
-        "Job {job} is being cancelled, so it cannot {request}.",
+        "Job {job} is being cancelled, so the request {request} is not possible.",
         "Wait until the machine has stopped.",
         job="text",
         request="text",
     ),
     "job.claim-returned": entry(
-        "The claim was returned. {reason}",
+        "The gateway returned the job to the queue. {reason}",
         reason="message",
     ),
     "job.claimed": entry(
-        "Claimed.",
+        "The gateway claimed the job.",
     ),
     "job.claimed-to-confirm": entry(
-        "Claimed; waits for the operator's confirmation.",
+        "The gateway claimed the job, which now waits for the confirmation of the operator.",
     ),
     "job.compile-cancelled": entry(
-        "The compile was cancelled.",
+        "The compilation of the job was cancelled.",
     ),
     "job.compile-crashed": entry(
         "Internal error while compiling: {reason}. Nothing was cut.",
-        "The server's log has the details.",
+        "Report the error with the log of the server.",
         reason="text",
     ),
     "job.compile-started": entry(
-        "Attempt {attempt} to compile the job.",
+        "Attempt {attempt} to compile the job has started.",
         attempt="count",
     ),
     "job.compiles-died": entry(
-        "{attempts} compiles of the job died, the last in stage {stage}.",
-        "Send a smaller drawing, or report this one as a bug.",
+        "The process that compiles the job ended unexpectedly {attempts} times, the last time "
+        "in the stage {stage}.",
+        "Send a smaller drawing, or report the error with the drawing.",
         attempts="count",
         stage="text",
     ),
     "job.confirmed-sheet": entry(
-        "Confirmed: new sheet, board {board}.",
+        "The operator confirmed that a new sheet of board {board} is on the table.",
         board="text",
     ),
     "job.confirmed-table": entry(
-        "Confirmed: table clear, board {board}.",
+        "The operator confirmed that the table is clear and that the board is {board}.",
         board="text",
     ),
     "job.copy-done": entry(
-        "Copy {copy} of {copies} is done.",
+        "Copy {copy} of {copies} is finished.",
         copy="count",
         copies="count",
     ),
     "job.copy-done-next-sheet": entry(
-        "Copy {copy} of {copies} is done: put a new sheet on the table.",
+        "Copy {copy} of {copies} is finished. The next copy needs a new sheet.",
+        "Put a new sheet on the table.",
         copy="count",
         copies="count",
     ),
     "job.declared-finished": entry(
-        "Declared finished at line {line} of {lines}.",
+        "The operator marked the job as finished at line {line} of {lines}.",
         line="count",
         lines="count",
     ),
     "job.executed": entry(
-        "Every line was executed.",
+        "Every line of the program was executed.",
     ),
     "job.fully-executed": entry(
-        "Job {job} was executed to its last line ({lines}), so it is not queued again.",
+        "Job {job} was executed to its last line ({lines}), so it cannot be queued again.",
         "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it.",
         job="text",
         lines="count",
     ),
     "job.gateway-fell-silent": entry(
-        "The gateway {gateway} fell silent.",
+        "The gateway {gateway} stopped responding.",
+        "Check the gateway and its network connection.",
         gateway="text",
     ),
     "job.gateway-lost": entry(
-        "The gateway {gateway} fell silent. The machine may have executed more lines than it "
-        "reported.",
+        "The gateway {gateway} stopped responding. The machine may have executed more lines "
+        "than the gateway reported.",
+        "Check the gateway and its network connection.",
         gateway="text",
     ),
     "job.gateway-silent": entry(
-        "The gateway {gateway} that claimed job {job} does not answer.",
-        "Switch on the machine and its gateway, then confirm when the job waits again.",
+        "The gateway {gateway}, which claimed job {job}, does not respond.",
+        "Switch on the machine and its gateway, then confirm the job when it waits for "
+        "confirmation again.",
         gateway="text",
         job="text",
     ),
     "job.held-before-start": entry(
-        "Held before the first line.",
+        "The job is held before its first line.",
     ),
     "job.interrupted": entry(
-        "Interrupted at line {line} of {lines}{copy}. {cause}",
-        "{cause:hint} Look at the table. Queue the job again to cut a new sheet from the "
-        "first line, mark it finished if the sheet is complete, or scrap it.",
+        "The job was interrupted at line {line} of {lines}{copy}. {cause}",
+        "{cause:hint} Check the table. Then queue the job again to cut a new sheet from the "
+        "first line, mark the job finished if the sheet is complete, or scrap the job.",
         line="count",
         lines="count",
         copy="message?",
         cause="message",
     ),
     "job.interrupted-at-end": entry(
-        "Interrupted at line {line} of {lines}{copy}. {cause}",
-        "{cause:hint} Look at the table. Mark the job finished if the sheet is complete, "
+        "The job was interrupted at line {line} of {lines}{copy}. {cause}",
+        "{cause:hint} Check the table. Mark the job finished if the sheet is complete, "
         "otherwise scrap it.",
         line="count",
         lines="count",
@@ -132,32 +137,33 @@ MESSAGES: Final[Entries] = {
         cause="message",
     ),
     "job.interrupted-between-copies": entry(
-        "Interrupted after copy {copy} of {copies}, before a line of the next. {cause}",
-        "{cause:hint} Look at the table. Queue the job again for the remaining copies, mark "
+        "The job was interrupted after copy {copy} of {copies}, before the first line of the "
+        "next copy. {cause}",
+        "{cause:hint} Check the table. Then queue the job again for the remaining copies, mark "
         "it finished, or scrap it.",
         copy="count",
         copies="count",
         cause="message",
     ),
     "job.late-report": entry(
-        "Reported late: {report}",
+        "The gateway reported late: {report}",
         report="message",
     ),
     "job.no-confirmation-awaited": entry(
-        "Job {job} is {state}, so it waits for no confirmation.",
+        "Job {job} is {state}, so it does not wait for a confirmation.",
         "{advice}",
         job="text",
         state="text",
         advice="message",
     ),
     "job.no-sheet-awaited": entry(
-        "Job {job} is held, not waiting for a sheet.",
-        "Resume it.",
+        "Job {job} is held, but it does not wait for a new sheet.",
+        "Resume the job.",
         job="text",
     ),
     "job.no-work": entry(
-        "There is nothing to make in this drawing: every edge is ignored.",
-        "Give at least one edge a line type that the machine makes.",
+        "The drawing contains nothing to cut, crease or groove: every edge is ignored.",
+        "Give at least one edge a line type for which the machine has a tool.",
     ),
     "job.not-confirmed": entry(
         "Job {job} was started without a confirmation of its sheet.",
@@ -165,14 +171,15 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.not-running": entry(
-        "Job {job} is {state}; no machine runs it.",
-        "Claim it first.",
+        "Job {job} is {state}, so no machine executes it.",
+        "Claim the job first.",
         job="text",
         state="text",
     ),
     "job.not-taken": entry(
-        "Job {job} is queued, and its machine {machine} has not taken it yet.",
-        "Confirm it when its turn has come; its reason states what it waits for.",
+        "Job {job} is queued, and its machine {machine} has not claimed it yet.",
+        "Confirm the job after the machine has claimed it. The reason in the job shows what "
+        "the job waits for.",
         job="text",
         machine="text",
     ),
@@ -180,8 +187,8 @@ MESSAGES: Final[Entries] = {
         "The gateway sent nothing to the machine.",
     ),
     "job.nothing-to-confirm": entry(
-        "Job {job} is running.",
-        "There is nothing to confirm.",
+        "Job {job} is running, so there is nothing to confirm.",
+        "Hold or cancel the job if the machine must stop.",
         job="text",
     ),
     "job.of-copy": entry(
@@ -190,7 +197,7 @@ MESSAGES: Final[Entries] = {
         copies="count",
     ),
     "job.ordered": entry(
-        "Ordered.",
+        "The job was ordered.",
     ),
     "job.other-board": entry(
         "Job {job} is for the board {board}, not {given}.",
@@ -200,49 +207,54 @@ MESSAGES: Final[Entries] = {
         given="text",
     ),
     "job.program-refused": entry(
-        "The program does not cut what was drawn: {findings: }{more}",
-        "Change the drawing, the line types or the board; nothing was cut.",
+        "The program does not match the drawing, so nothing was cut: {findings: }{more}",
+        "Change the drawing, the line types or the board.",
         findings="messages",
         more="message?",
     ),
     "job.released": entry(
-        "Released.",
+        "The job was released.",
     ),
     "job.released-by-order": entry(
-        "Released, as its order requested.",
+        "The job was released automatically, as requested in its order.",
     ),
     "job.requeued": entry(
-        "Queued again.",
+        "The job was queued again.",
     ),
     "job.scrapped": entry(
-        "Scrapped.",
+        "The job was scrapped.",
     ),
     "job.stale-epoch": entry(
-        "This gateway no longer owns job {job}, which is {state} (epoch {epoch}; it is in epoch "
-        "{current} now).",
-        "Stop the machine and claim again.",
+        "Another claim of job {job} has replaced the claim of this gateway: the job is {state} "
+        "and in epoch {current}, but the request names epoch {epoch}.",
+        "Stop the machine and claim the job again.",
         job="text",
         state="text",
         current="count",
         epoch="count",
     ),
     "job.started": entry(
-        "Started.",
+        "The job was started.",
     ),
     "job.started-unconfirmed": entry(
-        "Started without the operator's confirmation.",
+        "The job was started without the confirmation of the operator.",
     ),
-    "job.unknown": entry("There is no job {job}.", "GET /api/jobs lists them.", job="text"),
+    "job.unknown": entry(
+        "Job {job} does not exist.",
+        "Choose one of the jobs that GET /api/jobs lists.",
+        job="text",
+    ),
     "job.verified": entry(
-        "Compiled and verified.",
+        "The job was compiled and verified.",
     ),
     "job.worker-silent": entry(
-        "The worker {worker} stopped responding in stage {stage}.",
+        "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",
+        "Report the error with the log of the server if it happens again.",
         worker="text",
         stage="text",
     ),
     "job.wrong-state": entry(
-        "Job {job} is {state}, so it cannot become {goal}.",
+        "Job {job} is {state}, so its state cannot become {goal}.",
         "{advice}",
         job="text",
         state="text",
@@ -250,7 +262,7 @@ MESSAGES: Final[Entries] = {
         advice="message",
     ),
     "job.wrong-state-for-request": entry(
-        "Job {job} is {state}; the request {request} is for a job that is {states: or }.",
+        "Job {job} is {state}, but the request {request} needs a job that is {states: or }.",
         "{advice}",
         job="text",
         state="text",
@@ -258,8 +270,12 @@ MESSAGES: Final[Entries] = {
         states="texts",
         advice="message",
     ),
-    "advice.compiling": entry("Wait until it is ready."),
-    "advice.ended": entry("Order it again."),
+    "advice.compiling": entry(
+        "Wait until the job is compiled.",
+    ),
+    "advice.ended": entry(
+        "Order the job again.",
+    ),
     "advice.interrupted": entry(
         "Check the table, then mark the job finished, queue it again or scrap it.",
     ),
@@ -267,23 +283,32 @@ MESSAGES: Final[Entries] = {
         "{reason:hint}",
         reason="message",
     ),
-    "advice.queued": entry("Wait until its machine has taken it."),
-    "advice.ready": entry("Release it first."),
-    "advice.running": entry("Hold, resume or cancel it."),
+    "advice.queued": entry(
+        "Wait until the machine of the job has claimed it.",
+    ),
+    "advice.ready": entry(
+        "Release the job first.",
+    ),
+    "advice.running": entry(
+        "Hold, resume or cancel the job.",
+    ),
     "machine.busy": entry(
-        "Job {job} is on the table of {machine}.",
-        "One job at a time: finish it, queue it again or scrap it.",
+        "Job {job} already occupies the table of {machine}.",
+        "Finish that job, queue it again or scrap it, because a machine can process only one "
+        "job at a time.",
         job="text",
         machine="text",
     ),
     "machine.busy-with-another": entry(
-        "Another job is on the table of {machine}.",
-        "One job at a time: finish it, queue it again or scrap it.",
+        "Another job already occupies the table of {machine}.",
+        "Finish that job, queue it again or scrap it, because a machine can process only one "
+        "job at a time.",
         machine="text",
     ),
     "machine.no-cutter": entry(
         "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
-        "Choose a machine with a rotating cutter or a laser; only these can be calibrated.",
+        "Choose a machine with a rotating cutter or a laser, because only these tools can be "
+        "calibrated.",
         machine="text",
         cutter="text",
     ),
@@ -296,7 +321,7 @@ MESSAGES: Final[Entries] = {
     ),
     "store.no-column": entry(
         "The {kind} {id} has no {column} yet.",
-        "Wait until it is compiled; its state and reason show why it may have failed.",
+        "Wait until it is compiled. If compilation failed, its state and reason show why.",
         kind="text",
         id="text",
         column="text",
@@ -309,29 +334,29 @@ MESSAGES: Final[Entries] = {
     ),
     "worker.died": entry(
         "The process that computed the drawing ended unexpectedly (exit code {code}), probably "
-        "because the memory was full.",
+        "because it used too much memory.",
         "Send a smaller drawing, or split this one.",
         code="text",
     ),
     "worker.memory": entry(
-        "The drawing needs more than {limit} GB of memory, the limit for one drawing.",
+        "The drawing needs more than the {limit} GB of memory that are allowed for one drawing.",
         "Send a smaller drawing, or split this one.",
         limit="count",
     ),
     "worker.timeout": entry(
-        "The stage {stage} took longer than {seconds:.0f} s.",
+        "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
         "Send a smaller drawing, or split this one.",
         stage="text",
         seconds="number",
     ),
     "database.bad-url": entry(
         "{url!r} is not the URL of a database.",
-        "Write sqlite:///FILE or postgresql://USER@HOST/NAME.",
+        "Write the URL as sqlite:///FILE or postgresql://USER@HOST/NAME.",
         url="text",
     ),
     "database.in-memory": entry(
-        "A database in memory cannot be used, because its jobs would be lost when the server "
-        "stops.",
-        "Name a file: sqlite:///FILE.",
+        "The server cannot use an in-memory database, because all jobs would be lost when the "
+        "server stops.",
+        "Use a database file: sqlite:///FILE.",
     ),
 }

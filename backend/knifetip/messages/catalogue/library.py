@@ -9,7 +9,8 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "library.invalid": entry(
         "The {shelf} {name!r} cannot be used: {faults:; }.",
-        "Correct its TOML file; knifetip schema {shelf} describes all fields.",
+        "Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes "
+        "all fields.",
         shelf="text",
         name="text",
         faults="messages",
@@ -31,7 +32,7 @@ MESSAGES: Final[Entries] = {
     ),
     "library.unreadable": entry(
         "The {shelf} {name!r} cannot be read: {detail}.",
-        "Correct its TOML file.",
+        "Correct the TOML file of the {shelf}.",
         shelf="text",
         name="text",
         detail="text",
@@ -49,10 +50,14 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "field.blank": entry("{path} is empty", path="text"),
-    "field.inconsistent": entry("{path} is inconsistent: {fault}", path="text", fault="message"),
+    "field.inconsistent": entry(
+        "{path} does not agree with other fields: {fault}",
+        path="text",
+        fault="message",
+    ),
     "field.missing": entry("{path} is missing", path="text"),
     "field.misspelt": entry(
-        "{path} is not a field; did you mean {near}?",
+        "{path} is not a known field; did you mean {near}?",
         path="text",
         near="text",
     ),
@@ -80,7 +85,11 @@ MESSAGES: Final[Entries] = {
         value="text",
         known="texts",
     ),
-    "field.not-a-table": entry("{path} is {value}, but must be a table", path="text", value="text"),
+    "field.not-a-table": entry(
+        "{path} is {value}, but must be a table",
+        path="text",
+        value="text",
+    ),
     "field.not-above": entry(
         "{path} is {value}, but must be greater than {limit:g}",
         path="text",
@@ -88,7 +97,7 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "field.not-above-low": entry(
-        "{path} is {value:g}, but must be greater than low, which is {low:g}",
+        "{path} is {value:g}, but must be greater than the value of low, {low:g}",
         path="text",
         value="number",
         low="number",
@@ -154,7 +163,10 @@ MESSAGES: Final[Entries] = {
         value="number",
         most="count",
     ),
-    "field.unknown": entry("{path} is not a field", path="text"),
+    "field.unknown": entry(
+        "{path} is not a known field",
+        path="text",
+    ),
     "field.unknown-kind": entry(
         "{path} has the unknown kind {value!r}; known kinds are {known}",
         path="text",
@@ -163,7 +175,7 @@ MESSAGES: Final[Entries] = {
     ),
     "profile.bad-if-match": entry(
         "The header If-Match is {match!r}, which is not a version.",
-        'Send the ETag of the profile, for example "3".',
+        'Send the ETag of the profile in If-Match, for example "3".',
         match="text",
     ),
     "profile.bad-name": entry(
@@ -183,14 +195,14 @@ MESSAGES: Final[Entries] = {
         fault="message",
     ),
     "profile.nested-too-deep": entry(
-        "The profile {name!r} is nested too deeply.",
+        "The tables of the profile {name!r} are nested too deeply.",
         "Write a title and a list of [[rule]] tables.",
         name="text",
     ),
     "profile.not-an-extension": entry(
-        "The profile {name!r} cannot be written as an extension of {extends!r}, because it does "
-        "not contain all rules of it.",
-        "Write it without extends.",
+        "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks "
+        "some rules of {extends!r}.",
+        "Save the profile without extends.",
         name="text",
         extends="text",
     ),
@@ -201,20 +213,24 @@ MESSAGES: Final[Entries] = {
     ),
     "profile.not-toml": entry(
         "The profile {name!r} is not valid TOML: {reason}.",
-        "Correct this line.",
+        "Correct the TOML syntax at this position.",
         name="text",
         reason="text",
     ),
-    "profile.not-utf8": entry("{name} is not UTF-8 text.", "Save it as UTF-8.", name="text"),
+    "profile.not-utf8": entry(
+        "{name} is not UTF-8 text.",
+        "Save the file as UTF-8.",
+        name="text",
+    ),
     "profile.not-utf8-byte": entry(
         "The profile {name!r} is not UTF-8 text: byte {byte} is invalid.",
-        "Save it as UTF-8.",
+        "Save the file as UTF-8.",
         name="text",
         byte="count",
     ),
     "profile.shipped": entry(
         "The profile {name!r} is part of knifetip and cannot be changed.",
-        "Save your profile under another name; it can extend this one.",
+        "Save your profile under another name. Your profile can extend this one.",
         name="text",
     ),
     "profile.shipped-command": entry(
@@ -223,15 +239,15 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "profile.stale": entry(
-        "Another user has changed the profile {name}: it is at version {version}, but this change "
-        "was made from version {given}.",
+        "Another user has changed the profile {name}: it is at version {version}, but your "
+        "change is based on version {given}.",
         'Check the profile again, then send your change with If-Match: "{version}".',
         name="text",
         version="count",
         given="count",
     ),
     "profile.too-long": entry(
-        "The profile {name!r} has {size} kB; the limit is {limit} kB.",
+        "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",
         "Combine rules: a rule can list many layers, and * matches any characters.",
         name="text",
         size="count",

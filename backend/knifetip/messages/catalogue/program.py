@@ -9,20 +9,20 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "program.bad-tolerance": entry(
         "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
-        "Give 0.001 mm or more.",
+        "Choose a tolerance of 0.001 mm or more.",
         tolerance="number",
     ),
     "program.control-byte": entry(
         "Line {line} of the program contains the byte 0x{byte}, a control command that the "
         "controller would execute at once.",
-        "Remove it, or compile the job again.",
+        "Remove the byte, or compile the job again.",
         line="count",
         byte="text",
     ),
     "program.line-too-long": entry(
-        "Row {row} of the toolpath needs a program line of {length} characters ({line} …), but "
+        "A program line for row {row} of the toolpath has {length} characters ({line} …), but "
         "{dialect} accepts only {limit}.",
-        "Check the coordinates of the drawing: they are larger than any table.",
+        "Check the coordinates of the drawing, which are too large for any table.",
         row="count",
         length="count",
         line="text",
@@ -39,16 +39,16 @@ MESSAGES: Final[Entries] = {
     ),
     "program.no-placement": entry(
         "{program} does not contain the position of the drawing on the sheet.",
-        "Give the position from its report with --placement X,Y.",
+        "Give the position with --placement X,Y. The report of the program contains the position.",
         program="text",
     ),
     "program.not-bytes": entry(
         "The program is of type {type}, but must be bytes.",
-        "Pass the bytes of the file.",
+        "Pass the content of the file as bytes.",
         type="text",
     ),
     "program.not-fetched": entry(
-        "The program of job {job} could not be loaded from the server ({reason}); nothing was "
+        "The program of job {job} could not be loaded from the server ({reason}). Nothing was "
         "sent to the machine.",
         "Queue the job again.",
         job="text",
@@ -73,16 +73,16 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "program.wrong-checksum": entry(
-        "The program of job {job} was damaged on its way from the server (SHA-256 {arrived}… "
-        "instead of {expected}…); nothing was sent to the machine.",
+        "The program of job {job} was damaged during its transfer from the server (SHA-256 "
+        "{arrived}… instead of {expected}…). Nothing was sent to the machine.",
         "Queue the job again. If this happens again, compile the job again.",
         job="text",
         arrived="text",
         expected="text",
     ),
     "toolpath.arc-too-long": entry(
-        "Internal error: {place} is an arc of more than half a turn: {move}.",
-        "Report it with the drawing.",
+        "Internal error: {place} is an arc of more than 180°: {move}.",
+        "Report the error with the drawing.",
         place="message",
         move="text",
     ),
@@ -97,9 +97,9 @@ MESSAGES: Final[Entries] = {
         move="text",
     ),
     "toolpath.no-approach": entry(
-        "Internal error: {place} starts a cut with station {station} before a rapid move has "
-        "reached its start.",
-        "Report it with the drawing.",
+        "Internal error: {place} starts a cut with station {station}, but no rapid move to the "
+        "start of the cut precedes it.",
+        "Report the error with the drawing.",
         place="message",
         station="count",
     ),
@@ -111,13 +111,13 @@ MESSAGES: Final[Entries] = {
     ),
     "toolpath.not-finite": entry(
         "Internal error: {place} has a value that is not a number: {move}.",
-        "Report it with the drawing.",
+        "Report the error with the drawing.",
         place="message",
         move="text",
     ),
     "toolpath.rapid-arc": entry(
         "Internal error: {place} is a rapid move along an arc: {move}.",
-        "Report it with the drawing.",
+        "Report the error with the drawing.",
         place="message",
         move="text",
     ),
@@ -129,9 +129,9 @@ MESSAGES: Final[Entries] = {
         edge="count",
     ),
     "toolpath.swivel-without-turn": entry(
-        "Internal error: row {row} of the toolpath is a swivel move without a turn, so its feed "
-        "in degrees per minute has no meaning.",
-        "Report it with the drawing.",
+        "Internal error: row {row} of the toolpath is a swivel move without a rotation, so its "
+        "feed in degrees per minute is not defined.",
+        "Report the error with the drawing.",
         row="count",
     ),
     "toolpath.too-far": entry(
@@ -143,7 +143,7 @@ MESSAGES: Final[Entries] = {
     ),
     "toolpath.unknown-motion": entry(
         "Internal error: {place} has an unknown motion type: {move}.",
-        "Report it with the drawing.",
+        "Report the error with the drawing.",
         place="message",
         move="text",
     ),
@@ -182,8 +182,9 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "language.bad-entry-point": entry(
-        "The entry point {name!r} of {group} does not provide a controller language of this name.",
-        "Correct or remove the package that declares it.",
+        "The entry point {name!r} in the group {group} does not provide a controller language "
+        "with this name.",
+        "Correct or remove the Python package that declares the entry point.",
         name="text",
         group="text",
     ),
@@ -202,7 +203,7 @@ MESSAGES: Final[Entries] = {
     ),
     "language.unusable": entry(
         "{machine} cannot be driven with {language}: {reason}.",
-        "Choose {own}, the language of the machine file.",
+        "Choose {own}, which is the language in the machine file.",
         machine="text",
         language="text",
         reason="text",

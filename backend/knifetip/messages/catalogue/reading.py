@@ -14,7 +14,7 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "reading.damaged": entry(
-        "The {format} is damaged and cannot be read ({reason}).",
+        "The {format} file is damaged and cannot be read ({reason}).",
         "Export the drawing again, if necessary from another program.",
         reason="text",
         format="text",
@@ -25,14 +25,15 @@ MESSAGES: Final[Entries] = {
         formats="texts",
     ),
     "reading.expands-too-far": entry(
-        "The repeated parts of the {format} expand to more than {limit:,} elements.",
+        "The repeated parts of the {format} file expand to more than {limit:,} elements.",
         "Export a single carton, with blocks and symbols expanded.",
         limit="count",
         format="text",
     ),
     "reading.nested-too-deep": entry(
-        "Blocks, symbols or groups of the {format} are nested more than {limit} levels deep.",
-        "Explode them in the program that drew the file, and export again.",
+        "Blocks, symbols or groups of the {format} file are nested more than {limit} levels deep.",
+        "Explode the blocks, symbols or groups in the program that drew the file, and export "
+        "again.",
         limit="count",
         format="text",
     ),
@@ -43,7 +44,7 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "reading.too-many-elements": entry(
-        "The {format} has more than {limit:,} elements.",
+        "The {format} file has more than {limit:,} elements.",
         "Export a single carton.",
         limit="count",
         format="text",
@@ -55,24 +56,24 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "reading.too-many-segments": entry(
-        "The {format} has more than {limit:,} lines and curves.",
+        "The {format} file has more than {limit:,} lines and curves.",
         "Export a single carton, without pictures made of lines.",
         limit="count",
         format="text",
     ),
     "reading.too-slow": entry(
-        "Reading the {format} takes longer than {seconds:g} s.",
+        "Reading the {format} file takes longer than {seconds:g} s.",
         "Export a single carton without pictures, and convert curves to lines and arcs.",
         seconds="number",
         format="text",
     ),
     "reading.truncated": entry(
-        "The {format} is truncated and cannot be read.",
+        "The {format} file is incomplete and cannot be read.",
         "Send the complete file, or export the drawing again.",
         format="text",
     ),
     "reading.unexpected": entry(
-        "The {format} is damaged and cannot be read (internal error {reason}).",
+        "The {format} file is damaged and cannot be read (internal error {reason}).",
         "Export the drawing again, if necessary from another program.",
         format="text",
         reason="text",
@@ -97,8 +98,8 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "dxf.cut-short": entry(
-        "The DXF is cut short: it ends {where} in section {section}, after {count:# entity|# "
-        "entities}, so lines of the drawing may be missing.",
+        "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# "
+        "entity|# entities}, so lines of the drawing may be missing.",
         "Send the complete file, or export the drawing again.",
         where="message",
         section="text",
@@ -126,10 +127,12 @@ MESSAGES: Final[Entries] = {
         size="number",
         limit="number",
     ),
-    "dxf.without-end-mark": entry("without its end mark (EOF)"),
+    "dxf.without-end-mark": entry(
+        "without the end marker EOF",
+    ),
     "cf2.cut-short": entry(
-        "The CF2 is cut short: it ends at line {line} inside {inside}, so lines of the drawing "
-        "may be missing.",
+        "The CF2 file is incomplete: it ends at line {line} inside {inside}, so lines of the "
+        "drawing may be missing.",
         "Send the complete file, or export the drawing again as CF2.",
         line="count",
         inside="message",
@@ -151,8 +154,8 @@ MESSAGES: Final[Entries] = {
     "cf2.section": entry("the section {name}", name="text"),
     "cf2.subroutine": entry("the subroutine {name}", name="text"),
     "svg.cut-short": entry(
-        "The SVG is cut short: it ends at line {line}, after {count:# element|# elements}, so "
-        "lines of the drawing may be missing.",
+        "The SVG file is incomplete: it ends at line {line}, after {count:# element|# "
+        "elements}, so lines of the drawing may be missing.",
         "Send the complete file, or export the drawing again as plain SVG.",
         line="count",
         count="count",
@@ -166,21 +169,22 @@ MESSAGES: Final[Entries] = {
     ),
     "svg.empty": entry("The SVG contains no element.", "Export the drawing again as plain SVG."),
     "svg.external-entity": entry(
-        "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is not "
-        "loaded.",
-        "Save it as plain SVG, without a DOCTYPE.",
+        "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is "
+        "not loaded.",
+        "Save the drawing as plain SVG, without a DOCTYPE.",
         name="text",
     ),
     "svg.long-entity": entry(
-        "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which would "
-        "expand the file too far.",
-        "Save it as plain SVG, without a DOCTYPE.",
+        "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which is too "
+        "long.",
+        "Save the drawing as plain SVG, without a DOCTYPE.",
         name="text",
         length="count",
     ),
     "svg.markup-entity": entry(
-        "The DOCTYPE of the SVG has an entity {name!r} that contains markup.",
-        "Save it as plain SVG, without a DOCTYPE.",
+        "The DOCTYPE of the SVG has an entity {name!r} that contains markup, which is not "
+        "supported.",
+        "Save the drawing as plain SVG, without a DOCTYPE.",
         name="text",
     ),
     "svg.nested-too-deep": entry(
@@ -194,7 +198,7 @@ MESSAGES: Final[Entries] = {
         element="text",
     ),
     "svg.packed-cut-short": entry(
-        "The compressed SVG (.svgz) is cut short.",
+        "The compressed SVG file (.svgz) is incomplete.",
         "Send the complete file, or export the drawing again as plain SVG.",
     ),
     "svg.packed-damaged": entry(
@@ -224,14 +228,14 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "pdf.cut-short": entry(
-        "The PDF is cut short: its {bytes:,} bytes do not end with %%EOF, so lines of the drawing "
-        "may be missing.",
+        "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF, so lines of "
+        "the drawing may be missing.",
         "Send the complete file, or export the drawing again.",
         bytes="count",
     ),
     "pdf.encrypted": entry(
         "The PDF is encrypted, so it cannot be read.",
-        "Save it without a password and without restrictions.",
+        "Save the PDF without a password and without restrictions.",
     ),
     "pdf.expands-too-far": entry(
         "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
@@ -239,20 +243,22 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "pdf.form": entry(
-        "The PDF is an XFA form, whose page contains no drawing.",
+        "The PDF is a dynamic form (XFA), whose page contains no drawing.",
         "Print the drawing to a PDF, or send it as DXF.",
     ),
     "pdf.form-named": entry("form {name}", name="text"),
     "pdf.illustrator-only": entry(
         "The Illustrator file was saved without PDF content, so its page contains no line.",
-        "Save it with the option 'Create PDF Compatible File', or as PDF.",
+        "Save the file with the option 'Create PDF Compatible File', or as PDF.",
     ),
     "pdf.layers-too-deep": entry(
         "The layers of the PDF are nested more than {limit:,} levels deep.",
         "Export the drawing again with fewer nested layers.",
         limit="count",
     ),
-    "pdf.nested-arrays": entry("has arrays that are nested too deep"),
+    "pdf.nested-arrays": entry(
+        "has arrays that are nested too deeply",
+    ),
     "pdf.no-header": entry(
         "The file is not a PDF: it does not begin with %PDF.",
         "Export the drawing again, or send it as DXF.",
@@ -269,11 +275,12 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "pdf.part-missing": entry(
-        "A part of the page of the PDF is missing, so lines of the drawing may be missing.",
+        "A part of the content of the PDF page is missing in the file, so lines of the drawing "
+        "may be missing.",
         "Export the drawing again, or send it as DXF.",
     ),
     "pdf.stream-cut-short": entry(
-        "A data stream of the PDF is cut short, so lines of the drawing may be missing.",
+        "A data stream of the PDF is incomplete, so lines of the drawing may be missing.",
         "Send the complete file, or export the drawing again.",
     ),
     "pdf.stream-damaged": entry(

@@ -13,7 +13,7 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.axis-without-motion": entry(
         "The line has coordinates, but no motion word (G0, G1, G2 or G3).",
-        "Add the motion word.",
+        "Add G0, G1, G2 or G3.",
     ),
     "rs274.bad-arc": entry(
         "The distances from the centre of the arc to its start and to its end differ by more than "
@@ -23,12 +23,15 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.bad-character": entry(
         "The character {character!r} is not allowed here.",
-        "Remove it.",
+        "Remove the character.",
         character="text",
     ),
-    "rs274.bad-feed": entry("The feed (F) is not greater than 0.", "Give a feed greater than 0."),
+    "rs274.bad-feed": entry(
+        "The feed (F) is 0 or negative.",
+        "Give a feed greater than 0.",
+    ),
     "rs274.bad-line-number": entry(
-        "The line number (N) is not a whole number of 0 or more.",
+        "The line number (N) is negative or not an integer.",
         "Correct or delete the line number.",
     ),
     "rs274.centre-without-arc": entry(
@@ -36,13 +39,13 @@ MESSAGES: Final[Entries] = {
         "Add G2 or G3, or delete I and J.",
     ),
     "rs274.change-without-station": entry(
-        "The line changes the tool (M6), but the program has not named a station (T) before.",
+        "The line changes the tool (M6), but no station (T) was selected before.",
         "Write the T word of the station before M6.",
     ),
     "rs274.control-byte": entry(
-        "The byte {byte} is a control command that the controller would execute at once, even in "
-        "a comment.",
-        "Remove it.",
+        "The byte {byte} is a control command that the controller would execute at once, even "
+        "in a comment.",
+        "Remove the byte.",
         byte="text",
     ),
     "rs274.ends-lowered": entry(
@@ -51,7 +54,7 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.ends-oscillating": entry(
         "The program ends while a tool oscillates or rotates.",
-        "Switch it off (M5) before the end.",
+        "Switch the tool off (M5) before the end of the program.",
     ),
     "rs274.ends-output-on": entry(
         "The program ends while an output is on.",
@@ -62,12 +65,15 @@ MESSAGES: Final[Entries] = {
         "Cancel the offset (G49) before the end.",
     ),
     "rs274.g64-unsupported": entry(
-        "G64 is not accepted by controllers without a tool table.",
-        "Remove it.",
+        "G64 is not supported by the controller of this machine.",
+        "Remove G64.",
     ),
-    "rs274.incomplete-arc": entry("The arc has no X, Y, I or J.", "Give all four."),
+    "rs274.incomplete-arc": entry(
+        "The arc lacks X, Y, I or J.",
+        "Give X, Y, I and J.",
+    ),
     "rs274.letter-without-number": entry(
-        "The letter {letter} has no number.",
+        "The letter {letter} is not followed by a number.",
         "Add the number or delete the letter.",
         letter="text",
     ),
@@ -77,14 +83,16 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "rs274.missing-p": entry(
-        "The line has no P word, which its other words need.",
+        "The line has no P word, although a command in this line needs one.",
         "Add the P word.",
     ),
     "rs274.mode-g17": entry("the XY plane (G17)"),
     "rs274.mode-g21": entry("the unit millimetre (G21)"),
     "rs274.mode-g40": entry("radius compensation off (G40)"),
     "rs274.mode-g49": entry("tool length compensation off (G49)"),
-    "rs274.mode-g54": entry("the coordinate system (G54)"),
+    "rs274.mode-g54": entry(
+        "the work coordinate system (G54)",
+    ),
     "rs274.mode-g90": entry("absolute coordinates (G90)"),
     "rs274.mode-g91-1": entry("arc centres relative to the start of the arc (G91.1)"),
     "rs274.mode-g94": entry("the feed in mm/min (G94)"),
@@ -93,72 +101,84 @@ MESSAGES: Final[Entries] = {
         "Add the coordinates or delete the motion word.",
     ),
     "rs274.moves-and-switches": entry(
-        "The line moves the head and switches something at the same time.",
-        "Write the move and the switching on two lines.",
+        "The line moves the head and switches an output or the spindle at the same time.",
+        "Write the move and the switching command on separate lines.",
     ),
     "rs274.moves-unstated": entry(
         "The line moves before the program has set {mode}.",
-        "Set it at the beginning of the program.",
+        "Set this mode at the beginning of the program.",
         mode="message",
     ),
     "rs274.nested-comment": entry(
         "A comment begins inside another comment.",
-        "Close the first comment before it.",
+        "Close the first comment before the second begins.",
     ),
     "rs274.no-end": entry("The program has no end (M2 or M30).", "Add M2 as the last line."),
     "rs274.no-feed": entry(
-        "The line cuts, but no feed (F) has been set since the feed mode was chosen.",
+        "The line cuts, but the program has set no feed (F) since the feed mode (G93 or G94) "
+        "was chosen.",
         "Add an F word.",
     ),
     "rs274.not-settled": entry(
-        "The line moves before the switched tool or output has reached its state.",
-        "Add a dwell (G4) before it.",
+        "The line moves the head before the output or spindle that was switched has reached "
+        "its new state.",
+        "Add a dwell (G4) before the line.",
     ),
     "rs274.number-too-large": entry("A number is larger than 1,000,000.", "Correct the number."),
     "rs274.offset-without-station": entry(
-        "The line applies the offset of a station (G43), but the program has not named a station "
-        "(T) before.",
+        "The line applies the offset of a station (G43), but no station (T) was selected before.",
         "Write the T word of the station before G43.",
     ),
-    "rs274.open-comment": entry("A comment is not closed.", "Close it with ) on the same line."),
+    "rs274.open-comment": entry(
+        "A comment is not closed.",
+        "Close the comment with ) on the same line.",
+    ),
     "rs274.repeated-word": entry(
-        "Two words of the line set the same value.",
-        "Delete one of them.",
+        "The line sets the same value twice.",
+        "Delete one of the two words.",
     ),
     "rs274.speed-without-m3": entry(
         "The line has a spindle speed (S), but no M3.",
         "Add M3 or delete the speed.",
     ),
     "rs274.stray-p": entry(
-        "The P word belongs to no other word of the line, or to two of them.",
-        "Delete it, or write the words on separate lines.",
+        "The P word belongs to no command of the line, or to more than one.",
+        "Delete the P word, or write the commands on separate lines.",
     ),
-    "rs274.stray-q": entry("The Q word belongs to no other word of the line.", "Delete it."),
+    "rs274.stray-q": entry(
+        "The Q word belongs to no command of the line.",
+        "Delete the Q word.",
+    ),
     "rs274.timed-without-f": entry(
-        "The move is timed (G93), but the line has no F word with its duration.",
+        "The line moves in inverse time mode (G93), but has no F word.",
         "Add the F word.",
     ),
     "rs274.too-many-digits": entry("A number has more than 15 digits.", "Round the number."),
     "rs274.unbounded-rounding": entry(
-        "The line cuts while the program does not limit how far the controller may round corners.",
-        "Set the limit with G64 P before it.",
+        "The line cuts, but the program does not limit by how much the controller may round "
+        "corners.",
+        "Set the limit with G64 P before the line.",
     ),
     "rs274.unknown-letter": entry(
         "The letter {letter} is not supported.",
-        "Remove the word.",
+        "Remove the letter and its number.",
         letter="text",
     ),
     "rs274.unknown-output": entry(
-        "{machine} does not have the output in this line.",
-        "Choose an output of the machine file.",
+        "The line switches an output that {machine} does not have.",
+        "Choose an output that is defined in the machine file.",
         machine="text",
     ),
     "rs274.unknown-station": entry(
-        "{machine} does not have the station (T) in this line.",
-        "Choose a station of the machine file.",
+        "The line selects a station (T) that {machine} does not have.",
+        "Choose a station that is defined in the machine file.",
         machine="text",
     ),
-    "rs274.unknown-word": entry("{word} is not supported.", "Remove it.", word="text"),
+    "rs274.unknown-word": entry(
+        "{word} is not supported.",
+        "Remove the word.",
+        word="text",
+    ),
     "rs274.wrong-dwell": entry(
         "The dwell (G4) is shorter than the {settle:g} s that the machine needs after switching.",
         "Make the dwell {settle:g} s or longer.",

@@ -16,14 +16,14 @@ MESSAGES: Final[Entries] = {
     ),
     "server.answered": entry(
         "The request to {url} failed with the HTTP status {status}.",
-        "Check the address of the server, and its log.",
+        "Check the address of the server and the log of the server.",
         url="text",
         status="count",
     ),
     "server.busy": entry(
         "The server is busy: {waiting:# request is|# requests are} already waiting, so this "
         "request was not started.",
-        "Send it again in {seconds} s.",
+        "Send the request again in {seconds} s.",
         waiting="count",
         seconds="count",
     ),
@@ -33,11 +33,11 @@ MESSAGES: Final[Entries] = {
     ),
     "server.internal-error": entry(
         "Internal error of the server. Nothing was cut.",
-        "Report it with the log of the server.",
+        "Report the error with the log of the server.",
     ),
     "server.not-started": entry(
         "The server could not start with the database {database}.",
-        "Correct the cause, which the lines above show.",
+        "Correct the cause, which is shown in the lines above this message.",
         database="text",
     ),
     "server.stopping": entry(
@@ -46,22 +46,22 @@ MESSAGES: Final[Entries] = {
     ),
     "server.unreachable": entry(
         "The server {server} cannot be reached: {reason}.",
-        "Check --server and the network.",
+        "Check the address in --server and the network connection.",
         server="text",
         reason="text",
     ),
     "request.body-too-large": entry(
-        "The request is larger than {limit} MB, the limit at this address.",
-        "Send the data in several requests.",
+        "The request is larger than {limit} MB, which is the limit for this URL.",
+        "Divide the data into several requests.",
         limit="count",
     ),
     "request.foreign-origin": entry(
-        "Cross-site request refused: it was sent by a page of another website.",
-        "Send it from the page of this server, or from a program that is not a browser.",
+        "The request was rejected, because a page of another website sent it.",
+        "Send the request from the page of this server, or from a program that is not a browser.",
     ),
     "request.foreign-page": entry(
-        "Cross-site request refused: it was sent by a page of {origin}.",
-        "Send it from the page of this server, or from a program that is not a browser.",
+        "The request was rejected, because a page of another website ({origin}) sent it.",
+        "Send the request from the page of this server, or from a program that is not a browser.",
         origin="text",
     ),
     "request.html-form": entry(
@@ -71,11 +71,11 @@ MESSAGES: Final[Entries] = {
     ),
     "request.invalid": entry(
         "The request is invalid: {faults:; }.",
-        "Correct these fields; /api/openapi.json describes them.",
+        "Correct these fields. /api/openapi.json describes all fields of the request.",
         faults="texts",
     ),
     "request.key-needed": entry(
-        "This request needs the key of the server.",
+        "This request needs the access key of the server.",
         "Send the header Authorization: Bearer KEY, or sign in on the page.",
     ),
     "request.key-reused": entry(
@@ -85,15 +85,15 @@ MESSAGES: Final[Entries] = {
     ),
     "request.local-only": entry(
         "This server has no key, so it accepts only requests from its own computer.",
-        "Start it with --key-file PATH or --key KEY, or open it at http://localhost.",
+        "Start the server with --key-file PATH or --key KEY, or open it at http://localhost.",
     ),
     "request.no-host": entry(
         "The request does not have exactly one Host header.",
         "Send one Host header, as HTTP/1.1 requires.",
     ),
     "request.not-marked": entry(
-        "The request has no header that shows that it does not come from a page of another "
-        "website.",
+        "The header X-Knifetip is missing, which protects the server against requests from "
+        "other websites.",
         "Send the header X-Knifetip with any value.",
     ),
     "request.not-storable": entry(
@@ -101,11 +101,15 @@ MESSAGES: Final[Entries] = {
         "Remove control characters, and use finite numbers.",
     ),
     "request.nothing-there": entry(
-        "The address {path} does not exist on this server.",
-        "Choose an address that /api/openapi.json describes.",
+        "The URL {path} does not exist on this server.",
+        "Choose a URL that /api/openapi.json describes.",
         path="text",
     ),
-    "request.refused": entry("The request was refused: {detail}.", detail="text"),
+    "request.refused": entry(
+        "The request was rejected: {detail}.",
+        "Correct the request as /api/openapi.json describes.",
+        detail="text",
+    ),
     "request.upload-too-large": entry(
         "The file is larger than {limit} MB, the limit of this server.",
         "Send a smaller file.",
@@ -113,22 +117,22 @@ MESSAGES: Final[Entries] = {
     ),
     "request.wrong-host": entry(
         "This server does not accept requests for the host {host!r}.",
-        "Use its IP address, or start it with --allow-host {host}.",
+        "Use the IP address of the server, or start the server with --allow-host {host}.",
         host="text",
     ),
     "request.wrong-key": entry(
-        "The key is wrong.",
+        "The access key of the request is wrong.",
         "Send the key of this server in the header Authorization: Bearer KEY.",
     ),
     "request.wrong-method": entry(
         "The method {method} is not supported at {path}.",
-        "Choose a method that /api/openapi.json describes for this address.",
+        "Choose a method that /api/openapi.json describes for this URL.",
         method="text",
         path="text",
     ),
     "settings.bad-host": entry(
         "{host!r} is not a host name.",
-        "Write NAME or NAME:PORT.",
+        "Write the host as NAME or NAME:PORT.",
         host="text",
     ),
     "settings.bad-key": entry(
@@ -141,13 +145,13 @@ MESSAGES: Final[Entries] = {
     ),
     "settings.key-file": entry(
         "The key file {file} cannot be used: {reason}.",
-        "Name a file that the server can read and write.",
+        "Choose a file that the server can read and write.",
         file="text",
         reason="text",
     ),
     "settings.two-keys": entry(
-        "The server was given both a key and a key file.",
-        "Give only one of --key and --key-file.",
+        "The server was started with both --key and --key-file.",
+        "Give only one of the two options.",
     ),
     "command.bad-corner": entry(
         "The option --corner-at {text!r} does not have the form X,Y=TYPE or X,Y=TYPE:K.",
@@ -161,7 +165,7 @@ MESSAGES: Final[Entries] = {
     ),
     "command.bad-line-type": entry(
         "The line type in the option --layer {pair!r} does not exist.",
-        "Choose {known:or}.",
+        "Choose the line type {known:or}.",
         pair="text",
         known="texts",
     ),
@@ -180,7 +184,7 @@ MESSAGES: Final[Entries] = {
     ),
     "command.unreadable-file": entry(
         "The file {path} cannot be read: {reason}.",
-        "Check its name and permissions.",
+        "Check the name and the permissions of the file.",
         path="text",
         reason="text",
     ),

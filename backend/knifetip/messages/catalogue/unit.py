@@ -11,41 +11,45 @@ MESSAGES: Final[Entries] = {
     "unit.cf2-millimetres": entry("the CF2 states millimetres (record UM)"),
     "unit.cf2-none": entry("the CF2 states no unit: it has neither a UM nor a UI record"),
     "unit.cf2-scale-applied": entry(
-        "its coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size "
-        "that its records LL and UR state",
+        "the coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size "
+        "in the records LL and UR",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-invalid": entry(
-        "its record SCALE,{x:g},{y:g} is invalid and was ignored",
+        "the record SCALE,{x:g},{y:g} is invalid and was ignored",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-not-applied": entry(
-        "its record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the "
-        "size that its records LL and UR state",
+        "the record SCALE,{x:g},{y:g} was not applied, because the coordinates already have "
+        "the size in the records LL and UR",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-undecided": entry(
-        "its record SCALE,{x:g},{y:g} was not applied, because its records LL and UR do not show "
-        "whether the coordinates are already scaled",
+        "the record SCALE,{x:g},{y:g} was not applied, because the records LL and UR do not "
+        "show whether the coordinates are already scaled",
         x="number",
         y="number",
     ),
     "unit.cf2-scaled": entry("{unit}; {scale}", unit="message", scale="message"),
     "unit.dimensions-larger": entry(
-        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} "
-        "drawn {factor:.3g} times larger than {others:# other|# others}.",
-        "Check which dimensions belong to the carton, and delete details at another scale.",
+        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions "
+        "are} drawn at a scale that is {factor:.3g} times larger than the scale of the other "
+        "{others:dimension|# dimensions}.",
+        "Check which dimensions belong to the carton, and delete details that are drawn at "
+        "another scale.",
         count="count",
         others="count",
         factor="number",
     ),
     "unit.dimensions-smaller": entry(
-        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} "
-        "drawn {factor:.3g} times smaller than {others:# other|# others}.",
-        "Check which dimensions belong to the carton, and delete details at another scale.",
+        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions "
+        "are} drawn at a scale that is {factor:.3g} times smaller than the scale of the other "
+        "{others:dimension|# dimensions}.",
+        "Check which dimensions belong to the carton, and delete details that are drawn at "
+        "another scale.",
         count="count",
         others="count",
         factor="number",
@@ -57,7 +61,9 @@ MESSAGES: Final[Entries] = {
     "unit.drawn-in-inches": entry("fractions of inches"),
     "unit.drawn-in-metric": entry("round millimetres that are stored in {unit:unit}", unit="text"),
     "unit.drawn-in-millimetres": entry("millimetres"),
-    "unit.given": entry("set by the user"),
+    "unit.given": entry(
+        "the user set the unit",
+    ),
     "unit.header": entry("the header states the unit ($INSUNITS = {value})", value="count"),
     "unit.header-decimal-inches": entry(
         "the header displays lengths in feet and decimal inches ($LUNITS = 3)",
@@ -88,18 +94,18 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "unit.imprecise": entry(
-        "in {unit:unit} the lengths are too imprecise to show whether they are multiples of a "
-        "round number",
+        "in {unit:unit} the lengths of the edges are too imprecise to show whether they are "
+        "multiples of a round number",
         unit="text",
     ),
     "unit.inconclusive": entry(
-        "{stated}, but the drawing does not give enough evidence for {unit:unit}",
+        "{stated}, and the geometry of the drawing does not give enough evidence for {unit:unit}",
         stated="message",
         unit="text",
     ),
     "unit.multiples": entry(
-        "in {unit:unit} {count} of {all} different lengths ({percent:.0f} % of their total) are "
-        "multiples of {grid}",
+        "in {unit:unit} {count} of {all} different edge lengths ({percent:.0f} % of their "
+        "total) {count:is a multiple|are multiples} of {grid}",
         unit="text",
         count="count",
         all="count",
@@ -131,13 +137,13 @@ MESSAGES: Final[Entries] = {
         numbers="messages",
     ),
     "unit.overruled": entry(
-        "{stated}; the drawing supports {unit:unit}: {reason}",
+        "{stated}, but the drawing supports {unit:unit}, because {reason}",
         stated="message",
         unit="text",
         reason="message",
     ),
     "unit.page-in-pixels": entry(
-        "the file states its size without a unit, as pages in pixels or points do",
+        "the file states its page size without a unit, as files in pixels or points do",
     ),
     "unit.page-in-points": entry("the file was written by Illustrator, which uses points"),
     "unit.paper-size": entry(
@@ -146,9 +152,10 @@ MESSAGES: Final[Entries] = {
         sheet="text",
     ),
     "unit.part-drawn-twice": entry(
-        "The drawing contains the same part at two sizes: one is {factor:.3g} times larger than "
-        "the other. One of them is a detail, or was inserted with a wrong unit.",
-        "Delete the part with the wrong size, or ignore its edges.",
+        "The drawing contains the same part at two sizes: the larger part is {factor:.3g} "
+        "times larger than the smaller. One of the two parts is a detail, or was inserted with "
+        "a wrong unit.",
+        "Delete the part with the wrong size, or set its edges to ignored.",
         factor="number",
     ),
     "unit.parts-differ": entry(
@@ -192,19 +199,19 @@ MESSAGES: Final[Entries] = {
         scales="texts",
     ),
     "unit.share-stated": entry(
-        "the header states {stated:unit}; {percent:.3g} % of the drawings with such a header are "
-        "in {unit:unit}",
+        "the header states {stated:unit}, and {percent:.3g} % of the drawings with such a "
+        "header are in {unit:unit}",
         stated="text",
         unit="text",
         percent="number",
     ),
     "unit.share-unstated": entry(
-        "the file states no unit; {percent:.3g} % of such drawings are in {unit:unit}",
+        "the file states no unit, and {percent:.3g} % of such files are in {unit:unit}",
         unit="text",
         percent="number",
     ),
     "unit.shortest-edges": entry(
-        "in {unit:unit} its shortest edges are {length:mm} mm long",
+        "in {unit:unit} the shortest edges of the drawing are {length:mm} mm long",
         unit="text",
         length="number",
     ),
@@ -222,9 +229,12 @@ MESSAGES: Final[Entries] = {
         width="number",
         height="number",
     ),
-    "unit.svg-no-size": entry("the SVG has neither a width nor a height; {pixel}", pixel="message"),
+    "unit.svg-no-size": entry(
+        "the SVG has no width and no height, and {pixel}",
+        pixel="message",
+    ),
     "unit.svg-no-unit": entry(
-        "the SVG states its size without a unit of length ({size: }); {pixel}",
+        "the SVG states its size without a unit of length ({size: }), and {pixel}",
         size="texts",
         pixel="message",
     ),
@@ -233,8 +243,8 @@ MESSAGES: Final[Entries] = {
         "Illustrator",
     ),
     "unit.svg-pixel-illustrator": entry(
-        "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in "
-        "Illustrator, which wrote the file",
+        "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) "
+        "in Illustrator, which wrote this file",
     ),
     "unit.svg-size": entry(
         "the SVG states its size ({size: }) for a viewBox of {width:g} × {height:g}",

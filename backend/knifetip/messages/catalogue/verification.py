@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "verify.bad-tolerance": entry(
-        "The tolerance of the check is {tolerance} mm, which is not a valid length.",
+        "The tolerance of the verification is {tolerance} mm, which is not a valid length.",
         "Give a number greater than 0, usually 0.01 mm.",
         tolerance="text",
     ),
@@ -18,7 +18,7 @@ MESSAGES: Final[Entries] = {
         length="number",
     ),
     "verify.beam-refocused": entry(
-        "The laser beam is on while its focus moves up or down by {height:.3f} mm.",
+        "The laser beam is on while the head moves up or down by {height:.3f} mm.",
         "Switch the beam off (M5) before the height changes.",
         height="number",
     ),
@@ -31,7 +31,8 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.beyond-rotation": entry(
         "Axis {joint} turns to {position:.3f}°, but its travel is {low:g}° to {high:g}°.",
-        "Turn the drawing on the table, or choose a machine with more travel.",
+        "Turn the drawing on the table, or choose a machine whose axis has a larger range of "
+        "rotation.",
         joint="text",
         position="number",
         low="number",
@@ -46,8 +47,8 @@ MESSAGES: Final[Entries] = {
         high="number",
     ),
     "verify.bridge-near-corner": entry(
-        "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm too close to a sharp "
-        "corner.",
+        "The bridge at {place:.3f} mm along the contour is too close to a sharp corner, by "
+        "{distance:.3f} mm.",
         "Compile the job again, or choose a smaller spacing of bridges for the board.",
         place="number",
         distance="number",
@@ -61,10 +62,10 @@ MESSAGES: Final[Entries] = {
         most="number",
     ),
     "verify.bridge-spare": entry(
-        "The bridge at {place:.3f} mm along the contour is not needed, because its two neighbours "
-        "are only {distance:.3f} mm apart.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The bridge at {place:.3f} mm along the contour is not needed, because the bridges "
+        "before and after it are only {distance:.3f} mm apart.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         place="number",
         distance="number",
     ),
@@ -86,7 +87,7 @@ MESSAGES: Final[Entries] = {
         tolerance="number",
     ),
     "verify.cleaning-beyond": entry(
-        "Internal error in cleaning: the cleaned edge extends beyond everything that was drawn.",
+        "Internal error in cleaning: the cleaned edge extends beyond all edges of the drawing.",
         "Report it with the drawing.",
     ),
     "verify.cleaning-dropped": entry(
@@ -109,7 +110,8 @@ MESSAGES: Final[Entries] = {
         distance="number",
     ),
     "verify.cleaning-type": entry(
-        "Internal error in cleaning: the drawn edge is {drawn}, but the cleaned edge is {worked}.",
+        "Internal error in cleaning: the drawn edge has the line type {drawn}, but the cleaned "
+        "edge has the line type {worked}.",
         "Report it with the drawing.",
         drawn="text",
         worked="text",
@@ -134,10 +136,10 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.crease-too-short": entry(
         "The crease is too short for the creasing wheel.",
-        "Join it to a collinear crease, set it to ignored, or choose a smaller wheel.",
+        "Join the crease to a collinear crease, set it to ignored, or choose a smaller wheel.",
     ),
     "verify.cuts-part": entry(
-        "The cutter removes {depth:.3f} mm from a part that must remain whole.",
+        "The cutter removes {depth:.3f} mm from a part that must not be cut.",
         "Move the parts further apart, or choose a thinner cutter.",
         depth="number",
     ),
@@ -175,24 +177,24 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.groove-arc": entry(
         "The V-groove is an arc, which a tilted blade cannot follow.",
-        "Draw it with straight lines, or give it another line type.",
+        "Draw the V-groove with straight lines, or choose another line type.",
     ),
     "verify.groove-past-ends": entry(
         "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows "
-        "{most:.2f} mm.",
+        "an overcut of only {most:.2f} mm.",
         "Choose a narrower blade, or allow a longer overcut for this board.",
         length="number",
         most="number",
     ),
     "verify.groove-shallower": entry(
-        "The V-cutter cuts {depth:.3f} mm deep although an earlier pass was already {before:.3f} "
-        "mm deep.",
+        "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass was already "
+        "{before:.3f} mm deep.",
         "Order the passes by increasing depth.",
         depth="number",
         before="number",
     ),
     "verify.inside-part": entry(
-        "The cutter cuts into a part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
+        "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
         "Move the parts further apart, or choose a thinner cutter.",
         x="number",
         y="number",
@@ -206,9 +208,9 @@ MESSAGES: Final[Entries] = {
         "Switch the beam on (M3) before the edge.",
     ),
     "verify.loose-piece": entry(
-        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a piece that line "
-        "{line} has already cut loose, so the piece may move.",
-        "Make this edge before the contour around the piece is cut.",
+        "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
+        "that line {line} has already cut out, so this part of the board may move.",
+        "Process this edge before the contour that cuts out the part.",
         x="number",
         y="number",
         line="count",
@@ -222,18 +224,19 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.moves-before-stated": entry(
         "The program moves the head before it switches off {thing}.",
-        "Switch it off first, or only lift the head straight up to Z {height:.3f} mm or higher.",
+        "Switch off {thing} first. Before this, only lift the head straight up to Z "
+        "{height:.3f} mm or higher.",
         thing="message",
         height="number",
     ),
     "verify.moves-with-beam": entry(
-        "The program moves the head before it switches the spindle off (M5), so a laser beam may "
-        "still be on.",
+        "The program moves the head before it switches off the spindle (M5), so a laser beam "
+        "may still be on.",
         "Write M5 before the first move.",
     ),
     "verify.never-stated": entry(
-        "The program never switches off {thing}, so it may still be on.",
-        "Switch it off at the beginning of the program.",
+        "The program never switches off {thing}, which may be on from an earlier program.",
+        "Switch off {thing} at the beginning of the program.",
         thing="message",
     ),
     "verify.no-station": entry(
@@ -265,9 +268,9 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "verify.other-placement": entry(
-        "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it "
-        "at X{job_x:.4f} Y{job_y:.4f}.",
-        "Compile the job again, or verify the program with its own placement.",
+        "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places "
+        "it at X{job_x:.4f} Y{job_y:.4f}.",
+        "Compile the job again, or verify the program with the position that the program states.",
         x="number",
         y="number",
         job_x="number",
@@ -282,8 +285,8 @@ MESSAGES: Final[Entries] = {
         output="count",
     ),
     "verify.pass-too-deep": entry(
-        "The {tool:tool} cuts {depth:.3f} mm deep at once along {length:.3f} mm without an "
-        "earlier pass, but at most {step:g} mm per pass are allowed.",
+        "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but "
+        "at most {step:g} mm per pass are allowed.",
         "Add a shallower pass, or allow deeper passes for this board.",
         tool="text",
         depth="number",
@@ -304,9 +307,9 @@ MESSAGES: Final[Entries] = {
         length="number",
     ),
     "verify.past-stop": entry(
-        "The {tool:tool} continues {length:.3f} mm beyond the point where it must stop.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The {tool:tool} cuts {length:.3f} mm beyond the point where it must stop.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         tool="text",
         length="number",
     ),
@@ -325,15 +328,15 @@ MESSAGES: Final[Entries] = {
         planned="number",
     ),
     "verify.rapid-in-board": entry(
-        "A rapid move takes station {station} {depth:.3f} mm below the top of the board.",
+        "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
         "Lift the tool above the board before the rapid move.",
         station="count",
         depth="number",
     ),
     "verify.slanted": entry(
-        "Station {station} moves {distance:.3f} mm sideways out of its line while it enters or "
-        "leaves the board.",
-        "Enter and leave the board along the axis of the tool.",
+        "Station {station} moves {distance:.3f} mm sideways, away from the axis of its tool, "
+        "while the tool enters or leaves the board.",
+        "Move the tool along its axis while it enters or leaves the board.",
         station="count",
         distance="number",
     ),
@@ -375,33 +378,34 @@ MESSAGES: Final[Entries] = {
         type="text",
     ),
     "verify.switches-at-unknown-height": entry(
-        "The line switches an output or the spindle before the program has set the height of the "
-        "head.",
-        "Lift the head to {needed:.3f} mm first.",
+        "The line switches an output or the spindle before the program has set the height of "
+        "the head.",
+        "Lift the head to Z {needed:.3f} mm before this line.",
         needed="number",
     ),
     "verify.switches-low": entry(
-        "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which is "
-        "too low.",
-        "Lift the head to {needed:.3f} mm first.",
+        "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which "
+        "is too low.",
+        "Lift the head to Z {needed:.3f} mm before this line.",
         height="number",
         needed="number",
     ),
     "verify.too-few-bridges": entry(
-        "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest}.",
+        "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least "
+        "{fewest:# bridge|# bridges}.",
         "Compile the job again, or require fewer bridges for this board.",
         bridges="count",
         fewest="count",
     ),
     "verify.turn-at-feed": entry(
-        "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the "
-        "turn is not defined.",
-        "Give the duration of the line (G93).",
+        "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of "
+        "the rotation is not defined.",
+        "Give the duration of the line in inverse time mode (G93).",
         degrees="number",
     ),
     "verify.turn-in-board": entry(
-        "Axis C turns by {degrees:.3f}° while the tool is in the board; at most {most:.2f}° is "
-        "allowed.",
+        "Axis C turns by {degrees:.3f}° while the tool is in the board, but at most "
+        "{most:.2f}° is allowed.",
         "Lift the tool before it turns.",
         degrees="number",
         most="number",
@@ -413,7 +417,7 @@ MESSAGES: Final[Entries] = {
         path="number",
     ),
     "verify.two-lowered": entry(
-        "Station {station} processes the board while station {other} is lowered too (output "
+        "Station {station} processes the board while station {other} is also lowered (output "
         "{output} is on).",
         "Release station {other} first (M65 P{output}).",
         station="count",
@@ -421,23 +425,31 @@ MESSAGES: Final[Entries] = {
         output="count",
     ),
     "verify.unclassified": entry(
-        "The edge has no line type, so it is not known how it must be processed.",
+        "The edge has no line type, so the required tool is not known.",
         "Give the edge a line type.",
     ),
     "verify.unknown-position": entry(
-        "The line starts or ends at a position that the program has not set.",
+        "The line moves from or to a position that the program has not set.",
         "Give X, Y, Z and C before this line.",
     ),
-    "verify.where-from-start": entry(", beginning {place:.3f} mm from its start", place="number"),
-    "verify.where-past-end": entry(", where the tool must continue beyond its end"),
-    "verify.where-past-start": entry(", where the tool must begin before its start"),
+    "verify.where-from-start": entry(
+        ", beginning {place:.3f} mm from the start of the edge",
+        place="number",
+    ),
+    "verify.where-past-end": entry(
+        ", where the tool must continue beyond the end of the edge",
+    ),
+    "verify.where-past-start": entry(
+        ", where the tool must begin before the start of the edge",
+    ),
     "verify.work-creased": entry("creased"),
     "verify.work-cut": entry("cut"),
     "verify.work-grooved": entry("grooved"),
     "verify.work-grooved-from-end": entry("grooved in the direction from its end to its start"),
     "verify.work-grooved-from-start": entry("grooved in the direction from its start to its end"),
     "verify.wrong-depth": entry(
-        "The {tool:tool} is {depth:.3f} mm below the top of the board instead of {planned:.3f} mm.",
+        "The {tool:tool} is {depth:.3f} mm below the top face of the board instead of "
+        "{planned:.3f} mm.",
         "Compile the job again for this board.",
         tool="text",
         depth="number",
@@ -445,23 +457,23 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.wrong-feed": entry(
         "Station {station} has a feed of {feed:g} mm/min instead of {planned:g} mm/min.",
-        "Compile the job again with the present machine file.",
+        "Compile the job again with the current machine file.",
         station="count",
         feed="number",
         planned="number",
     ),
     "verify.wrong-heading": entry(
         "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which "
-        "moves its edge {swing:.3f} mm sideways.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "moves its cutting edge {swing:.3f} mm sideways.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         tool="text",
         degrees="number",
         swing="number",
     ),
     "verify.wrong-time": entry(
         "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
-        "Compile the job again with the present machine file.",
+        "Compile the job again with the current machine file.",
         station="count",
         seconds="number",
         planned="number",

@@ -8,56 +8,59 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "waiting.confirmed": entry(
-        "Confirmed; {machine} is starting.",
+        "The operator confirmed the job, and {machine} is starting.",
         machine="text",
     ),
     "waiting.for-gateway": entry(
-        "No gateway of {machine} asks for work.",
+        "No gateway of {machine} is asking the server for jobs.",
         "Switch on the machine and its gateway.",
         machine="text",
     ),
     "waiting.for-machine": entry(
-        "Waiting until {machine} takes it.",
+        "The job waits until {machine} claims it.",
         machine="text",
     ),
     "waiting.for-person": entry(
-        "No gateway of {machine} asks for work.",
+        "No gateway of {machine} is asking the server for jobs.",
         "{advice}",
         machine="text",
         advice="text",
     ),
     "waiting.for-sheet": entry(
-        "Copy {copy} of {copies} is done.",
-        "Put a new sheet of {board} on the table and confirm.",
+        "Copy {copy} of {copies} is finished.",
+        "Put a new sheet of {board} on the table and confirm it.",
         copy="count",
         copies="count",
         board="text",
     ),
     "waiting.for-start": entry(
-        "Waiting for the operator at {machine}: table clear, board {board!r}{tools}.",
-        "Check the table, then confirm to start.",
+        "The job waits until the operator of {machine} confirms that the table is clear. "
+        "Required: board {board!r}{tools}.",
+        "Check the table, then confirm the job to start it.",
         machine="text",
         board="text",
         tools="message?",
     ),
     "waiting.for-turn": entry(
-        "Waiting for its turn at {machine}; other jobs come first.",
+        "The job waits for {machine}, because other jobs in the queue come first.",
         machine="text",
     ),
     "waiting.taken": entry(
-        "{machine} is taken by job {job}, which is {state}.",
+        "The job waits, because {machine} is occupied by job {job}, which is {state}.",
         machine="text",
         job="text",
         state="text",
     ),
     "waiting.taken-interrupted": entry(
-        "{machine} is taken by job {job}, which is interrupted.",
+        "The job waits, because {machine} is occupied by job {job}, which is interrupted.",
         "Mark that job finished, queue it again or scrap it first.",
         machine="text",
         job="text",
     ),
     "waiting.taken-unconfirmed": entry(
-        "{machine} is taken by job {job}, which waits for its confirmation.",
+        "The job waits, because {machine} is occupied by job {job}, which waits for its "
+        "confirmation.",
+        "Confirm or cancel that job.",
         machine="text",
         job="text",
     ),
@@ -71,8 +74,9 @@ MESSAGES: Final[Entries] = {
         tools="messages",
     ),
     "waiting.unconfirmed-run": entry(
-        "{machine} was started without the operator's confirmation: board {board!r}{tools}.",
-        "Look at the table. Confirm to let the job go on, or cancel it.",
+        "{machine} was started, but the operator has not confirmed that the table is clear. "
+        "Required: board {board!r}{tools}.",
+        "Check the table. Confirm the job to let it continue, or cancel it.",
         machine="text",
         board="text",
         tools="message?",
