@@ -425,7 +425,7 @@ async def test_a_job_that_is_withdrawn_while_it_waits_never_moves_the_machine() 
         await gateway(office, server)
         assert server.table.time == 0.0
     assert len(office.beats) == 6
-    assert "nothing was sent" in office.finished[0]["why"]["text"]
+    assert "Nothing was sent" in office.finished[0]["why"]["text"]
     assert office.finished[0]["line"] == 0
 
 
@@ -454,7 +454,7 @@ async def test_a_table_that_is_jogged_gives_a_waiting_job_back(
         assert server.table.time == 0.0
     (report,) = office.finished
     assert (report["outcome"], report["line"]) == ("returned", 0)
-    assert "not idle: it reports jog" in report["why"]["text"]
+    assert "not idle: it reports the state jog" in report["why"]["text"]
 
 
 async def test_a_controller_that_fails_while_a_job_waits_gives_it_back() -> None:

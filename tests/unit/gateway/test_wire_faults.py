@@ -197,7 +197,7 @@ def cut(bench: Bench) -> list[str]:
 
 
 ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], str]] = {
-    "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was doubled"),
+    "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was duplicated"),
     "lost": (
         lambda bench: lambda line: [],
         ControllerSilent,
@@ -207,7 +207,7 @@ ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], st
     "glued": (lambda bench: lambda line: [line + line], ControllerSilent, "was lost"),
     "banner": (lambda bench: lambda line: [BANNER, line], ControllerReset, "was reset"),
     "false alarm": (lambda bench: lambda line: ["ALARM:1", line], ControllerAlarm, "ALARM:1"),
-    "stranger's ok": (lambda bench: lambda line: ["ok", "ok", line], ControllerError, "doubled"),
+    "stranger's ok": (lambda bench: lambda line: ["ok", "ok", line], ControllerError, "duplicated"),
     "reset": (stranger_resets, ControllerAlarm, "ALARM:3"),
     "cut": (lambda bench: lambda line: cut(bench), ControllerError, "connection .* is lost"),
     "stall": (lambda bench: lambda line: mute(bench, line), ControllerSilent, "not answered"),
@@ -233,7 +233,7 @@ async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothin
     bench: Bench, number: int
 ) -> None:
     bench.at_answer(lambda line: [line, line], number)
-    with pytest.raises(ControllerError, match="doubled"):
+    with pytest.raises(ControllerError, match="duplicated"):
         await bench.run()
     bench.assert_safe()
 
