@@ -276,11 +276,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.swapped": {
-    "text": "the edges to which this rule gives the line type crease close the outline",
+    "text": "this rule makes edges of the closed outline creases, so cut and crease may be swapped",
     "hint": ""
   },
   "classification.swapped-both": {
-    "text": "the edges to which this rule gives the line type crease close the outline, and the edges to which it gives the line type cut divide the panels",
+    "text": "this rule makes edges of the closed outline creases and edges between panels cuts, so cut and crease may be swapped",
     "hint": ""
   },
   "classification.swapped-like": {
@@ -892,7 +892,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.repeated-numbers": {
-    "text": "{path} contains the numbers {numbers:, }, but no number may occur twice",
+    "text": "{path} has the numbers {numbers:, }; each number may occur only once",
     "hint": ""
   },
   "field.spacing": {
@@ -1208,8 +1208,8 @@ export const TEXTS = {
     "hint": "Draw straight lines, or choose another line type."
   },
   "groove.overcut": {
-    "text": "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but the board allows an overcut of only {allowed:.2f} mm.",
-    "hint": "Choose a narrower blade, or allow a longer overcut for this board."
+    "text": "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the board, but the board allows an overcut of only {allowed:.2f} mm.",
+    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board."
   },
   "groove.runs-out": {
     "text": "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the board and cut into the next part.",
@@ -1280,7 +1280,7 @@ export const TEXTS = {
     "hint": "Write PA before the first move."
   },
   "hpgl.needs-no-number": {
-    "text": "The instruction does not take a number.",
+    "text": "The instruction in this line does not take a number.",
     "hint": "Delete the number."
   },
   "hpgl.needs-one-number": {
@@ -1297,7 +1297,7 @@ export const TEXTS = {
   },
   "hpgl.no-device": {
     "text": "The machine file of {machine} does not describe an HPGL device.",
-    "hint": "Describe the device under [controller] in the machine file."
+    "hint": "Add the settings of the device under [controller] in the machine file: see the page Connect a machine of the documentation."
   },
   "hpgl.no-force-setting": {
     "text": "The instruction FS is not allowed, because the device has no force setting.",
@@ -3341,7 +3341,7 @@ export const TEXTS = {
   },
   "verify.groove-past-ends": {
     "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows an overcut of only {most:.2f} mm.",
-    "hint": "Choose a narrower blade, or allow a longer overcut for this board."
+    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board."
   },
   "verify.groove-shallower": {
     "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass was already {before:.3f} mm deep.",
@@ -3397,7 +3397,7 @@ export const TEXTS = {
   },
   "verify.other-placement": {
     "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
-    "hint": "Compile the job again, or verify the program with the position that the program states."
+    "hint": "Compile the job again, or verify the program with X and Y of the program."
   },
   "verify.output": {
     "text": "output {output} (M65 P{output})",
@@ -3548,7 +3548,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.for-gateway": {
-    "text": "No gateway of {machine} is asking the server for jobs.",
+    "text": "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
     "hint": "Switch on the machine and its gateway."
   },
   "waiting.for-machine": {
@@ -3556,7 +3556,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.for-person": {
-    "text": "No gateway of {machine} is asking the server for jobs.",
+    "text": "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
     "hint": "{advice}"
   },
   "waiting.for-sheet": {

@@ -113,7 +113,10 @@ def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
 
 def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> None:
     job = queued(store)
-    absent = ("machine", f"No gateway of {TITLE} is asking the server for jobs.")
+    absent = (
+        "machine",
+        f"No gateway (the program that sends jobs to a machine) of {TITLE} is connected.",
+    )
     assert shown(store, job)[:2] == absent
     store.gateways.record_contact("demo-table", "gateway")
     assert shown(store, job) == ("machine", f"The job waits until {TITLE} claims it.", "")
@@ -185,6 +188,7 @@ def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(sto
     waiting = waiting_of(store, [row])[0]
     assert (
         str(waiting.message)
-        == "No gateway of Flat cutter 1300 × 900 (HPGL) is asking the server for jobs."
+        == "No gateway (the program that sends jobs to a machine) of Flat cutter 1300 × 900 (HPGL)"
+        " is connected."
     )
     assert hint_of(waiting).startswith("Download the program")

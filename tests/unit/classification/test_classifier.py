@@ -66,7 +66,7 @@ def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> Non
     sheet = drawn((BLANK, plain("CREASE")), (FOLDS, plain("CUT")))
     dieline = seen(sheet)
     assert words(dieline) == ["unclassified"] * 6
-    assert "close the outline" in why(dieline, 0)
+    assert "closed outline creases" in why(dieline, 0)
     put = list_questions(sheet, dieline)
     assert [question.choices[0] for question in put] == ["cut", "crease"]
 

@@ -123,11 +123,11 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.stray": entry("the edge lies outside all blanks"),
     "classification.swapped": entry(
-        "the edges to which this rule gives the line type crease close the outline",
+        "this rule makes edges of the closed outline creases, so cut and crease may be swapped",
     ),
     "classification.swapped-both": entry(
-        "the edges to which this rule gives the line type crease close the outline, and the "
-        "edges to which it gives the line type cut divide the panels",
+        "this rule makes edges of the closed outline creases and edges between panels cuts, so "
+        "cut and crease may be swapped",
     ),
     "classification.swapped-like": entry(
         "{reason}; {convention}",

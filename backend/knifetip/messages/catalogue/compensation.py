@@ -86,9 +86,10 @@ MESSAGES: Final[Entries] = {
         edge="count",
     ),
     "groove.overcut": entry(
-        "The V-cutter cuts {overrun:.2f} mm beyond each end of a groove inside the board, but "
+        "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the "
+        "board, but "
         "the board allows an overcut of only {allowed:.2f} mm.",
-        "Choose a narrower blade, or allow a longer overcut for this board.",
+        "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board.",
         overrun="number",
         allowed="number",
     ),

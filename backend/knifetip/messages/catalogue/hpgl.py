@@ -62,7 +62,9 @@ MESSAGES: Final[Entries] = {
         "The line moves the tool before the program has chosen absolute coordinates (PA).",
         "Write PA before the first move.",
     ),
-    "hpgl.needs-no-number": entry("The instruction does not take a number.", "Delete the number."),
+    "hpgl.needs-no-number": entry(
+        "The instruction in this line does not take a number.", "Delete the number."
+    ),
     "hpgl.needs-one-number": entry("The instruction needs exactly one number.", "Give one number."),
     "hpgl.never-down": entry(
         "The toolpath never lowers a tool, so nothing would be cut.",
@@ -76,7 +78,8 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.no-device": entry(
         "The machine file of {machine} does not describe an HPGL device.",
-        "Describe the device under [controller] in the machine file.",
+        "Add the settings of the device under [controller] in the machine file: see the page "
+        "Connect a machine of the documentation.",
         machine="text",
     ),
     "hpgl.no-force-setting": entry(

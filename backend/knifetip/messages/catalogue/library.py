@@ -139,7 +139,7 @@ MESSAGES: Final[Entries] = {
     ),
     "field.other": entry("{path} is invalid: {reason}", path="text", reason="text"),
     "field.repeated-numbers": entry(
-        "{path} contains the numbers {numbers:, }, but no number may occur twice",
+        "{path} has the numbers {numbers:, }; each number may occur only once",
         path="text",
         numbers="texts",
     ),

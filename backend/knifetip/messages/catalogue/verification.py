@@ -182,7 +182,7 @@ MESSAGES: Final[Entries] = {
     "verify.groove-past-ends": entry(
         "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows "
         "an overcut of only {most:.2f} mm.",
-        "Choose a narrower blade, or allow a longer overcut for this board.",
+        "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board.",
         length="number",
         most="number",
     ),
@@ -270,7 +270,7 @@ MESSAGES: Final[Entries] = {
     "verify.other-placement": entry(
         "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places "
         "it at X{job_x:.4f} Y{job_y:.4f}.",
-        "Compile the job again, or verify the program with the position that the program states.",
+        "Compile the job again, or verify the program with X and Y of the program.",
         x="number",
         y="number",
         job_x="number",

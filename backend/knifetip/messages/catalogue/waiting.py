@@ -12,7 +12,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "waiting.for-gateway": entry(
-        "No gateway of {machine} is asking the server for jobs.",
+        "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
         "Switch on the machine and its gateway.",
         machine="text",
     ),
@@ -21,7 +21,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "waiting.for-person": entry(
-        "No gateway of {machine} is asking the server for jobs.",
+        "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
         "{advice}",
         machine="text",
         advice="text",
