@@ -1,1 +1,1 @@
-"""Cleaning of classified edges: remove overlaps and debris, close gaps, merge collinear edges."""
+"""Cleaning: removes overlaps, debris and gaps from classified edges, and merges collinear edges."""

@@ -4,11 +4,13 @@
 outcome of every drawn edge.
 
 Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
-merge edges that continue each other.  The steps are repeated while they make edges overlap; an end
-that was moved once is not moved again.
+merge edges that continue each other.  The steps are repeated, at most four times, until no edge is
+split, merged, moved or removed as debris.  An edge that was moved to close a gap is not moved a
+second time.
 
-The only record of a step is the edge to which each part of a drawn edge belongs after the step.
-Outcomes and lengths are computed from this record, so they always agree with the geometry.
+A drawn edge consists of stretches, each of which belongs to one cleaned edge or is debris.  Every
+step updates this assignment; outcomes and lengths are computed from it alone, so they always agree
+with the geometry.
 """
 
 from __future__ import annotations
@@ -40,7 +42,10 @@ _FAR: Final = 1e9
 
 
 class _Placed(NamedTuple):
-    """Where the k edges after cleaning, and the q stretches of the n drawn edges, are placed."""
+    """Rows of the k edges after cleaning and of the q stretches of the n drawn edges.
+
+    A stretch is a part of a drawn edge that belongs to one edge after cleaning.
+    """
 
     row: I64  #: (q,) drawn edge of each stretch
     edge: I64  #: (q,) current edge of each stretch, -1 for debris
@@ -51,7 +56,7 @@ class _Placed(NamedTuple):
 
 
 class _Lengths(NamedTuple):
-    """Lengths by which the outcome of each of n drawn edges is decided, each (n,) mm."""
+    """Three lengths (mm) for each of n drawn edges that decide the outcome of the edge."""
 
     kept: F64  #: length of stretches that overlap no other edge
     merged: F64  #: length of stretches that overlap other edges
@@ -62,7 +67,7 @@ class _Lengths(NamedTuple):
 class _State:
     """State between two steps of cleaning: k current edges, and q stretches of drawn edges.
 
-    A stretch is a part of a drawn edge that belongs to one current edge.
+    A stretch is a part of a drawn edge that belongs to one current edge, or is debris.
     """
 
     ends: F64  #: (k, 2, 2) mm
@@ -78,13 +83,17 @@ class _State:
     met: EndPoints | None = None  #: points of the ends, None before they are first used
 
     def end_points(self) -> EndPoints:
-        """Return the points at which the ends of the current edges lie."""
+        """Return the points that the ends of the current edges share."""
         if self.met is None or self.met.of is not self.ends:
             self.met = find_end_points(self.ends, GAP)
         return self.met
 
     def remove_overlaps(self, drawn: Dieline) -> bool:
-        """Remove stretches that overlap other edges; return whether an edge was split."""
+        """Replace the current edges by pieces that do not overlap each other.
+
+        ``drawn`` contains the drawn edges of the stretches.  Returns whether the number of edges
+        increased because an edge was split.
+        """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.given.any():
             return False
@@ -128,10 +137,10 @@ class _State:
         return split
 
     def ensure_owned(self) -> None:
-        """Ensure that every edge has at least one stretch that overlaps no other edge.
+        """Ensure that each current edge has a stretch that overlaps no other edge.
 
-        If all stretches of an edge are marked as overlapping, the marks are removed.
-        Edges without any stretch are removed.
+        If all stretches of an edge are marked as overlapping, their marks are removed.  An edge
+        without any stretch is removed.
         """
         live = self.edge >= 0
         count = len(self.bulge)
@@ -146,7 +155,10 @@ class _State:
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
     def merge(self, *, curves_only: bool = False) -> None:
-        """Merge edges that continue each other; with ``curves_only``, only flattened curves."""
+        """Merge edges that continue each other.
+
+        ``curves_only`` restricts this to the segments of flattened curves.
+        """
         made = merge_collinear(
             self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
         )
@@ -161,7 +173,7 @@ class _State:
         self.edge = np.where(self.edge < 0, -1, made.of[self.edge])
 
     def remove_debris_and_gaps(self) -> None:
-        """Remove edges that are debris, then close the gaps between the ends of edges."""
+        """Remove current edges that are debris, then close gaps between the ends of edges."""
         length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
         if (length < GAP).any() and (
             debris := find_debris(self.ends, length, self.end_points())
@@ -182,12 +194,13 @@ def clean(dieline: Dieline) -> Cleaned:
     Parameters
     ----------
     dieline
-        n edges with their line types, in the drawing's coordinates.
+        n drawn edges with their line types, in the drawing's coordinates.
 
     Returns
     -------
     Cleaned
-        An edge that needs no cleaning keeps its ends and bulge, bit for bit.
+        The cleaned edges, and for each drawn edge its outcome, the reason and lengths.  An edge
+        that needs no cleaning keeps its ends and bulge, bit for bit.
 
     Raises
     ------
@@ -232,10 +245,12 @@ def clean(dieline: Dieline) -> Cleaned:
 
 
 def _slots(state: _State, count: int) -> tuple[I64, I64]:
-    """Return the row of each of the k edges in the cleaned dieline and its source row, both (k,).
+    """Return the cleaned row and the source row of each of the k current edges, both (k,).
 
-    The source row is that of the first drawn edge of which the edge contains a part.  The edge
-    takes this row if no other edge has taken it; otherwise it is appended.
+    The cleaned row is the row of the edge in the cleaned dieline, in which the first ``count`` rows
+    correspond to the drawn edges.  The source row is the first drawn edge of which the current edge
+    contains a part.  The cleaned row equals the source row unless another current edge has taken
+    that row; in that case it is a new row after the first ``count``.
     """
     own = np.flatnonzero((state.edge >= 0) & ~state.given)
     order = own[np.lexsort((state.begin[own], state.row[own], state.edge[own]))]
@@ -321,9 +336,18 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
 
 
 def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
-    """Return the cleaned row that covers most of each drawn edge, (n,); -1 for dropped edges.
+    """Return the row of the cleaned edge that replaces each of n drawn edges, (n,); -1 if dropped.
 
-    Stretches that do not overlap another edge take precedence.
+    It is the cleaned edge of the longest stretch of the drawn edge; stretches that overlap another
+    edge are used only if the drawn edge has no other stretch.
+
+    Parameters
+    ----------
+    row, size, target, given : (q,)
+        For each stretch: its drawn edge, its length (mm), the row of its cleaned edge (-1 for
+        debris), and whether it overlaps another edge.
+    count
+        Number n of drawn edges.
     """
     of = np.full(count, -1, np.int32)
     live = np.flatnonzero(target >= 0)
@@ -334,7 +358,7 @@ def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
 
 
 def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
-    """Return the outcome of each drawn edge, (n,), and the reason for it, (n,).
+    """Return the outcome of each of n drawn edges, (n,), and the reason for that outcome, (n,).
 
     ``at_work``, (n,), is the mask of the edges whose line type is cut or creased.
     """
@@ -374,7 +398,20 @@ def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) 
 def _deviation(
     dieline: Dieline, ends: F64, bulge: F64, row: I64, low: F64, high: F64, target: I64
 ) -> F64:
-    """Return the greatest distance of each drawn edge from the edges that replace it, (n,) mm."""
+    """Return the greatest distance of each drawn edge from its cleaned edges, (n,) mm.
+
+    The distance is measured at five points of each stretch of the drawn edge.
+
+    Parameters
+    ----------
+    dieline
+        The n drawn edges.
+    ends, bulge
+        The cleaned edges.
+    row, low, high, target : (q,)
+        For each stretch: its drawn edge, its start and its end as fractions of that edge's length,
+        and the row of its cleaned edge (-1 for debris).
+    """
     off = np.zeros(len(dieline))
     live = target >= 0
     same = (ends[target] == dieline.ends[row]).all(axis=(1, 2)) & (

@@ -1,11 +1,13 @@
 """close_gaps: remove debris, and join ends of edges that should meet but leave a small gap.
 
 Debris is an edge shorter than ``GAP`` that connects nothing: it is isolated, is attached at one
-end only, or is shorter than ``SAME`` and connects two edges that meet without it.
+end only, or is shorter than ``SAME`` and connects two edges that are not shorter than ``GAP``.
 
-If an end meets no other end of its line type, and another end lies within ``GAP``, the two ends are
-moved to one point: to the intersection of two lines if it is within ``GAP`` of both ends, otherwise
-to the midpoint of two similar ends; a single end moves to a point where several ends meet.
+If an end meets no other end of its line type, and an end of this line type lies within ``GAP``, the
+two ends are moved to one point: to the intersection of two lines if it is within ``GAP`` of both
+ends, otherwise to the point halfway between the ends.  If several ends meet at only one side of the
+gap, they are not moved, and the single end is moved to their point.
+
 T-junctions, where an end touches the inside of another edge, and edges that end side by side are
 not changed.  An arc keeps its bulge.  No end moves by more than ``GAP``.
 """
@@ -33,16 +35,23 @@ _SLANT: Final = 0.05
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Closed:
-    """The k edges after closing of gaps."""
+    """The ends of k edges after gaps were closed, and how far they were moved."""
 
     ends: F64  #: (k, 2, 2) mm
     moved: F64  #: (k,) larger displacement of the two ends (mm)
 
 
 def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
-    """Return the mask of the edges that are debris, (k,).
+    """Return the mask of the edges that are debris, shape (k,).
 
-    ``length``, (k,), contains the lengths of the edges (mm), and ``met`` the points of their ends.
+    Parameters
+    ----------
+    ends : (k, 2, 2)
+        Start and end points of k edges (mm).
+    length : (k,)
+        Lengths of the edges (mm).
+    met
+        Points that the ends of the edges share, and pairs of ends that are near each other.
     """
     found: Bool = _find_debris(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
     return found
@@ -51,7 +60,16 @@ def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
 def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
     """Return the edges with closed gaps.
 
-    Edges marked in ``settled``, (k,), are not moved.  ``met`` contains the points of the ends.
+    Parameters
+    ----------
+    ends : (k, 2, 2)
+        Start and end points of k edges (mm).
+    bulge, kind : (k,)
+        Bulges and line types of the edges.
+    settled : (k,)
+        Mask of the edges whose ends are not moved.
+    met
+        Points that the ends of the edges share, and pairs of ends that are near each other.
     """
     points, place, near = ends.reshape(-1, 2), met.place, met.near
     if len(near) == 0 or settled[near // 2].all():
@@ -141,7 +159,22 @@ def _find_debris(
 
 @kernel
 def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
-    """Return the mask of short edges that connect two points farther apart than ``gap``, (k,)."""
+    """Return the mask of the edges shorter than ``gap`` that connect other edges, shape (k,).
+
+    At or near each end of such an edge another edge ends, and these two other ends are more than
+    ``gap`` mm apart.
+
+    Parameters
+    ----------
+    points : (2k, 2)
+        Ends of k edges (mm): the start and the end of each edge.
+    length : (k,)
+        Lengths of the edges (mm).
+    place : (2k,)
+        Index of the point of each end; ends that meet have the same point.
+    near : (q, 2)
+        Pairs of ends that are near each other.
+    """
     count = len(length)
     linked = np.zeros(count, np.bool_)
     if len(near) == 0:
@@ -192,7 +225,26 @@ def _close(
     straight: float,
     slant: float,
 ) -> Any:
-    """Return the moved ends of the edges; ``near`` contains pairs of near ends, nearest first."""
+    """Return the ends of k edges after gaps were closed, (2k, 2) mm.
+
+    Parameters
+    ----------
+    points, out : (2k, 2)
+        Ends (mm), and unit vectors that point out of the edge at each end.
+    bulge, kind, fixed : (k,)
+        Bulge and line type of each edge, and whether its ends must not be moved.
+    place : (2k,)
+        Index of the point of each end; ends that meet have the same point.
+    near : (q, 2)
+        Pairs of ends that are near each other, nearest pair first.
+    gap, join, same
+        Tolerances ``GAP``, ``JOIN`` and ``SAME`` (mm).
+    beside, straight
+        Cosines of the largest angles between edges that end side by side, and between edges that
+        continue each other.
+    slant
+        Sine of the smallest angle at which the intersection of two lines is used.
+    """
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")
     first = np.searchsorted(place[by_place], np.arange(len(place) + 1))
@@ -261,7 +313,11 @@ def _close(
 
 @kernel
 def _connected(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
-    """Return whether an edge connects the points ``a`` and ``b``."""
+    """Return whether an edge has one end at point ``a`` and its other end at point ``b``.
+
+    ``place`` contains the point of each end, and ``by_place`` the ends ordered by their points; the
+    ends at point i start at index ``first[i]`` of ``by_place``.
+    """
     found = False
     for p in range(first[a], first[a + 1]):
         found |= place[by_place[p] ^ 1] == b
@@ -281,9 +337,19 @@ def _may_move(
     gap: float,
     join: float,
 ) -> bool:
-    """Return whether all ends that lie at a point may move to (x, y).
+    """Return whether all ends at the point with index ``at`` may be moved to (x, y).
 
-    No end may move by more than the gap, and no edge may become shorter than ``join``.
+    An end may not move by more than ``gap`` mm, and the distance between the two ends of an edge
+    must remain more than ``join`` mm.  An edge with both ends at the point prevents the move.
+
+    Parameters
+    ----------
+    points, moved : (2k, 2)
+        Ends of k edges (mm) before any move, and after the moves that were made so far.
+    place, by_place : (2k,)
+        Index of the point of each end, and the ends ordered by this index.
+    first
+        Index into ``by_place`` of the first end at each point.
     """
     for p in range(first[at], first[at + 1]):
         i = by_place[p]
@@ -296,7 +362,11 @@ def _may_move(
 
 @kernel
 def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same: float) -> bool:
-    """Return whether an end of one edge touches the inside of another edge."""
+    """Return whether the end with index ``end`` touches the inside of the edge ``edge``.
+
+    The end touches the inside if it is within ``join`` mm of the edge, but at least ``same`` mm
+    away from both ends of the edge.
+    """
     x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
     x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
     x, y = points[end, 0], points[end, 1]
@@ -322,7 +392,11 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
 def _meeting_point(
     points: F64_2, bulge: F64_1, out: F64_2, one: int, other: int, gap: float, slant: float
 ) -> tuple[float, float]:
-    """Return the point (x, y) to which two near ends are moved to close the gap between them."""
+    """Return the point (x, y) to which the ends ``one`` and ``other`` are moved to close their gap.
+
+    It is the intersection of two lines if their angle has a sine greater than ``slant`` and the
+    intersection is within ``gap`` mm of both ends, otherwise the point halfway between the ends.
+    """
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]
     sine = out[one, 0] * out[other, 1] - out[one, 1] * out[other, 0]

@@ -16,7 +16,7 @@ from knifetip.kernels import F64_1, F64_2, kernel
 
 @kernel
 def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
-    """Return centre x and y, radius and signed sweep (radians) of arc ``i``."""
+    """Return centre x and y, radius and signed sweep (radians) of the arc in ``rows[i]``."""
     b = rows[i, 4]
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
@@ -29,7 +29,7 @@ def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
 
 @kernel
 def size_of(rows: F64_2, i: int) -> float:
-    """Return the length of edge ``i``, a line or an arc."""
+    """Return the length (mm) of the edge in ``rows[i]``, a line or an arc."""
     chord = math.hypot(rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1])
     b = abs(rows[i, 4])
     if b < BULGE:
@@ -39,7 +39,7 @@ def size_of(rows: F64_2, i: int) -> float:
 
 @kernel
 def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
-    """Return the midpoint (x, y) of edge ``i``, a line or an arc."""
+    """Return the midpoint (x, y) of the edge in ``rows[i]``, a line or an arc."""
     b = rows[i, 4]
     return (
         0.5 * (rows[i, 0] + rows[i, 2]) + 0.5 * b * (rows[i, 3] - rows[i, 1]),
@@ -49,9 +49,11 @@ def middle_of(rows: F64_2, i: int) -> tuple[float, float]:
 
 @kernel
 def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
-    """Return the parameter of the point on edge ``i`` nearest to (x, y); it may lie beyond 0 … 1.
+    """Return the parameter of the point on edge ``i``, or on its extension, nearest to (x, y).
 
-    The parameter on an arc is at most half a circle away from the midpoint of the arc.
+    The parameter is 0 at the start and 1 at the end of the edge, less than 0 before the start and
+    greater than 1 beyond the end.  The extension of an arc is the rest of its circle, up to the
+    point opposite the midpoint of the arc.
     """
     if abs(rows[i, 4]) < BULGE:
         dx = rows[i, 2] - rows[i, 0]
@@ -68,9 +70,10 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 
 @kernel
 def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
-    """Return the lowest and highest parameter of edge ``i`` at which a piece covers it.
+    """Return the parameters of edge ``i`` between which ``piece`` covers the edge, lower first.
 
-    ``piece`` is one edge, (5,), that lies on edge ``i``.  The parameters may lie beyond 0 … 1.
+    ``piece`` is another edge, (5,), that is coincident with edge ``i``.  The parameter is 0 at the
+    start and 1 at the end of edge ``i``; it is outside 0 … 1 if ``piece`` reaches farther.
     """
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])

@@ -23,7 +23,7 @@ CROWD: Final = 64
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EndPoints:
-    """The points at which the 2k ends of k edges lie; edge i has the ends 2i (start) and 2i + 1."""
+    """The points that the ends of k edges share; edge i has the ends 2i (start) and 2i + 1."""
 
     of: F64  #: (k, 2, 2) ends of the edges (mm)
     place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one
@@ -31,9 +31,14 @@ class EndPoints:
 
 
 def find_end_points(ends: F64, near: float) -> EndPoints:
-    """Return the points of the ends of k edges, and pairs of ends less than ``near`` mm apart.
+    """Return the points that the ends of k edges share, and pairs of ends near each other.
 
-    ``ends`` has the shape (k, 2, 2), in mm.
+    Parameters
+    ----------
+    ends : (k, 2, 2)
+        Start and end points of the edges (mm).
+    near
+        Largest distance between the two ends of a pair (mm).
     """
     points = ends.reshape(-1, 2)
     if len(points) == 0:

@@ -1,8 +1,9 @@
 """map_back: convert a verdict on the cleaned edges to a verdict on the drawn edges.
 
 A maximum along a cleaned edge, such as its deviation, applies to every drawn edge that the cleaned
-edge covers.  A length on a cleaned edge is divided among the drawn edges along it, so that sums are
-preserved.  A drawn edge that only overlaps another drawn edge gets length 0.
+edge replaces.  A length on a cleaned edge, such as its uncut length, is divided among the drawn
+edges that it replaces, in proportion to their lengths, so that sums are preserved.  A drawn edge
+that only overlaps another drawn edge gets length 0.
 """
 
 from __future__ import annotations
@@ -23,7 +24,10 @@ _LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut")
 
 
 def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
-    """Return the verdict on the drawn edges, converted from a verdict on the cleaned edges."""
+    """Return the verdict on the drawn edges, converted from a verdict on the cleaned edges.
+
+    ``cleaned`` contains the cleaned edges, and which drawn edges each of them replaces.
+    """
     count = len(drawn)
     parts = cleaned.stretches
     live = parts.cleaned >= 0
@@ -55,7 +59,11 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
 
 
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
-    """Return the samples, with the drawn edge instead of the cleaned edge at each position."""
+    """Return samples of the deviation with positions on drawn edges instead of cleaned edges.
+
+    ``own`` is the mask of the stretches of drawn edges that belong to a cleaned edge and do not
+    overlap another edge.
+    """
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():
         return samples

@@ -1,10 +1,9 @@
 """merge_collinear: merge collinear lines, concentric arcs and segments of flattened curves.
 
-Two edges are merged only if exactly these two meet at a point and have the same line type; a point
-where a third edge ends, also within ``GAP`` of it, remains a vertex.  Lines become one line if
-every joint is within ``JOIN`` of it; arcs with the same direction of turn become one arc.  Segments
-shorter than ``FINE`` are treated as a flattened curve and are replaced by a line or an arc within
-``FITTED``.
+Two edges are merged only if they have the same line type and no third edge ends at the point where
+they meet, or within ``GAP`` of it.  Lines become one line if every joint is within ``JOIN`` of it;
+arcs that turn in the same direction become one arc.  Three or more segments shorter than ``FINE``
+are treated as a flattened curve and are replaced by a line or an arc within ``FITTED`` of them.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ _FEW: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Merged:
-    """The m edges after merging, and which of the k edges each of them contains."""
+    """The m edges after merging, and which of the k edges before merging each of them contains."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
@@ -57,14 +56,21 @@ class Merged:
 def merge_collinear(
     ends: F64, bulge: F64, kind: U8, met: EndPoints, *, curves_only: bool = False
 ) -> Merged:
-    """Return the edges after merging those that continue each other.
+    """Return k edges after merging those that continue each other.
 
-    A merged edge has the direction of its first part.  Other edges are unchanged, bit for bit.
+    A merged edge has the direction of the first edge, in drawing order, that it contains.  Edges
+    that are not merged are unchanged, bit for bit.
 
     Parameters
     ----------
+    ends : (k, 2, 2)
+        Start and end points of the edges (mm).
+    bulge, kind : (k,)
+        Bulges and line types of the edges.
+    met
+        Points that the ends of the edges share, and pairs of ends that are near each other.
     curves_only
-        Merge flattened curves only.
+        Whether only segments of flattened curves are merged.
     """
     count = len(bulge)
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
@@ -107,9 +113,21 @@ def merge_collinear(
 
 @kernel
 def _continuations(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
-    """Return for each end the end of another edge that continues its edge, (2k,).
+    """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
-    -1 unless exactly two edges of one line type meet at the end.
+    -1 unless exactly two edges meet at the end, both edges have the same line type, and no third
+    edge ends near it.
+
+    Parameters
+    ----------
+    place : (2k,)
+        Index of the point of each end; ends that meet have the same point.
+    near : (q, 2)
+        Pairs of ends at different points that are near each other.
+    kind, fine : (k,)
+        Line type of each edge, and whether it is shorter than ``FINE``.
+    curves_only
+        Whether only edges shorter than ``FINE`` are merged.
     """
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
@@ -161,10 +179,29 @@ def _split_runs(
     fitted: float,
     fine: float,
 ) -> Any:
-    """Split runs of connected edges into groups that fit one line or one arc.
+    """Split runs of connected edges into groups that are each replaced by one line or one arc.
 
-    Returns the first edge, the bulge and the deviation of each group.  ``order`` and ``flipped``
-    are rotated in place so that closed runs start at a corner.
+    Parameters
+    ----------
+    rows : (k, 5)
+        Edges: x0, y0, x1, y1, bulge.
+    length : (k,)
+        Lengths of the edges (mm).
+    order, flipped : (k,)
+        Edges in the order of the runs, and whether each is traversed from its end to its start.
+        The edges of a closed run are rotated in place so that it starts at its sharpest corner.
+    first : (r + 1,)
+        Index into ``order`` of the first edge of each of r runs, and k.
+    closed : (r,)
+        Whether each run is closed.
+    join, fitted, fine
+        Tolerances ``JOIN`` and ``FITTED``, and length ``FINE`` (mm).
+
+    Returns
+    -------
+    begin, bulge, deviation
+        For each group: index into ``order`` of its first edge, bulge of the line or arc that
+        replaces the group, and greatest distance of the group from it (mm).
     """
     count = len(order)
     begin = np.empty(count, np.int64)
@@ -214,7 +251,10 @@ def _split_runs(
 
 @kernel
 def _sharpest(run: F64_2, many: int) -> int:
-    """Return the segment of a closed run that starts at the sharpest corner of the run."""
+    """Return the index of the segment that starts at the sharpest corner of a closed run.
+
+    The first ``many`` rows of ``run`` are the segments of the closed run: x0, y0, x1, y1, bulge.
+    """
     best = 0
     least = 2.0
     for i in range(many):
@@ -243,9 +283,21 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 def _longest_fit(
     run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
-    """Fit the longest line or arc that starts at segment ``i``.
+    """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
 
-    Returns the index of the segment after the last one, the bulge, and the deviation (mm).
+    Returns the index of the first segment that is not replaced, the bulge of the line or arc, and
+    the greatest distance of the replaced segments from it (mm).
+
+    Parameters
+    ----------
+    run : (k, 5)
+        Segments in order: x0, y0, x1, y1, bulge; only the first ``many`` rows are used.
+    size : (k,)
+        Lengths of the segments (mm).
+    join, fitted
+        Largest distance for lines and arcs, and for segments of flattened curves (mm).
+    fine
+        Segments shorter than this belong to a flattened curve (mm).
     """
     best = i + 1
     bulge = run[i, 4]
@@ -286,9 +338,11 @@ def _longest_fit(
 
 @kernel
 def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
-    """Fit the longest line that starts at segment ``i`` and is within ``within`` of all joints.
+    """Fit the longest line that starts where segment ``i`` of ``run`` starts.
 
-    Returns the index of the segment after the last one; segments from ``limit`` on are not tried.
+    All joints between the replaced segments are within ``within`` mm of the line.  Segments from
+    index ``limit`` on are not replaced.  Returns the index of the first segment that is not
+    replaced.
     """
     x, y = run[i, 0], run[i, 1]
     low, high = -math.inf, math.inf
@@ -321,10 +375,14 @@ def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
 def _longest_arc(
     run: F64_2, size: F64_1, i: int, limit: int, within: float
 ) -> tuple[int, float, float]:
-    """Fit the longest arc that starts at segment ``i`` and deviates by at most ``within``.
+    """Fit the longest arc that starts where segment ``i`` of ``run`` starts.
 
-    Returns the index of the segment after the last one, the bulge, and the deviation (mm).  The
-    last segment is found by doubling and bisection.
+    The replaced segments are within ``within`` mm of the arc.  Segments from index ``limit`` on are
+    not replaced.  ``size`` contains the lengths of the segments (mm).  The number of replaced
+    segments is found by doubling and bisection.
+
+    Returns the index of the first segment that is not replaced, which is ``i`` if no arc fits, the
+    bulge of the arc, and the greatest distance of the segments from it (mm).
     """
     good, code, off = i, 0.0, 0.0
     step = 4
@@ -355,7 +413,11 @@ def _longest_arc(
 
 @kernel
 def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
-    """Return the bulge of the arc through the ends of segments i … end and a joint between."""
+    """Return the bulge of the arc that replaces the segments ``run[i]`` … ``run[end - 1]``.
+
+    The arc passes through the start of the first segment, the end of the last segment, and the
+    joint near the middle of their length.  ``size`` contains the lengths of the segments (mm).
+    """
     total = 0.0
     for k in range(i, end):
         total += size[k]
@@ -376,9 +438,12 @@ def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
 
 @kernel
 def _deviation(run: F64_2, i: int, end: int, bulge: float) -> float:
-    """Return the greatest distance of the joints and midpoints of segments from a line or an arc.
+    """Return the greatest distance (mm) of some segments from the line or arc that replaces them.
 
-    Infinite if the joints are not in order along the line or arc.
+    The segments are ``run[i]`` … ``run[end - 1]``.  The line or arc has the bulge ``bulge``, and
+    connects the start of the first segment to the end of the last segment.  The distance is
+    measured at the midpoint and at the end of each segment.  It is infinite if these points do not
+    follow each other along the line or arc, or if the start and the end coincide.
     """
     x0, y0, x1, y1 = run[i, 0], run[i, 1], run[end - 1, 2], run[end - 1, 3]
     dx, dy = x1 - x0, y1 - y0

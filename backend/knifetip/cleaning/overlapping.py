@@ -1,10 +1,11 @@
 """overlapping: find pairs of edges that overlap along some length.
 
-Two lines overlap if both ends of the shorter one are within ``SAME`` of the longer one; two arcs
-if ends and midpoint of the shorter one are within ``SAME`` of the longer one's circle.
+Two lines overlap if both ends of the shorter line are within ``SAME`` of the longer line; two arcs
+overlap if the ends and the midpoint of the shorter arc are within ``SAME`` of the circle of the
+longer arc.  The common length must be greater than ``SAME``.
 
-Candidates come from a packed tree of bounding boxes.  Lines of similar direction are stored in a
-frame that is rotated to their direction, so that their bounding boxes are thin.
+Bounding boxes are searched for pairs of edges that may overlap.  The bounding box of a line is
+computed in a frame that is rotated nearly to the direction of the line, so that the box is thin.
 """
 
 from __future__ import annotations
@@ -36,7 +37,10 @@ _LOOKS: Final = 2048
 
 
 def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
-    """Return the pairs of edges that overlap: first edges (p,) and second edges (p,)."""
+    """Return the pairs of edges that overlap: first edge, (p,), and second edge, (p,), of p pairs.
+
+    ``ends``, (k, 2, 2) mm, and ``bulge``, (k,), describe the k edges.
+    """
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
         return none, none
@@ -66,9 +70,26 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 @kernel
 def _frame_boxes(rows: F64_2, fan: float, most: float, same: float) -> Any:
-    """Return the bounding box of each edge in a rotated frame, the frame number, and two angles.
+    """Return a bounding box and its frame for each of k edges in ``rows`` (x0, y0, x1, y1, bulge).
 
-    The two angles are the direction of the edge and the tolerance of this direction.
+    Parameters
+    ----------
+    fan
+        Angle between the directions of neighbouring frames (radians).
+    most
+        Largest angle between two lines that can overlap (radians).
+    same
+        Length by which the boxes are enlarged (mm).
+
+    Returns
+    -------
+    boxes : (k, 4)
+        Bounding boxes in the frames of the edges.  The frames of lines are rotated; arcs share one
+        frame that is not rotated.
+    bucket : (k,)
+        Number of the frame of each edge.
+    angle, width : (k,)
+        Direction of each line, and tolerance of this direction (radians); 0 for arcs.
     """
     count = len(rows)
     boxes = np.empty((count, 4))
@@ -100,7 +121,11 @@ def _frame_boxes(rows: F64_2, fan: float, most: float, same: float) -> Any:
 
 @kernel
 def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int) -> None:
-    """Write the bounding box of line ``i``, in a frame rotated by ``turn``, into ``boxes[at]``."""
+    """Write the bounding box of the line in row ``i`` of ``rows`` into ``boxes[at]``.
+
+    The box is computed in a frame rotated by ``turn`` radians, and enlarged by ``same`` mm on both
+    sides of the line.
+    """
     c, s = math.cos(turn), math.sin(turn)
     u0 = c * rows[i, 0] + s * rows[i, 1]
     u1 = c * rows[i, 2] + s * rows[i, 3]
@@ -169,7 +194,7 @@ def _overlapping(
 
 @kernel
 def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
-    """Return whether edges ``i`` and ``j`` overlap along a length of more than ``same`` (mm)."""
+    """Return whether the edges ``rows[i]`` and ``rows[j]`` overlap along more than ``same`` mm."""
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
     if size_of(rows, i) < size_of(rows, j):

@@ -1,16 +1,17 @@
 """priority: rules that decide which of two coincident edges is kept.
 
-The edge that removes or separates more board is kept, because its operation includes that of the
+The edge that removes or separates more board is kept if its operation includes the operation of the
 other edge or makes it ineffective:
 
 * a cut goes through the board: a crease or half-cut at the same position has no effect;
 * a V-groove removes the board that a crease would press and a half-cut would slit;
-* a combi line is creased and perforated, so it includes both;
-* a perforation goes through the board where a half-cut slits it;
+* a combi line is creased and perforated, so it includes a crease and a perforation;
+* a perforation goes through the board that a half-cut would slit;
 * a half-cut opens the surface that a crease would press.
 
-A crease and a perforation do not cover each other: both are made, and together they are a combi
-line.  Ignored and unclassified edges are not made: they cover nothing, and nothing covers them.
+Of a crease and a perforation both are kept, and together they are a combi line.  Ignored and
+unclassified edges are neither cut nor creased, so no edge is removed because of them, and they are
+not removed because of other edges.
 """
 
 from __future__ import annotations

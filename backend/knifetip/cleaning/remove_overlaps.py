@@ -1,7 +1,8 @@
-"""remove_overlaps: keep one edge where several edges overlap, and shorten the others.
+"""remove_overlaps: keep one edge where several edges overlap, and shorten the other edges.
 
-Edges are processed by priority, then longest first.  Each edge loses the stretches that overlap
-pieces of earlier edges, so a stretch is removed only where another edge remains.
+Edges are processed in the order of the priority of their line types; edges of one priority from the
+longest to the shortest.  Each edge loses the stretches that overlap an edge processed before it, so
+a stretch is removed only at a position at which another edge remains.
 """
 
 from __future__ import annotations
@@ -42,7 +43,8 @@ _TO_AN_EDGE: Final = 16
 class Pieces:
     """The m pieces without overlaps that remain of k edges.
 
-    Each edge is divided into stretches, q in total; each stretch is covered by one piece.
+    Each edge is divided into stretches, q in total.  Each stretch is coincident with one piece, a
+    piece of the same edge or of an edge that overlaps it.
     """
 
     ends: F64  #: (m, 2, 2) mm
@@ -57,6 +59,13 @@ class Pieces:
 
 def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
     """Return the pieces of k edges that remain after overlaps are removed.
+
+    Parameters
+    ----------
+    ends : (k, 2, 2)
+        Start and end points of the edges (mm).
+    bulge, kind : (k,)
+        Bulges and line types of the edges.
 
     Raises
     ------
@@ -125,13 +134,19 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
 
 
 def _are_reversed(ends: F64, others: F64) -> Bool:
-    """Return the mask of the edges whose direction is opposite to that of their duplicates."""
+    """Return the mask of the pairs of duplicate edges that have opposite directions, shape (d,).
+
+    ``ends`` and ``others``, (d, 2, 2), contain the two edges of each pair.
+    """
     along = ((ends[:, 1] - ends[:, 0]) * (others[:, 1] - others[:, 0])).sum(axis=1)
     return np.asarray(along < 0.0)
 
 
 def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
-    """Return for each edge the identical edge that covers it, (k,); itself if there is none."""
+    """Return for each of k edges the edge with equal geometry that replaces it, (k,).
+
+    It is the edge itself if the edge is not replaced.
+    """
     count = len(bulge)
     twin = np.arange(count)
     grid = np.round(ends.reshape(-1, 4) / POINT).astype(np.int64)
@@ -158,10 +173,17 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 def _covered(
     rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
 ) -> int:
-    """Return 1 if piece p covers a stretch of edge e, else 0.
+    """Return 1 if ``piece[p]`` is coincident with a stretch of edge ``rows[e]``, else 0.
 
-    Writes into ``out`` the start and end of the stretch (0 … 1 of the edge), p, and the column of
-    the piece's end point that the edge meets first: 0 or 2.
+    Parameters
+    ----------
+    length
+        Length of the edge (mm).
+    same
+        Stretches that are not longer than this are neglected (mm).
+    out
+        Gets start and end of the stretch (0 … 1 of the edge), the index p, and the column of
+        ``piece`` (0 or 2) with x of that end of the piece that is nearer to the edge's start.
     """
     low, high = range_of(rows, e, piece[p])
     # Ends within the tolerance are equal.
@@ -191,9 +213,17 @@ def _add_stretch(
     piece: int,
     given: bool,
 ) -> int:
-    """Append a stretch of an edge and the piece that covers it; return the number of stretches.
+    """Append a stretch of an edge and its piece to the lists; return the new number of stretches.
 
-    ``given`` is True if the piece belongs to another edge.
+    Parameters
+    ----------
+    cover, source
+        Lists of start and end of each stretch (0 … 1 of its edge), and of its edge, its piece and
+        ``given``.
+    count
+        Number of stretches in the lists.
+    given
+        Whether the piece belongs to another edge.
     """
     cover[count, 0], cover[count, 1] = begin, end
     source[count, 0], source[count, 1], source[count, 2] = edge, piece, given
@@ -211,10 +241,30 @@ def _remove(
     same: float,
     most: int,
 ) -> Any:
-    """Remove from each edge, in the given order, the stretches that earlier pieces cover.
+    """Remove from each edge the stretches that overlap pieces of edges processed before it.
 
-    Stops when there are more than ``most`` stretches.  Returns the pieces (x0, y0, x1, y1, bulge)
-    and the edge of each; then edge, start, end, covering piece and ``given`` of each stretch.
+    Parameters
+    ----------
+    rows : (k, 5)
+        Edges: x0, y0, x1, y1, bulge.
+    kind, order : (k,)
+        Line types of the edges, and the order in which the edges are processed.
+    near, bounds
+        ``near[bounds[i] : bounds[i + 1]]`` are the edges that overlap edge i.
+    hides
+        ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
+    same
+        Length up to which stretches are neglected (mm).
+    most
+        Number of stretches at which the function stops.
+
+    Returns
+    -------
+    piece, owner
+        Pieces that remain (x0, y0, x1, y1, bulge), and the edge of each.
+    edge, begin, end, piece, given
+        For each stretch: its edge, start and end (0 … 1 of the edge), the piece that is coincident
+        with it, and whether this piece belongs to another edge.
     """
     count = len(rows)
     piece = np.empty((count + 64, 5))
