@@ -393,7 +393,7 @@ def test_calibrate_prints_the_deflection_and_writes_a_usable_board_file(
         ("azimuth,dx,dy\n", "0 measured points"),
         ("azimuth,dx\n0,0.05\n", "has no value for dy"),
         ("azimuth,dx,dy\n0,near,0.05\n", "Line 2 of"),
-        ("azimuth,dx,dy\n45,nan,0.05\n", "must be numbers"),
+        ("azimuth,dx,dy\n45,nan,0.05\n", "must be finite numbers"),
     ],
 )
 def test_calibrate_refuses_missing_or_invalid_points(

@@ -242,7 +242,7 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError) as raised:
         await bench.run()
-    found = re.search(r"(\d+) of (\d+) lines .* up to (\d+) more", raised.value.text)
+    found = re.search(r"(\d+) of (\d+) lines .* Up to (\d+) more", raised.value.text)
     assert found is not None
     executed, lines, more = map(int, found.groups())
     assert lines == LINES

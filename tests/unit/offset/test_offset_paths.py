@@ -599,5 +599,5 @@ def test_invalid_arguments_are_refused(given_: dict[str, Any], words: str) -> No
 
 
 def test_a_group_has_one_tool_on_one_side() -> None:
-    with pytest.raises(GeometryError, match="Path 1 has another"):
+    with pytest.raises(GeometryError, match="Path 1 has a different"):
         offset_paths(rings(SQUARE, DUMBBELL), 1.0, [1, -1], group=[0, 0])

@@ -80,11 +80,11 @@ def test_every_corner_of_a_hole_is_an_inner_corner() -> None:
     ("corners", "words"),
     [
         (Corners("E"), "corner type 'E'.* does not exist"),
-        (Corners("D", k=1.0), "D corner is 1"),
-        (Corners("D", k=float("nan")), "D corner is nan"),
+        (Corners("D", k=1.0), "corner of type D is 1"),
+        (Corners("D", k=float("nan")), "corner of type D is nan"),
         (Corners(interference="ignore"), "'ignore' is not a valid method"),
         (Corners(at=(CornerAt(100, 100, "X"),)), r"corner type 'X' at \(100, 100\)"),
-        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"D corner at \(100, 100\) is 0"),
+        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"corner of type D at \(100, 100\) is 0"),
         (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "is not valid"),
     ],
 )

@@ -466,12 +466,12 @@ def test_station_names_cannot_contain_commands() -> None:
         ((1, Motion.FEED, (1, 1, 1, 1), 0.0, -5.0), "has no feed"),
         ((1, Motion.FEED, (1, 1, 1, 1), 0.0, 1e12), "that no machine can reach"),
         (feed(1e9, 1), "is more than"),
-        (feed(5, 5, bulge=1.5), "more than half a turn"),
+        (feed(5, 5, bulge=1.5), "more than 180°"),
         ((1, Motion.RAPID, (1, 1, 1, 1), 0.5, 0.0), "rapid move along an arc"),
         ((1, 9, (1, 1, 1, 1), 0.0, 5.0), "unknown motion"),
         (
             (1, Motion.SWIVEL, (5, 0, 20, 0), 0.0, 5.0),
-            "swivel move without a turn",
+            "swivel move without a rotation",
         ),
     ],
 )

@@ -47,7 +47,7 @@ def with_head(program: bytes, head: str) -> bytes:
         ("M5\n", "moves the head before it switches off the spindle (M5)"),
         (
             "G0 Z20.0000\n",
-            "before the program has set the height of the head. Lift the head to 20.000 mm",
+            "before the program has set the height of the head. Lift the head to Z 20.000 mm",
         ),
     ],
 )
@@ -68,7 +68,7 @@ def test_each_line_of_the_header_is_needed(program: bytes, gone: str, what: str)
     ("head", "what"),
     [
         # Lower than the travel height, and down again before the stations are released.
-        (HEAD.replace("Z20.0000", "Z19.9000"), "Lift the head to 20.000 mm"),
+        (HEAD.replace("Z20.0000", "Z19.9000"), "Lift the head to Z 20.000 mm"),
         (
             HEAD.replace("Z20.0000\n", "Z20.0000\nG0 Z3.0000\n"),
             "moves the head before it switches off output",
