@@ -130,6 +130,7 @@ def contact_time(turn: F64, radius: float, feed: float, acceleration: float) -> 
     radius : mm
         Radius of the cutter.
     feed : mm/s
+        Speed of the cutter's centre before and after the corner.
     acceleration : mm/s²
         Largest acceleration across the path, which limits the speed on the arc.
     """
@@ -155,14 +156,18 @@ def corner_durations(turn: F64, radius: float, k: F64, feed: float, acceleration
     k : (n,), in [0, 1]
         Parameter of type D: 0 gives a B corner, 1 a C corner.
     feed : mm/s
+        Speed of the cutter's centre before and after the corner.
     acceleration : mm/s²
-        Along the path and across it; infinite to compare lengths only.
+        Largest acceleration along the path and across it; infinite to compare lengths only.
     """
     length = corner_lengths(turn, radius, k)
     straight, bend = d_type_shape(turn, radius, k)
 
     def time_lost(speed: F64) -> F64:
-        """Return the time lost by slowing from the feed to a speed and back (s)."""
+        """Return the time (s) lost by slowing down from the feed to ``speed`` and back to the feed.
+
+        ``speed`` is in mm/s, one for each corner.
+        """
         lost: F64 = (feed - speed) ** 2 / (acceleration * feed)
         return lost
 

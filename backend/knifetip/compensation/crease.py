@@ -31,7 +31,9 @@ def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
 
 
 def depth_at_contact(half_length: F64, wheel: CreaseWheel) -> F64:
-    """Return the depth at which half the contact length is ``half_length``, (n,) mm each."""
+    """Return the depth (mm) at which half the contact length of a wheel with the board is
+    ``half_length`` (mm), one for each of n lengths.
+    """
     reach = np.clip(half_length, 0.0, wheel.radius)
     result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
     return result

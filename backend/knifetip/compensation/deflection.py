@@ -224,9 +224,9 @@ class _ShiftedSegments:
         return result
 
     def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
-        """Return the parameter t of each segment at its start and at its end, (n,) each.
+        """Return the parameter t of each shifted segment at its start and at its end, (n,) each.
 
-        At a jump of direction both neighbours end at their intersection.
+        At a jump of direction in ``paths``, two neighbouring segments end at their intersection.
         """
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
@@ -272,14 +272,14 @@ class _ShiftedSegments:
         difference : mm
             |δx − δy|, the difference of the half axes of the elliptical arcs.
         tolerance : mm
-            Largest distance of the arcs from the exact curves.
+            Largest distance of the circular arcs from the elliptical arcs.
 
         Returns
         -------
         row : (m,)
-            Segment that each line or arc belongs to.
-        start, end : (m, 2) mm
-        bulge : (m,)
+            Segment of which each of m lines and arcs is a part.
+        start, end, bulge : (m, 2) mm, (m, 2) mm and (m,)
+            Ends and bulges of the lines and arcs.
         """
         sweep = np.where(self.curved, np.abs(high - low), 0.0)
         longest = np.cbrt(_BIARC_ERROR * tolerance / max(difference, 1e-12))

@@ -74,14 +74,19 @@ def knife_toolpath(operation: Operation) -> Toolpath:
 
 
 def _head(tip: F64, c: F64, blade: Knife) -> F64:
-    """Return the positions of the head, (n, 2) mm, for tips (n, 2) mm and headings (n,) degrees."""
+    """Return the positions of the head, (n, 2) mm, from n positions of the tip and n headings.
+
+    ``tip`` are the positions of the tip, (n, 2) mm; ``c`` are the headings of the blade, (n,)
+    degrees.
+    """
     ahead = np.column_stack([np.cos(np.radians(c)), np.sin(np.radians(c))])
     head: F64 = tip + blade.trail * ahead
     return head
 
 
 def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return the paths of an operation, shortened or extended at their ends, with leads.
+    """Return the paths of an operation, shortened or extended at their ends, with lead-ins and
+    lead-outs.
 
     Returns
     -------
@@ -142,17 +147,19 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first ``size`` (p,) mm of each path, which a closed path passes twice.
+    """Return the first ``size`` mm of each of p paths, which a closed path passes twice.
 
-    Also returns the input segment of each returned segment.
+    ``size`` (p,) has one length for each path.  Also returns, for each returned segment, the
+    segment of ``paths`` of which it is a part.
     """
     return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight extensions of path ends by ``size`` (p,) mm, 0 for none.
+    """Return straight extensions of p paths beyond their ends, each ``size`` mm long.
 
-    Also returns the input segment that each extension continues.
+    ``size`` (p,) has one length for each path, 0 for no extension.  Also returns, for each
+    extension, the segment of ``paths`` that it continues.
     """
     last = (paths.first[1:] - 1)[size > 0.0]
     _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])

@@ -52,10 +52,11 @@ class CentrePaths:
 
 
 def centre_paths(operation: Operation) -> CentrePaths:
-    """Return the paths of the cutter's centre for an operation, and the areas that it cannot reach.
+    """Return the paths of the cutter's centre for an operation, with the unreachable areas.
 
-    Closed centre paths keep the tool out of all other closed paths; each starts in the middle of
-    its longest line.
+    The unreachable areas are those beside the contours that the cutter cannot cut away.  Closed
+    centre paths keep the cutter out of all other closed paths of the operation.  Each closed centre
+    path starts in the middle of its longest line.
 
     Raises
     ------
@@ -92,9 +93,9 @@ def centre_paths(operation: Operation) -> CentrePaths:
 
 
 def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32) -> None:
-    """Raise an error if a path of the operation has no offset.
+    """Raise an error if a path of the operation has no offset, since the cutter does not fit.
 
-    ``segment`` has the segment of the operation that each offset segment comes from.
+    ``segment`` is the segment of the operation from which each segment of the offset comes.
     """
     owner = operation.paths.path_of
     missing = np.setdiff1d(np.arange(len(operation.paths)), owner[segment])
@@ -112,29 +113,32 @@ def _check_every_path_fits(operation: Operation, cutter: DiscTool, segment: I32)
 def set_up_offset(
     start: F64, ahead: F64, side: int, radius: float, lead: float, approach: float
 ) -> tuple[F64, F64, F64]:
-    """Return the moves that set up the offset on a straight lead-in before each contour.
+    """Return the moves that set up the offset on a straight lead-in before each of m contours.
 
-    The lead-in is ``lead`` mm long and ends at the start of the contour, at an angle of
-    ``approach`` degrees: 90 from the tool's side, 0 in line with the contour, −90 from the far
-    side.  If the path turns towards the tool's side or not at all, the centre moves straight to the
+    If the path turns towards the tool's side or not at all, the centre moves straight to the
     perpendicular at the contour's start (type A).  If it turns away, the centre moves parallel to
-    the lead-in to the perpendicular at its end, then around the outside on an arc (type B).
-    Cancelling is the mirror image: set up the reversed contour and reverse the result.
+    the lead-in to the perpendicular at the end of the lead-in, then around the outside on an arc
+    (type B).  Cancelling is the mirror image: set up the reversed contour and reverse the result.
 
     Parameters
     ----------
     start : (m, 2) mm
-        Start points of the contours.
+        Start points of the contours, where the lead-ins end.
     ahead : (m, 2)
         Unit tangents of the contours at these points.
     side
         σ, +1 if the cutter is left of travel, −1 if right.
     radius : mm
         Radius of the cutter.
+    lead : mm
+        Length of the lead-in.
+    approach : degrees
+        Angle between lead-in and contour: 90 for a lead-in from the tool's side, 0 in line with the
+        contour, −90 from the other side.
 
     Returns
     -------
-    from, to : (m, 2) float64, mm
+    from, to : (m, 2) mm
         Position of the centre at the start and at the end of the straight lead-in.
     bulge : (m,)
         Bulge of the arc from ``to`` to the perpendicular at the contour's start; 0 for type A.
@@ -219,8 +223,8 @@ def _add_bridge_gaps(
 ) -> tuple[CentrePaths, Bool]:
     """Return the centre paths with gaps at bridges, and the mask of paths that have gaps, (q,).
 
-    A gap is as long as the bridge is wide, plus 2r, so that the bridge remains between two
-    positions of the disc.
+    A gap is longer than the width of its bridge by the diameter of the cutter, so that the bridge
+    remains between two positions of the disc.
     """
     if len(operation.bridges) == 0:
         return centre, np.zeros(len(centre.paths), np.bool_)
@@ -345,8 +349,8 @@ def _lead_in(
 ) -> tuple[F64, F64, F64]:
     """Return lead-ins to centre paths, shortened near other contours.
 
-    A lead-in whose disc would enter a contour is halved, then omitted: the tool plunges beside the
-    contour and touches it.
+    A lead-in along which the disc would enter a contour is halved.  If this is not enough, it is
+    omitted: the tool plunges beside the contour and touches it.
 
     Parameters
     ----------
@@ -359,8 +363,10 @@ def _lead_in(
 
     Returns
     -------
-    from, to, bulge
-        Straight lead-in and arc after it, as ``set_up_offset`` returns them.
+    from, to : (m, 2) mm
+        Position of the centre at the start and at the end of the straight lead-in.
+    bulge : (m,)
+        Bulge of the arc from ``to`` to the start of the centre path; 0 for no arc.
     """
     r, paths = cutter.radius, operation.paths
     on_line = start - side * r * left_normal(ahead)

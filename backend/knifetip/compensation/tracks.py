@@ -27,9 +27,9 @@ _LIFT = int(Motion.LIFT)
 
 
 def headings(paths: Paths) -> tuple[F64, F64]:
-    """Return the C angle of the tool at the start and end of every segment, (n,) degrees each.
+    """Return the heading C of the tool at the start and end of every segment, (n,) degrees each.
 
-    The first heading of a path is its azimuth in [0, 360); along an arc C turns with the tangent,
+    The first heading of a path is its azimuth in [0, 360).  Along an arc C turns with the tangent,
     at a corner by the smaller angle.  Headings of a path have no jumps of 360°.
     """
     ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
@@ -45,7 +45,7 @@ def headings(paths: Paths) -> tuple[F64, F64]:
 
 
 def at_height(pose: F64, height: float) -> F64:
-    """Return a copy of the poses, (n, 4), with Z set to ``height`` (mm)."""
+    """Return a copy of n poses of the head, (n, 4) X, Y, Z and C, with Z set to ``height`` (mm)."""
     above = pose.copy()
     above[:, 2] = height
     return above
@@ -91,7 +91,10 @@ class Strokes:
         return Strokes(**{name: column[order] for name, column in columns.items()})
 
     def to_toolpath(self, operation: Operation) -> Toolpath:
-        """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts."""
+        """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts.
+
+        ``operation`` gives the feeds and the station.
+        """
         pose, bulge, motion, feed, source, track = _write_moves(
             self.start,
             self.end,
@@ -140,12 +143,16 @@ def _write_moves(
     plunge: float,
     swivel: float,
 ) -> Any:
-    """Return the columns of the moves of all strokes; a stroke has up to six moves.
+    """Return the columns of the moves of n strokes; a stroke has up to six moves.
+
+    The array arguments are the columns of ``Strokes``.  ``feed``, ``plunge`` and ``swivel`` are the
+    feeds for moves along a path, for plunges and lifts, and for swivels.
 
     Returns
     -------
-    pose : (m, 4), bulge, motion, feed, source, track : (m,)
-        The end of each move and its attributes, as in Toolpath.
+    pose, bulge, motion, feed, source, track : (m, 4) and (m,) each
+        Pose of the head at the end of each move, and the attributes of the move, as in
+        ``Toolpath``.
     """
     count = len(bulge)
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])

@@ -162,9 +162,9 @@ def vgroove_toolpath(operation: Operation) -> Toolpath:
 
 
 def _extend_run_outs(operation: Operation) -> tuple[F64, F64]:
-    """Return the start and end of the tip on each segment, (n, 2) mm each.
+    """Return the position of the tip at the start and at the end of each segment, (n, 2) mm each.
 
-    Ends at the board's edge are extended by the run-out of the operation.
+    Segments that end at the board's edge are extended by the run-out of the operation.
     """
     paths, out = operation.paths, operation.run_out
     start, end = paths.start, paths.end
@@ -198,10 +198,28 @@ def _write_passes(
 
     The head turns by half a turn between the two passes and back again, so C does not accumulate.
 
+    Parameters
+    ----------
+    first
+        First segment of each path.
+    start, end : (n, 2) mm
+        Positions of the tip at the start and at the end of each segment.
+    offset, sideways : (n, 2) mm and (n, 2)
+        Position of the head relative to the tip in the first pass, and the sideways movement of the
+        head per mm of rise.
+    heading : (n,) degrees
+        Heading C of the head in the first pass.
+    depth : (n, k) mm
+        Depth of each segment in each of k double passes.
+    source : (n,)
+        Edge of each segment.
+    caliper, clearance : mm
+        Thickness of the board, and height of the tip above the board in air moves.
+
     Returns
     -------
-    start, end, above_start, above_end : (m, 4), down, up, track, source : (m,)
-        As in ``Strokes``.
+    start, end, above_start, above_end, down, up, track, source : (m, 4) each, then (m,) each
+        Columns of m strokes, as in ``Strokes``.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)
@@ -245,7 +263,9 @@ def _write_passes(
 
 
 def _check_paths(operation: Operation, cutter: VCutter) -> None:
-    """Raise an error if a path is curved, short, or cut too deep or past a free end."""
+    """Raise an error if a path has an arc, is shorter than the blade is wide, is cut as deep as the
+    board is thick, or has an end inside a panel that the blade would overrun too far.
+    """
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)
     if len(curved):

@@ -19,10 +19,10 @@ from knifetip.model.tool import VCutter
 
 
 def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
-    """Return the widest angle of a chord that stays within ``error`` mm of its arc, (n,) radians.
+    """Return the widest angle of a chord that is cut within ``error`` mm of its arc, (n,) radians.
 
-    ``radius`` is the radius of each arc, (n,) mm.  The angle is zero or negative if the cutter's
-    blade is too wide for the radius.
+    There is one angle for each of n arcs; ``radius`` is the radius of each arc, (n,) mm.  The angle
+    is zero or negative if the blade of the cutter is too wide for the radius.
     """
     blade = 2.0 * cutter.half_width
     middle = 2.0 * np.arccos(np.clip(1.0 - error / radius, -1.0, 1.0))

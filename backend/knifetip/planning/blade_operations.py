@@ -40,16 +40,19 @@ class _Cuts:
 
 
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
-    """Return the operations that cut edges of a dieline with a knife, one or two for each layer.
+    """Return the operations that cut edges of a dieline with a knife, innermost layer first.
 
-    Inner layers come first.  In each layer, the cuts that bound no part come before the other cuts.
+    A layer (see ``layers``) gets one or two operations: first the cuts that bound no part, then the
+    outlines and holes of parts.
 
     Parameters
     ----------
     sides
-        Waste and faces beside each of the edges.
+        For each of the m edges: the side of the waste, and the part or hole that the edge bounds.
     rows : (m,)
         Rows of the edges in the dieline.
+    setup
+        Machine, board and station of the knife.
     """
     side = sides.waste
     layer = cut_layers(dieline.ends[rows], dieline.bulge[rows], sides.face)
@@ -75,7 +78,7 @@ def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int
     Parameters
     ----------
     rows, rank : (m,) and (m,)
-        Rows of edges in the dieline, and the rank of each.
+        Rows in the dieline of the edges of the operation, and the rank of each edge.
     """
     rank_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
     rank_of_edge[rows] = rank
@@ -149,11 +152,12 @@ def _keep_waste_left(
     source : (n,)
         Row in the dieline of each segment of the paths.
     rows, waste : (m,) and (m,)
-        Rows of cuts in the dieline, and the side of the waste: +1 left, -1 right, 0 none.
+        Rows of cuts in the dieline, and the side of the waste of each cut: +1 left, -1 right, 0
+        none.
 
     Returns
     -------
-    All paths, and the row in the dieline of each of their segments.
+    All paths, reversed or unchanged, and the row in the dieline of each segment of these paths.
     """
     side = np.zeros(len(dieline), np.int8)
     side[rows] = waste
@@ -167,7 +171,8 @@ def _keep_waste_left(
 def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     """Return the mask of the ends of p paths that lie on a through cut of another edge, (2p,).
 
-    ``source`` is the row in the dieline of each segment of the paths.  The starts come first.
+    The mask has the starts of all paths first, then the finishes.  ``source`` is the row in the
+    dieline of each segment of the paths.
     """
     points, segment = end_points(paths)
     cut = np.flatnonzero(dieline.line_type == LineType.CUT)
@@ -189,10 +194,11 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
-    """Return the dashes of p perforated paths as paths, and the old segment of each new segment.
+    """Return the dashes of p perforated paths, one path for each dash, and the segment of ``paths``
+    from which each segment of a dash comes.
 
-    Every path starts and ends with a dash, so that the board tears from its ends.  The dashes are
-    ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.
+    Every perforated path starts and ends with a dash, so that the board tears from the path's ends.
+    The dashes are ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.
     """
     length = paths.lengths
     count = np.maximum(1, np.ceil((length + gap) / (cut + gap) - 1e-9)).astype(np.int64)

@@ -1,13 +1,15 @@
 """boundary: find the grooves that end on the board's edge, and how far they must run out past it.
 
-The corners of a tool of width W are W/2 to the left and to the right of the groove's line.  The
-tool has left the board when both corners are outside.  At a straight edge of the board this takes a
-run-out of (W/2) |n·m| / (u·m), where m is the edge's outward normal, u the direction of the groove
-and n the groove's normal.  At a round edge the sagitta of the edge is added.  At an outer corner of
-the outline the tool has left the board once it is past one of the two edges.  At an inner corner (a
-notch) each half of the tool must be past both edges.  A groove that continues into the board, or
-runs along its edge within 5°, gets no run-out.  Its end counts as inside the board, where the board
-limits the overcut of the blade.
+A tool of width W cuts a strip that extends W/2 to the left and W/2 to the right of the
+groove's line.  Across the direction of travel, the tool is a line from the left border of this
+strip to the right border.  The tool has left the board when both ends of this line are outside.
+At a straight edge of the board this takes a run-out of (W/2) |n·m| / (u·m), where m is the edge's
+outward normal, u the direction of the groove and n the groove's normal.  At a round edge the
+sagitta of the edge is added.  At an outer corner of the outline the tool has left the board once
+it is past one of the two edges.  At an inner corner (a notch) each half of the tool must be past
+both edges.  A groove that continues into the board, or runs along its edge within 5°, gets no
+run-out.  The end of such a groove counts as inside the board; there the board's ``groove_overcut``
+limits how far the blade may cut beyond the end.
 
 Source: the turning paper, section 1 (run-out and back-up); corners and arcs are our derivation.
 """
@@ -76,18 +78,18 @@ class _Contacts:
 def run_out_lengths(
     points: F64, ahead: F64, width: float, outline: BoardOutline, source: I32
 ) -> tuple[F64, Bool]:
-    """Return the run-out of each end of a groove, and which ends lie on the board's edge.
+    """Return the run-out of each of n ends of grooves, and which ends lie on the board's edge.
 
     Parameters
     ----------
     points, ahead : (n, 2) mm and (n, 2)
-        Ends of grooves, and at each end the unit direction out of the groove.
+        Ends of grooves, and at each end the unit vector that points out of the groove.
     width : mm
         W, the width of the tool or of the groove.
     outline
         Outline of the board.
     source : (n,)
-        Edge of each end, for errors.
+        Edge to which each end belongs; errors name it.
 
     Returns
     -------
@@ -162,10 +164,10 @@ def _check_run_outs(
 
 
 def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
-    """Raise ``FlankOutside`` if a groove meets a single edge of the board at less than 5°.
+    """Raise ``FlankOutside`` if a groove meets one edge of the board (no corner) at less than 5°.
 
-    ``sine`` is the sine of the angle between the groove and the edge at each contact, (k,);
-    ``source`` is the edge of each end of a groove, for errors.
+    ``sine`` is the sine of the angle between the groove and the board's edge at each contact, (k,).
+    ``source`` is the edge of the drawing to which each end of a groove belongs; the error names it.
     """
     alone = np.bincount(contacts.end, minlength=len(source)) == 1
     along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & alone[contacts.end])
@@ -203,8 +205,9 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
 def _corner_turns(contacts: _Contacts, count: int) -> F64:
     """Return the sine of the angle by which the outline turns at each end of a groove, (count,).
 
-    It is positive in a notch, negative at an outer corner (a right turn, since the waste is on the
-    left), and 0 if the outline has no corner there.
+    The sine is positive in a notch, negative at an outer corner (a right turn, since the waste is
+    on the left), and 0 if the outline has no corner there.  ``contacts`` are the contacts of
+    ``count`` ends of grooves with the outline.
     """
     arriving, leaving = np.zeros((count, 2)), np.zeros((count, 2))
     arriving[contacts.end[contacts.arrives]] = contacts.tangent[contacts.arrives]

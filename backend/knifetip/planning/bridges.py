@@ -50,7 +50,8 @@ def place_bridges(
     avoid: F64,
     reachable: ReachableStretches,
 ) -> tuple[I32, F64]:
-    """Return the path of each of k bridges, (k,), and the position of its middle on it, (k,) mm.
+    """Return the positions of k bridges: the path of each bridge, (k,), and the distance from the
+    start of that path to the middle of the bridge, (k,) mm.
 
     Parameters
     ----------
@@ -59,7 +60,7 @@ def place_bridges(
     spacing
         Length of the bridges, and the greatest distance between them.
     source : (n,)
-        Edge of each segment, for errors.
+        Edge of each segment; errors name it.
     avoid : (m, 2) mm
         Ends of other edges.  If possible, bridges keep away from the ends that lie on the paths.
     reachable
@@ -92,9 +93,9 @@ def ends_of_others(dieline: Dieline, rows: I32) -> F64:
 
 
 def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
-    """Return the path and the position of each point that lies on a path.
+    """Return the path on which each point lies, and the position of the point along this path.
 
-    Points on no path are left out.
+    Points that lie on no path are left out.
 
     Parameters
     ----------
@@ -105,7 +106,7 @@ def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
 
     Returns
     -------
-    Path of each located point (k,), and the point's position along that path (k,) mm.
+    Path of each located point (k,), and the point's distance from the start of that path (k,) mm.
     """
     rows = np.flatnonzero(which[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]

@@ -1,4 +1,4 @@
-"""corners: find the corners of contours that the user's corner choices mean.
+"""corners: find the corners of contours for which the user has chosen a corner type.
 
 A corner is a joint of two segments of a path whose bend is convex for the tool.  At a concave bend
 the tool can move in only one way, so there is nothing to choose.

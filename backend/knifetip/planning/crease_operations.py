@@ -36,10 +36,10 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
-    """Return the paths of creases, the row of each segment, and the kinds of the paths' ends.
+    """Return the paths of creases, the dieline row of each segment, and the kinds of the path ends.
 
     Dashes are merged, coincident creases become one, and creases are split where cuts cross them.
-    The kinds are two arrays, (p,) each: of the starts and of the finishes of p paths.
+    The kinds are two arrays of ``End``, (p,) each: of the starts and of the finishes of p paths.
     """
     cut = dieline.line_type == LineType.CUT
     cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]

@@ -38,9 +38,9 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     Returns
     -------
     Paths
-        The q new paths, in the order of the old paths.
+        The q new paths with m segments, in the order of ``paths``.
     row : (m,)
-        Old segment of each new segment.
+        Segment of ``paths`` from which each new segment comes.
     split : (q, 2)
         Whether each new path starts, and ends, at a split.
     """
@@ -74,10 +74,11 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the k crossings of segments by cuts: segment (k,) and parameter on it, 0 … 1 (k,).
+    """Return the k points at which cuts cross segments: the segment of each point (k,), and the
+    parameter of the point on the segment, 0 … 1 (k,).
 
-    A cut crosses a segment if their common point is an end of neither.  Cuts also cross a segment
-    if they end at one point of it and leave it on both sides.
+    A cut crosses a segment if their common point is an end of neither of them.  Several cuts cross
+    a segment together if they end at one point of the segment and leave it on both sides.
 
     Parameters
     ----------
@@ -94,10 +95,10 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
 
 
 def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the points of segments at which cuts from both sides end.
+    """Return the k points of segments at which cuts from both sides of the segment end.
 
     Returns the segment of each point (k,), and the parameter of the point on it, 0 … 1 (k,).
-    ``ends`` and ``bulge`` are the cuts.
+    ``ends`` and ``bulge`` are the ends, (n, 2, 2) mm, and the bulges, (n,), of the cuts.
     """
     points = ends.reshape(-1, 2)
     boxes = arc.bounding_boxes(paths.start, paths.end, paths.bulge)
@@ -205,16 +206,17 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
     apart : mm
         Distance between the two lines; the drawn line lies in their middle.
     source : (n,)
-        Edge of each segment, for errors.
+        Edge of each segment; errors name it.
 
     Returns
     -------
-    The new paths, the old path of each new path, and the old segment of each new segment.
+    The new paths, the path of ``paths`` that each new path replaces, and the segment of ``paths``
+    that each new segment replaces.
 
     Raises
     ------
     EdgeTooShort
-        A crease has a bend with a radius of less than half the distance.
+        A crease has a bend with a radius of less than half of ``apart``.
     """
     half = apart / 2.0
     radius = arc.radius(paths.start, paths.end, paths.bulge)

@@ -3,8 +3,9 @@
 ``merge_dashes`` returns edges without overlaps, with the gaps between dashes filled;
 ``distinct_edges`` returns the rows of edges without repeated ones.
 
-Three or more edges on one line are dashes if the gaps between them are regular and not longer than
-12 mm or 1.5 times the mean length of the edges, and no cut starts, ends or crosses in a gap.
+Three or more edges on one line are dashes if the gaps between them are regular, no gap is longer
+than 12 mm, no gap is longer than 1.5 times the mean length of the edges, and no cut starts, ends or
+crosses in a gap.
 """
 
 from __future__ import annotations
@@ -38,14 +39,16 @@ def merge_dashes(
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the edges.
+        Ends and bulges of the given edges.
     cuts : (m, 2, 2) mm and (m,)
-        Ends and bulges of the cuts.  A gap with a cut in it is not filled; None fills no gap.
+        Ends and bulges of the cuts.  A gap with a cut in it is not filled.  If ``cuts`` is None, no
+        gap is filled.
 
     Returns
     -------
-    ends, bulge, row
-        New edges, and the old edge of each.  A filled gap belongs to the dash before it.
+    ends, bulge, row : (q, 2, 2) mm, (q,) and (q,)
+        Ends and bulges of the new edges, and the given edge from which each new edge comes.  A
+        filled gap comes from the dash before the gap.
     """
     straight = np.abs(bulge) < BULGE
     bent = np.flatnonzero(~straight)
@@ -75,10 +78,10 @@ def merge_dashes(
     begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
-        """Return the points at positions ``along`` on the lines of edges, (k, 2) mm.
+        """Return the points at positions ``along`` (k,) mm on the lines of k edges, (k, 2) mm.
 
-        The line of an edge of a row of dashes runs from the first dash of the row to the last.
-        ``piece`` are the indices of the edges.
+        ``piece`` are the indices of the edges.  If an edge is a dash, its line runs from the start
+        of the first dash to the end of the last dash of its row.
         """
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
@@ -116,7 +119,7 @@ def _upward_directions(ends: F64) -> F64:
 
 
 def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
-    """Return the line on which each straight edge lies, as a number, and the edge's range on it.
+    """Number the lines on which straight edges lie, and return the line and the range of each edge.
 
     Edges on one line differ in direction by at most ``COLLINEAR`` degrees and in position by at
     most ``JOIN`` mm.  Edges near these limits may get different lines although they are collinear.
@@ -129,7 +132,7 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
     Returns
     -------
     line, low, high : (m,), (m,) mm and (m,) mm
-        Line of each edge, and its least and greatest position along that line.
+        Number of the line of each edge, and the edge's least and greatest position along that line.
     """
     ahead = _upward_directions(ends[rows])
     angle = np.degrees(np.arctan2(ahead[:, 1], ahead[:, 0]))
@@ -145,10 +148,10 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
 
 
 def _cluster(group: I64, value: F64, gap: float) -> I64:
-    """Return the cluster of each value, as a number from 0, (n,).
+    """Return the number of the cluster of each value, counted from 0, (n,).
 
-    The values of a cluster belong to one group, and the greatest exceeds the least by at most
-    ``gap``.
+    The values of a cluster belong to one group; its greatest value exceeds its least value by at
+    most ``gap``.  ``group`` is the number of the group of each value, (n,).
     """
     order = np.lexsort((value, group))
     number = np.empty(len(order), np.int64)
@@ -158,10 +161,11 @@ def _cluster(group: I64, value: F64, gap: float) -> I64:
 
 @kernel
 def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
-    """Return the cluster of each value, as a number from 0, (n,).
+    """Return the number of the cluster of each value, counted from 0, (n,).
 
-    The values are sorted by group, then ascending.  A new cluster starts at a new group, and at a
-    value that exceeds the least value of its cluster by more than ``gap``.
+    ``group`` is the number of the group of each value, (n,).  The values are sorted by group, then
+    ascending.  A new cluster starts at a new group, and at a value that exceeds the least value of
+    the current cluster by more than ``gap``.
     """
     number = np.zeros(len(value), np.int64)
     least = 0

@@ -30,7 +30,8 @@ _CHORD: Final = 0.5 * POINT
 class _NearbyChords:
     """k pairs of a groove and a chord of a nearby cut, in coordinates along and across the groove.
 
-    Only the part of each chord between its parameters ``low`` and ``high`` counts.
+    Only the part of each chord between the chord parameters ``low`` and ``high`` (0 … 1) is
+    considered.
     """
 
     path: I64  #: (k,) path of the groove
@@ -45,10 +46,10 @@ class _NearbyChords:
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
-        """Return the parts of the chords on which a coordinate lies between ``least`` and ``most``.
+        """Return the parts of chords on which a coordinate lies between ``least`` and ``most`` mm.
 
-        ``column`` is that coordinate at the two ends of each chord, (k, 2): ``along`` or
-        ``offset``.  A chord without such a part is left out, and so is a chord whose ``least``
+        ``column`` has this coordinate at the two ends of each chord, (k, 2) mm: ``self.along`` or
+        ``self.offset``.  A chord without such a part is left out, and so is a chord whose ``least``
         exceeds its ``most``.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
@@ -64,10 +65,10 @@ class _NearbyChords:
         return _NearbyChords(cut.path, cut.cut, cut.along, cut.offset, low[rows], high[rows])
 
     def at_ends(self, column: F64) -> F64:
-        """Return a coordinate at the parameters ``low`` and ``high`` of each chord, (k, 2).
+        """Return a coordinate at the parameters ``low`` and ``high`` of each chord, (k, 2) mm.
 
-        ``column`` is that coordinate at the two ends of each chord, (k, 2): ``along`` or
-        ``offset``.
+        ``column`` has this coordinate at the two ends of each chord, (k, 2) mm: ``self.along`` or
+        ``self.offset``.
         """
         share = np.stack([self.low, self.high], axis=1)
         result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * share
@@ -77,23 +78,26 @@ class _NearbyChords:
 def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline: Dieline) -> None:
     """Raise ``FlankOutside`` if a flank of a groove passes through a cut.
 
-    A groove that ends on a cut, or runs out over it, crosses that cut with its flanks.  At such an
-    end, a stretch of the groove is not checked: twice the reach of the flanks, or the run-out if
-    that is longer.  A cut that crosses the groove and ends between its flanks is permitted.
+    A groove that ends on a cut, or runs out over a cut, crosses that cut with its flanks.  At such
+    an end, a stretch of the groove is not checked.  The stretch is twice ``reach`` long, or as long
+    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between its
+    flanks is permitted.
 
     Parameters
     ----------
     paths, source
-        Straight grooves, and the edge of each segment.
+        Straight grooves, and the edge of each segment of the grooves, (n,).
     reach : mm
         Distance of the flanks from the groove's line on the top face.
     run_out : (p, 2) mm
         Run-out of each of p grooves beyond its start and its end.
+    dieline
+        Dieline that contains the cuts.
 
     Raises
     ------
     FlankOutside
-        Reports the groove, the cut, and by how much the flank passes the cut.
+        The error names the groove, the cut, and by how much the flank passes the cut.
     """
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
     length = np.hypot(*(finish - begin).T)
@@ -162,10 +166,11 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
 
 
 def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64) -> Bool:
-    """Return the mask of the ends of p grooves that have a cut on the groove's line nearby, (p, 2).
+    """Return the mask of the ends of p grooves near which a cut meets the groove's line, (p, 2).
 
-    A cut is near if it is within twice ``reach`` of the end, or, inside the groove, within the
-    run-out if that is longer.  ``length`` is the length of each groove, (p,) mm.
+    A cut is near an end if it is within twice ``reach`` (mm) of the end.  Inside the groove, a cut
+    is also near if it is within the run-out of the end.  ``length`` is the length of each groove,
+    (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
     """
     result = np.zeros((len(length), 2), np.bool_)
     on = nearby.clip(nearby.offset, -GAP, GAP)
@@ -181,7 +186,8 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
 def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
     """Return the mask of the chords of cuts that cross the groove and end between its flanks, (k,).
 
-    The cut must extend at least as far across the groove as along it.
+    The part of the cut in ``strip`` must extend at least as far across the groove as along it.
+    ``reach`` is the distance of the flanks from the groove's line (mm).
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)

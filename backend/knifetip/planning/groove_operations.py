@@ -23,6 +23,8 @@ from knifetip.planning.setup import Setup
 def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     """Return the operation that cuts the V-grooves in these rows of a dieline, (m,).
 
+    ``outline`` is the outline of the board.
+
     Raises
     ------
     FlankOutside

@@ -175,7 +175,7 @@ def _enqueue(unit: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: 
     """Append a unit of work to the queue unless it is or was queued; return the queue's new length.
 
     ``layer`` is the layer of each unit, -1 for none yet.  ``waiting`` is set to -1 for the unit
-    when it is queued.
+    when it is queued.  ``size`` is the length of the queue before the call.
     """
     if layer[unit] >= 0 or waiting[unit] < 0:
         return size

@@ -114,17 +114,18 @@ def _bridge_positions(
     source: I32,
     avoid: F64,
 ) -> F64:
-    """Return the segment of each of k bridges and the position of its middle along it (mm), (k, 2).
+    """Return the segment of each of k bridges, and the position of the bridge on it, (k, 2).
 
-    On both sides of a bridge the disc cuts one radius farther than its centre travels.  The gaps in
-    the path of the centre are longer than the bridges by that.
+    The position is the distance from the start of the segment to the middle of the bridge (mm).
+    At both ends of a bridge, the disc cuts one radius farther than the centre of the disc travels.
+    Therefore the gaps in the path of the centre are longer than the bridges by two radii.
 
     Parameters
     ----------
     held : (p,)
         Mask of the paths that get bridges.
     source : (n,)
-        Edge of each segment, for errors.
+        Edge of each segment; errors name it.
     avoid : (m, 2) mm
         Positions from which bridges keep away, if possible.
     """
@@ -144,7 +145,7 @@ def _bridge_positions(
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return all operations; in those that mill, the choices for single corners are set.
+    """Return all operations, with the user's choices for single corners set in those that mill.
 
     Raises
     ------
@@ -172,9 +173,11 @@ def apply_choices(operations: list[Operation], corners: Corners) -> list[Operati
 
 
 def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
-    """Return the waste, face and shared columns of ``CutSides`` for every edge of a dieline.
+    """Return three columns with one entry for every edge of a dieline, as in ``CutSides``.
 
-    An edge that is no cut has waste 0, face -1 and shared False.
+    The columns are the side of the waste (+1 left, -1 right, 0 none), the number of the part or
+    hole that the edge bounds (-1 for none), and whether the edge lies between two parts.  An edge
+    that is no cut has 0, -1 and False.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     # A line between the insides of two edges separates two parts without a vertex on the edges.
@@ -189,7 +192,10 @@ def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
 
 
 def _check_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise ``PlanError`` unless ``rows``, the edges that lie between two parts, is empty."""
+    """Raise ``PlanError`` unless ``rows``, the edges that lie between two parts, is empty.
+
+    The error gives the diameter of the ``cutter``.
+    """
     if len(rows):
         raise PlanError(
             "milling.shared-edge",

@@ -1,6 +1,7 @@
 """noding: split edges where other edges end on them or cross them.
 
-The results are pieces that meet only at their ends, and the edge of each piece.
+The functions return pieces that meet only at their ends, and the edge of which each piece is a
+part.
 """
 
 from __future__ import annotations

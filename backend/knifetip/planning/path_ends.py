@@ -26,21 +26,28 @@ def chain_edges(
     kink : degrees
         Two edges are not chained if the path would turn by more than this angle between them.
     group : (m,)
-        Edges of different groups are not chained.
+        Number of the group of each edge.  Edges of different groups are not chained.  If it is
+        None, all edges are one group.
     """
     chains = chain(dieline.ends[rows], dieline.bulge[rows], kink, group=group)
     return chains.paths(dieline.ends[rows], dieline.bulge[rows]), rows[chains.order]
 
 
 def end_points(paths: Paths) -> tuple[F64, I32]:
-    """Return the ends of the paths, (2p, 2) mm, and the segment at each end, (2p,)."""
+    """Return the ends of p paths, (2p, 2) mm, and the index of the segment at each end, (2p,).
+
+    The starts of all paths come first, then the finishes.
+    """
     begin, finish = paths.first[:-1], paths.first[1:] - 1
     points = np.concatenate([paths.start[begin], paths.end[finish]])
     return points, np.concatenate([begin, finish]).astype(np.int32)
 
 
 def end_directions(paths: Paths) -> F64:
-    """Return, at each of the 2p ends of p paths, the unit direction into the path, (2p, 2)."""
+    """Return the unit vector that points into the path at each end of p paths, (2p, 2).
+
+    The starts of all paths come first, then the finishes.
+    """
     _, segment = end_points(paths)
     side = np.repeat([0, 1], len(paths))
     segments = np.stack([paths.start, paths.end], axis=1)

@@ -1,4 +1,4 @@
-"""questions: ask how to make the line types for which a machine has no tool."""
+"""questions: create the questions for the user about line types for which a machine has no tool."""
 
 from __future__ import annotations
 

@@ -34,6 +34,8 @@ class Setup:
 
         Parameters
         ----------
+        line_type
+            Line type that the operation makes.
         source : (n,)
             Edge of each segment.
         depth : (n, k) mm

@@ -25,7 +25,7 @@ class DiscTool(Tool):
 
         @property
         def lead(self) -> float:
-            """Length of the straight lead-in (mm); 0 means 1.5 r."""
+            """Length of the straight lead-in (mm); for 0, ``set_up`` gives 1.5 times ``radius``."""
 
         @property
         def approach(self) -> float:
@@ -41,7 +41,7 @@ class DiscTool(Tool):
 
     @property
     def set_up(self) -> float:
-        """Length of the straight lead-in (mm): ``lead``, or 1.5 r if ``lead`` is 0."""
+        """Length of the straight lead-in (mm): ``lead``, or 1.5 times ``radius`` for lead 0."""
         return self.lead or 1.5 * self.radius
 
     @property
