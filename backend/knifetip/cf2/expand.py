@@ -1,9 +1,9 @@
-"""expand: replace the calls of a CF2 by copies of the subroutines, as columns of lines and arcs.
+"""expand: replace the calls in a CF2 by copies of the subroutines, and list all lines and arcs.
 
     Cf2File, tolerance -> ExpandedFile: ReportWriter, Columns, annotations
 
-The copies are counted before they are made.  Bridges appear only in the import report: they are
-gaps of the steel rule in the die board, not of the carton (decision 9).
+The copies are counted before they are made.  A bridge is a gap of the steel rule in the die board,
+not a gap of the cut in the carton, so bridges appear only in the import report (decision 9).
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call
 
 @dataclass(slots=True)
 class ExpandedFile:
-    """The lines, arcs and texts of a CF2 with the copies of all subroutines, in file units."""
+    """The lines, arcs and texts of a CF2 with all copies of subroutines, in file units."""
 
     report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
@@ -47,13 +47,13 @@ class ExpandedFile:
     style: list[I64] = field(default_factory=list)
 
     def columns(self, reach: float) -> Columns:
-        """Return the segments of all lines and arcs, in the order of the import report.
+        """Return the segments of all lines and arcs, in the order of the rows of the import report.
 
         Parameters
         ----------
         reach
-            Largest coordinate (file units).  Entities with larger coordinates are dropped, and the
-            reason is added to the import report.
+            Largest permitted absolute value of a coordinate (file units).  Lines and arcs that
+            exceed it are dropped, and the reason is added to the import report.
         """
         if not self.ends:
             none = np.zeros(0, np.int32)
@@ -130,12 +130,19 @@ class _Expander:
         self._check_size()
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if the copies of subroutines would exceed the limits."""
+        """Raise DrawingTooLarge if the depth of calls or the number of copies exceeds the limits.
+
+        The number is computed before any copy is made.
+        """
         known: dict[str, tuple[int, int]] = {}
         open_: set[str] = set()
 
         def size(section: Section, depth: int) -> tuple[int, int]:
-            """Return the number of records of an expanded section, and the depth of its calls."""
+            """Return the number of records of a section and of all subroutine copies in it.
+
+            The second value is the number of levels of nested calls in the section.  ``depth`` is
+            the number of nested calls that contain the section.
+            """
             total, deep = len(section.kind), 0
             for call in section.calls:
                 name = call.name.upper()
@@ -170,14 +177,17 @@ class _Expander:
     def add_section(
         self, section: Section, linear: F64, shift: F64, path: str, above: tuple[str, ...]
     ) -> None:
-        """Add a copy of a section, with copies of all subroutines that it calls.
+        """Add a copy of a section to the drawing, with copies of all subroutines that it calls.
 
         Parameters
         ----------
+        section
+            MAIN or a subroutine.
         linear, shift
             Matrix (2, 2) and translation (2,) from section coordinates to file units.
         path
-            Handles of the calls that lead to the section, each followed by a slash.
+            Handles in the import report of the nested calls that contain the copy, each followed by
+            a slash; empty outside all calls.
         above
             Names of the subroutines that contain this copy; a call of one of them is dropped.
         """
@@ -253,9 +263,16 @@ class _Expander:
                 )
 
     def _add_shape(self, shape: _Shape, linear: F64, shift: F64, row_of: I64) -> None:
-        """Add a transformed copy of the lines and arcs of a section.
+        """Add a transformed copy of the lines and arcs of a section to the drawing.
 
-        ``row_of`` contains the row of the import report for each row of the section.
+        Parameters
+        ----------
+        shape
+            Lines and arcs of the section.
+        linear, shift
+            Matrix (2, 2) and translation (2,) from section coordinates to file units.
+        row_of
+            Import report row of each record of the section.
         """
         if not len(shape.bulge):
             return
@@ -282,7 +299,10 @@ class _Expander:
             )
 
     def _shape_of(self, section: Section) -> _Shape:
-        """Return the lines, arcs and notes of a section, and the reasons for dropped records."""
+        """Return the segments of a section's lines and arcs.
+
+        The result also contains the reasons for dropped records, and notes for the import report.
+        """
         dropped: dict[int, Message] = {}
         notes: dict[int, list[Message]] = {}
         lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
@@ -309,9 +329,14 @@ class _Expander:
         )
 
     def _style_numbers(self, layer: str, records: Sequence[Sequence[str]]) -> list[int]:
-        """Return the index of the style of each record in the list of styles.
+        """Return the index, in the drawing's list of styles, of the style of each record.
 
-        ``layer`` is the layer of all these records.
+        Parameters
+        ----------
+        layer
+            Layer of all the records.
+        records
+            Fields of each record of a line or an arc.
         """
         known: dict[tuple[str, str, str], int] = {}
         found = []
@@ -324,9 +349,14 @@ class _Expander:
         return found
 
     def _style(self, layer: str, point: str, kind: str, aux: str) -> int:
-        """Return the index of a style in the list of styles; a new style is added to the list.
+        """Return the index of a style in the drawing's list of styles; add the style if it is new.
 
-        ``point`` is the thickness of the rule, ``kind`` the type and ``aux`` the auxiliary type.
+        Parameters
+        ----------
+        layer
+            Layer of the style.
+        point, kind, aux
+            Thickness of the steel rule, type and auxiliary type, as written in a record.
         """
         words = ["CF2", _normalise_number(kind)]
         if _normalise_number(aux) != "0":
@@ -340,7 +370,10 @@ class _Expander:
 
 
 def _normalise_number(text: str) -> str:
-    """Return a number in its shortest form: "1" for "1.0" and "01"."""
+    """Return the shortest form of a number: "1" for "1.0" and "01".
+
+    A text that is not a number is returned unchanged, cut to 20 characters.
+    """
     try:
         return f"{float(text):g}"
     except ValueError:
@@ -348,9 +381,9 @@ def _normalise_number(text: str) -> str:
 
 
 def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
-    """Add a note to ``notes`` if the steel rule of a record has bridges in the die board.
+    """Add a note to ``notes`` if a record states that its steel rule has bridges in the die board.
 
-    ``fields`` are the number of bridges and their width, as written.
+    ``fields`` are the fields of the record for the number of bridges and for their width.
     """
     try:
         count = float(fields[0])
@@ -366,7 +399,7 @@ def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
 
 
 def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
-    """Return the matrix, (2, 2), that first scales and then rotates by ``angle`` degrees."""
+    """Return the (2, 2) matrix that first scales x and y and then rotates by ``angle`` degrees."""
     quarter, rest = divmod(angle % 360.0, 90.0)
     cosine, sine = (
         ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]
@@ -379,16 +412,19 @@ def _linear(angle: float, x_scale: float, y_scale: float) -> F64:
 def _coordinates(
     records: Sequence[Sequence[str]], rows: Sequence[int], where: slice, dropped: dict[int, Message]
 ) -> tuple[F64, I64]:
-    """Return the coordinates of the valid records, (n, k), and the rows of these records, (n,).
+    """Return the coordinates of the n valid records, (n, k), and the rows of these records, (n,).
 
     Parameters
     ----------
-    records, rows
-        Fields of each record, and the row of each record in its section.
+    records
+        Fields of each record.
+    rows
+        Row of each record in its section.
     where
-        The k fields of a record that are coordinates.
+        Slice of the k fields of a record that are coordinates.
     dropped
-        Reasons by row; the reason for each record with invalid coordinates is added.
+        Reasons for dropped records, by row; the reason for each record with invalid coordinates is
+        added.
     """
     wide = where.stop - where.start
     row = np.array(rows, np.int64)
@@ -409,19 +445,20 @@ def _coordinates(
 
 
 def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:
-    """Split arcs into segments of at most half a turn.
+    """Split each of k arcs into one or two segments of at most half a turn.
 
-    The ends are those that the record states.  If the stated centre is not equally far from both
-    ends, the arc through the ends gets the sweep angle of the ends about the stated centre.
+    A record of an arc states start, end and centre.  If the stated centre is not equally far from
+    start and end, the centre is not used: the arc still joins start and end, and its sweep angle is
+    the angle between them as seen from the stated centre.
 
     Parameters
     ----------
     arcs : (k, 7)
-        Start, end, centre and direction of k arcs.
+        Start, end, centre and direction of each arc.
     rows : (k,)
         Row of each arc in its section.
     notes
-        Notes by row; a note is added for each arc with two radii.
+        Notes by row; a note is added for each arc with a different radius at start and end.
 
     Returns
     -------
@@ -474,12 +511,14 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
 def _fit_ellipses(
     shape: _Shape, arcs: I64, linear: F64, shift: F64, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Approximate the elliptic arcs, which result from a non-uniform scale, by lines and arcs.
+    """Approximate the elliptic arcs that a non-uniform scale causes by lines and circular arcs.
 
     Parameters
     ----------
+    shape
+        Segments of a section.
     arcs
-        Indices of the elliptic arcs in ``shape``.
+        Indices in ``shape`` of the arcs that become elliptic.
     linear, shift
         Matrix (2, 2) and translation (2,) from section coordinates to file units.
     tolerance
@@ -488,11 +527,11 @@ def _fit_ellipses(
     Returns
     -------
     start, end : (n, 2)
-        Start and end points of the approximating segments.
+        Start and end points of the approximating segments (file units).
     bulge : (n,)
-        Bulges of the segments.
+        Bulges of the approximating segments.
     which : (n,)
-        Index in ``arcs`` of the arc of each segment.
+        Index in ``arcs`` of the arc that each segment approximates.
     """
     start, end, bulge = shape.ends[arcs, 0], shape.ends[arcs, 1], shape.bulge[arcs]
     chord = end - start

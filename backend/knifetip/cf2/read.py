@@ -2,9 +2,10 @@
 
     bytes -> Drawing: segments in mm, and a row of the import report for every copy of a record
 
-The subroutine becomes the layer.  The type number of a line has different meanings in different
-programs, so it becomes a linetype to which profiles refer: ``CF2 2 3pt`` is type 2 in 3-point rule,
-``CF2 3 aux 8 2pt`` is type 3 with auxiliary type 8.
+A CF2 has a main section and subroutines, which are sections that can be called several times.  The
+name of a subroutine becomes the layer of its lines.  The type number of a line has different
+meanings in different programs, so it becomes a linetype to which profiles refer: ``CF2 2 3pt`` is
+type 2 in 3-point rule, ``CF2 3 aux 8 2pt`` is type 3 with auxiliary type 8 in 2-point rule.
 
 ``records`` parses the records into sections; ``expand`` replaces calls by copies of subroutines.
 """
@@ -44,8 +45,11 @@ def read(
 
     Parameters
     ----------
+    data
+        Content of the file.
     unit
         The unit that the user gives, "mm", "in" …; it replaces the unit that the file states.
+        None if the user gives no unit.
 
     Returns
     -------
@@ -110,9 +114,16 @@ def _build_drawing(found: Cf2File, unit: str, given: float, limits: Limits) -> D
 def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, Message]:
     """Return whether coordinates must be multiplied by the record SCALE, and the reason.
 
-    Some programs multiply the coordinates before they write them, others do not.  The coordinates
-    are compared with the size that the records LL and UR state.  None means that neither fits.
-    ``box`` is min x, min y, max x and max y of the coordinates without the scale.
+    Some programs multiply the coordinates before they write them, others do not.  The size of the
+    drawing, with and without the scale, is compared with the size that the records LL and UR state.
+    The first value is None if neither size agrees or no size is stated.
+
+    Parameters
+    ----------
+    found
+        The parsed file.
+    box : (4,)
+        min x, min y, max x and max y of the coordinates without the scale.
     """
     x, y = found.scale
     if not all(math.isfinite(one) and one != 0.0 for one in (x, y)):

@@ -32,7 +32,7 @@ _SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A call of a subroutine: the copy of the subroutine is scaled, then rotated, then moved."""
+    """A call of a subroutine, which draws a copy of it that is scaled, then rotated, then moved."""
 
     row: int  #: of the section
     name: str
@@ -49,7 +49,7 @@ class TextRecord(NamedTuple):
 
 @dataclass(slots=True)
 class Section:
-    """The records of MAIN or of one subroutine, in the order of the file; m is their number."""
+    """The m records of MAIN or of one subroutine of a CF2, in the order of the file."""
 
     name: str
     entity: list[int] = field(
@@ -67,16 +67,16 @@ class Section:
     texts: list[TextRecord] = field(default_factory=list)
 
     def row(self, entity: int, kind: str, dropped: Message | None = None) -> int:
-        """Add a record to the section and return its row, which is its index in the section.
+        """Add a record to the section and return the index of the record in the section.
 
         Parameters
         ----------
         entity
-            Number of the record in the file.
+            Number of the record in the file, from 1.
         kind
             First field of the record: L, A, T, C or unknown.
         dropped
-            Reason if the record gives no edge.
+            Reason why the record gives no edge, if it gives none.
         """
         self.entity.append(entity)
         self.kind.append(kind)
@@ -100,7 +100,7 @@ class Cf2File:
 
 
 def parse_records(text: str, limits: Limits) -> Cf2File:
-    """Return the header and the sections of a CF2.
+    """Return the header and the sections of a CF2, whose content is ``text``.
 
     Raises
     ------
@@ -134,7 +134,7 @@ class _Parser:
         self._commas = 0
 
     def _next(self) -> Iterator[str]:
-        """Yield the remaining text lines that are not blank, without blanks at their ends."""
+        """Yield the remaining text lines that are not blank, without white space at their ends."""
         for line in self._lines:
             self.number += 1
             stripped = line.strip(" \t\r\f\x00\x1a")
@@ -204,10 +204,7 @@ class _Parser:
         return self.source.records
 
     def _line(self, section: Section, line: str) -> None:
-        """Parse a record of a line (L) or an arc (A) and add it to a section.
-
-        ``line`` is the text of the record.
-        """
+        """Parse ``line``, the record of a line (L) or an arc (A), and add it to a section."""
         kind = line[0].upper()
         fields = line.split(",")
         while not fields[-1].strip():

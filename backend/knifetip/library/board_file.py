@@ -17,7 +17,7 @@ _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """The greatest deflection of one tool in the board that the file describes."""
+    """The TOML table with the greatest deflection of one tool in X and Y when it cuts the board."""
 
     x: NotNegative = Field(description="greatest deflection in X (mm)")
     y: NotNegative = Field(description="greatest deflection in Y (mm)")
@@ -85,7 +85,7 @@ class BoardFile(Table):
         return value
 
     def record(self, name: str) -> Board:
-        """Return the board that the file describes."""
+        """Return the board that the file describes, with the name ``name``."""
         given = self.model_dump(exclude={"perforation", "deflection"})
         cut, gap = self.perforation
         return Board(

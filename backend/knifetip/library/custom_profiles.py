@@ -1,8 +1,8 @@
 """custom_profiles: parse and write the profiles of customers, which are stored as TOML text.
 
-``parse_text`` returns the rules in a TOML text; ``profile_text`` writes the fields of a form as
-TOML text.  The text is untrusted: its size is limited, it cannot refer to files, and it is either
-valid or refused with the path of the wrong field.
+A profile is a list of rules that give edges their line type.  ``parse_text`` returns the rules in a
+TOML text; ``profile_text`` writes the fields of a form as TOML text.  The text is untrusted: its
+size is limited, it cannot refer to files, and it is either valid or refused.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ _NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,63}")
 def check_name(name: str) -> str:
     """Return the name of a profile unchanged if it is valid.
 
+    A valid name has at most 64 characters: lower-case letters, digits, hyphens and underscores.
+
     Raises
     ------
     ProfileError
@@ -38,12 +40,13 @@ def check_name(name: str) -> str:
 
 
 def parse_text(name: str, text: str) -> LineRules:
-    """Return the profile in a TOML text.
+    """Return the profile that a TOML text describes, with the name ``name``.
 
     Raises
     ------
     ProfileError
-        The text is not a profile; ``source`` is the path of the wrong field.
+        The text is too long, is not TOML or is not a profile.  If a field is wrong, ``source`` of
+        the error is the path of the field.
     """
     # The size is checked first, so that large texts do not enter the cache.
     if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
@@ -68,32 +71,39 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
 
     Parameters
     ----------
+    name
+        Name of the profile, for error messages.
     fields
-        ``title``, ``extends`` (a profile of the library or None), ``overrules``, and ``rule``: a
-        list of tables, each with ``type`` and its conditions.
+        ``title``, ``extends`` (name of a profile of the library, or None), ``overrules``, and
+        ``rule``: a list of tables, each with a line type ``type`` and the conditions of the rule.
 
     Raises
     ------
     ProfileError
-        The fields are not a valid profile; ``source`` is the path of the wrong field.
+        The fields are not a valid profile; ``source`` of the error is the path of the wrong field.
     """
     return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
 
 
 def library_text(name: str) -> str:
-    """Return the TOML text of a profile of the library that has this name."""
+    """Return the TOML text of the library's profile with the name ``name``."""
     return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
 
 
 def parse_fields(text: str) -> dict[str, Any]:
-    """Return the fields of a TOML text, in the form that ``profile_text`` accepts."""
+    """Return the fields in the TOML text of a profile, in the form that ``profile_text`` takes."""
     return tomllib.loads(text)
 
 
 def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
-    """Return for each rule of a profile whether it comes from the profile that it extends.
+    """Return for each rule of a profile whether the rule is inherited from an extended profile.
 
-    ``fields`` are the fields of the profile, ``rules`` its rules with the inherited ones.
+    Parameters
+    ----------
+    fields
+        Fields of the profile, as in ``profile_text``; they contain only its own rules.
+    rules
+        All rules of the profile, its own and the inherited ones.
     """
     own = [False] * len(fields["rule"])
     base = [True] * (len(rules.rules) - len(own))

@@ -1,4 +1,4 @@
-"""deflection: write the deflection of a tool into the TOML text of a board."""
+"""deflection: write the greatest deflection of a tool into the TOML text of a board."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from knifetip.model.board import Deflection
 
 
 def deflection_toml(deflection: Deflection) -> str:
-    """Return the TOML table with the deflection of one tool.
+    """Return the TOML table with the greatest deflection of one tool in X and Y (mm).
 
     Examples
     --------
@@ -22,7 +22,10 @@ def deflection_toml(deflection: Deflection) -> str:
 
 
 def replace_deflection(text: str, deflection: Deflection) -> str:
-    """Return the TOML text of a board with the deflection of one tool added or replaced."""
+    """Return the TOML text of a board with the deflection of one tool added or replaced.
+
+    ``text`` is the TOML text of the board; ``deflection`` names the tool.
+    """
     name = re.escape(deflection.tool)
     quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))
     head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{quoted}|'{name}')\s*\]")

@@ -1,7 +1,8 @@
 """files: validate the fields of TOML files against pydantic models.
 
-The result is a validated model, or an error with the path of each invalid field and the reason.
-Numbers must be finite, and types are not converted.  Unknown fields are errors.
+``validate_fields`` returns a validated model, or raises an error with the path of each invalid
+field and the reason.  Numbers must be finite, and types are not converted.  Unknown fields are
+errors.
 """
 
 from __future__ import annotations
@@ -24,7 +25,10 @@ _MOST = 5
 
 
 class Table(BaseModel):
-    """Base class of the pydantic models of TOML tables; strict, immutable, no unknown fields."""
+    """Base class of the pydantic models of TOML tables.
+
+    Types are not converted, instances are immutable, and unknown fields are errors.
+    """
 
     model_config = ConfigDict(
         strict=True, extra="forbid", frozen=True, allow_inf_nan=False, hide_input_in_errors=True
@@ -38,20 +42,22 @@ def validate_fields(
     name: str,
     error: type[KnifetipError] = LibraryError,
 ) -> Model:
-    """Return the fields of a TOML document as a validated model.
+    """Return the fields of a TOML document as an instance of the pydantic model ``model``.
 
     Parameters
     ----------
+    fields
+        Values by field name, as parsed from the document.
     shelf, name
         Kind of the file ("machine", "board" or "profile") and its name, for the error message.
     error
-        Class of the error that is raised; ``LibraryError`` by default.
+        Class of the error that is raised if the fields are invalid.
 
     Raises
     ------
     LibraryError
         A field is missing, invalid or unknown; ``source`` is the path of the first such field.
-        Raised as ``error`` if that is another class.
+        If the caller gives another class as ``error``, that class is raised instead.
     """
     try:
         return model.model_validate(fields)
@@ -84,7 +90,10 @@ def _path(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def _field(fault: ErrorDetails) -> tuple[str, ...]:
-    """Return the path of the field that a pydantic error names, without an index in a list."""
+    """Return the path of the field that a pydantic error names.
+
+    If the error names an item of a list, the path is that of the list, without the item's number.
+    """
     path = _path(fault)
     if len(path) > 1 and isinstance(fault["loc"][-1], int):
         return (*path[:-1], path[-1].rpartition(" ")[0])
@@ -92,12 +101,12 @@ def _field(fault: ErrorDetails) -> tuple[str, ...]:
 
 
 def field_error(code: str, **arguments: Any) -> PydanticCustomError:
-    """Return an error that a pydantic validator raises for a field.
+    """Return the error that a validator of a pydantic model must raise for an invalid field.
 
     Parameters
     ----------
     code
-        Code of the message.
+        Code of the message that describes the error.
     arguments
         Arguments of the message except ``path``, which ``field_message`` adds.
     """
@@ -105,7 +114,7 @@ def field_error(code: str, **arguments: Any) -> PydanticCustomError:
 
 
 def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:
-    """Return the message for an error that pydantic reports for a field of a model."""
+    """Return the message that describes an error that pydantic reports for a field of ``model``."""
     path = " → ".join(_path(fault))[:200] or "the document"
     kind, context = fault["type"], fault.get("ctx", {})
     if kind in CODES:
@@ -154,7 +163,7 @@ _CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
 
 
 def _names(model: type[BaseModel]) -> Iterator[str]:
-    """Yield the names of all fields of a model and of its tables."""
+    """Yield the names of all fields of a model and of the models of the tables in its fields."""
     schema = model.model_json_schema()
     for table in (schema, *schema.get("$defs", {}).values()):
         yield from table.get("properties", {})

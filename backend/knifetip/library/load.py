@@ -27,7 +27,7 @@ Record = TypeVar("Record")
 
 
 def names(shelf: str) -> list[str]:
-    """Return the names of all files of one kind in the library.
+    """Return the names of all machines, boards or profiles in the library, in alphabetical order.
 
     Parameters
     ----------
@@ -49,8 +49,10 @@ def machine(name: str, files: bool = True) -> Machine:
 
     Parameters
     ----------
+    name
+        Name of a machine in the library, or the path of a TOML file.
     files
-        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
+        Whether ``name`` may be a path.  Must be False for names from the network.
 
     Raises
     ------
@@ -69,8 +71,10 @@ def board(name: str, files: bool = True) -> Board:
 
     Parameters
     ----------
+    name
+        Name of a board in the library, or the path of a TOML file.
     files
-        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
+        Whether ``name`` may be a path.  Must be False for names from the network.
 
     Raises
     ------
@@ -89,8 +93,10 @@ def profile(name: str, files: bool = True) -> LineRules:
 
     Parameters
     ----------
+    name
+        Name of a profile in the library, or the path of a TOML file.
     files
-        Whether ``name`` may be the path of a TOML file.  Must be False for names from the network.
+        Whether ``name`` may be a path.  Must be False for names from the network.
 
     Raises
     ------
@@ -119,9 +125,10 @@ def _profile(name: str) -> LineRules:
 
 @cache
 def conventions() -> tuple[LineRules, ...]:
-    """Return the rules of each profile of the library, without the rules of the default profile.
+    """Return each profile of the library with only the rules that the default profile lacks.
 
-    Classification tries these rules for styles that match no rule of the chosen profile.
+    Profiles without such rules are omitted.  If a layer, colour and linetype in a drawing match no
+    rule of the chosen profile, classification tries the rules of these profiles.
     """
     common = set(profile("default", files=False).rules)
     own = []
@@ -151,7 +158,8 @@ def _load_file(
     files
         Whether files of the user may be read.
     parse
-        Function that returns the record from the name, the fields and the path of the file.
+        Function that returns the machine, board or profile; its arguments are the name, the fields
+        and the path of the file.
 
     Raises
     ------
@@ -191,7 +199,7 @@ def _parse_file(
 
 
 def find_cutter(machine: Machine, tool: str) -> Station:
-    """Return the station named ``tool``, which must have a rotating cutter or a laser.
+    """Return the station of a machine that is named ``tool`` and has a rotating cutter or a laser.
 
     Raises
     ------
@@ -211,7 +219,9 @@ def find_cutter(machine: Machine, tool: str) -> Station:
 
 
 def board_toml(name: str) -> str:
-    """Return the TOML of a board from the library or from a file.
+    """Return the TOML text of a board.
+
+    ``name`` is the name of a board in the library, or the path of a TOML file.
 
     Raises
     ------
@@ -225,9 +235,16 @@ def board_toml(name: str) -> str:
 
 
 def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machine:
-    """Return the machine in a TOML document.
+    """Return the machine that the fields of a TOML document describe.
 
-    ``file`` is the name of the file in errors; the default is ``name``.
+    Parameters
+    ----------
+    name
+        Name of the machine.
+    fields
+        Values by field name, as parsed from the document.
+    file
+        Name of the file in error messages; if it is empty, ``name`` is used instead.
 
     Raises
     ------
@@ -253,9 +270,16 @@ def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machi
 
 
 def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
-    """Return the board in a TOML document.
+    """Return the board that the fields of a TOML document describe.
 
-    ``file`` is the name of the file in errors; the default is ``name``.
+    Parameters
+    ----------
+    name
+        Name of the board.
+    fields
+        Values by field name, as parsed from the document.
+    file
+        Name of the file in error messages; if it is empty, ``name`` is used instead.
 
     Raises
     ------
@@ -268,12 +292,21 @@ def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
 
 
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
-    """Return the profile in a TOML document: a title and a list of ``[[rule]]``.
+    """Return the profile that the fields of a TOML document describe: a title and a list of rules.
 
-    With ``extends``, the rules of the extended profile of the library come before the profile's
-    own rules, because the name of a layer is better evidence than the colours that most profiles
-    add.  With ``overrules = true`` the extended profile's rules come last, as in profiles that
-    were made from corrections.
+    If the profile extends a profile of the library, the rules of the library's profile come first,
+    because the name of a layer is better evidence than the colours that most profiles add.  If
+    ``overrules`` is true in the document, its own rules come first, as in profiles that were made
+    from corrections.
+
+    Parameters
+    ----------
+    name
+        Name of the profile.
+    fields
+        Values by field name, as parsed from the document.
+    file
+        Name of the file in error messages; if it is empty, ``name`` is used instead.
 
     Raises
     ------
@@ -305,13 +338,15 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
 
 
 def profile_toml(rules: LineRules, extends: str | None = None) -> str:
-    """Return the TOML text of a profile, which ``parse_profile`` parses to the same rules.
+    """Return the TOML text of a profile, from which ``parse_profile`` makes the same rules.
 
     Parameters
     ----------
+    rules
+        The profile, with all its rules.
     extends
-        A profile of the library whose rules are the first or the last of ``rules``; they are not
-        written.  None writes all rules.
+        Name of a profile of the library.  Its rules must be the first or the last of ``rules``, and
+        only the other rules are written.  With None all rules are written.
 
     Raises
     ------

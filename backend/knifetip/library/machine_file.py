@@ -1,6 +1,6 @@
-"""machine_file: the pydantic models of a machine and its tools in TOML.
+"""machine_file: the pydantic models of the TOML file of a machine and of its tools.
 
-The models of tools are generated from the records in ``knifetip.model.tool``, so a new kind of tool
+The models of tools are generated from the classes in ``knifetip.model.tool``, so a new kind of tool
 needs no change here.
 """
 
@@ -22,7 +22,10 @@ from knifetip.model.tool.base import NotNegative, Positive
 
 
 class AxisTable(Table):
-    """One axis of a machine: its travel, velocity and acceleration (mm or degrees, and seconds)."""
+    """The TOML table of one axis of a machine: travel, velocity and acceleration.
+
+    Lengths are in mm, or in degrees for the rotary axis; times are in seconds.
+    """
 
     low: float = Field(description="least joint position")
     high: float = Field(description="greatest joint position")
@@ -39,7 +42,7 @@ class AxisTable(Table):
 
 
 class Axes(Table):
-    """The four axes of a machine: X, Y, Z, and C, which rotates the tool."""
+    """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tool."""
 
     x: AxisTable
     y: AxisTable
@@ -48,7 +51,7 @@ class Axes(Table):
 
 
 class Datum(Table):
-    """The offset of a station: joint position = programmed position + offset."""
+    """The TOML table of the offset of a station: joint position = programmed position + offset."""
 
     x: float = Field(description="mm")
     y: float = Field(description="mm")
@@ -72,7 +75,10 @@ class ToolTable(Table):
 
 
 def _tool_table(kind: Kind) -> type[ToolTable]:
-    """Return the pydantic model of a kind of tool in TOML, made from the fields of its record."""
+    """Return the pydantic model of the TOML table of one kind of tool.
+
+    The model has the fields of the class of the tool in ``knifetip.model.tool``.
+    """
     hints = get_type_hints(kind.tool, include_extras=True)
     fields: dict[str, Any] = {"kind": (Literal[kind.name], ...)}
     for one in dataclasses.fields(kind.tool):  # type: ignore[arg-type]  # all tools are dataclasses
@@ -152,7 +158,10 @@ class MachineFile(Table):
         return value
 
     def record(self, name: str) -> Machine:
-        """Return the machine with this name, without the settings of its controller."""
+        """Return the machine that the file describes, with the name ``name``.
+
+        The settings of the machine's controller are not included.
+        """
         given = self.model_dump(exclude={"axes", "station", "origin", "controller"})
         axes: dict[str, Any] = {
             key: Axis(**limits) for key, limits in self.axes.model_dump().items()

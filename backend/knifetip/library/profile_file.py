@@ -79,7 +79,7 @@ Colours = Annotated[
 
 
 class RuleTable(Table):
-    """The TOML table of a rule: an edge that matches all conditions gets the rule's line type."""
+    """The TOML table of a rule; an edge that matches all conditions gets the line type ``type``."""
 
     type: Annotated[str, AfterValidator(_line_type)] = Field(
         json_schema_extra={"enum": [kind.word for kind in LineType]}
@@ -104,7 +104,10 @@ class RuleTable(Table):
 
 
 class ProfileFile(Table):
-    """The TOML file of a classification profile: rules on layers, colours and linetypes."""
+    """The TOML file of a classification profile: a title, and rules that give edges a line type.
+
+    The conditions of a rule are layers, colours, linetypes, entity types and blocks.
+    """
 
     title: Annotated[str, StringConstraints(pattern=r"\S", max_length=MAX_TITLE_LENGTH)]
     extends: str | None = Field(None, description="profile of the library whose rules these extend")

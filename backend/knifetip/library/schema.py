@@ -1,6 +1,6 @@
 """schema: generate the JSON Schema (draft 2020-12) of the TOML files of the library.
 
-Editors use it to complete and check the files.
+Editors use the schema to complete and check the files.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _LINE_BEFORE: Final = re.compile(r"^    #: (.+)\n    (\w+): ", re.MULTILINE)
 
 
 def json_schema(file: str) -> dict[str, Any]:
-    """Return the JSON Schema of one kind of TOML file: "machine", "board" or "profile"."""
+    """Return the JSON Schema of the kind of TOML file ``file``: "machine", "board" or "profile"."""
     schema = FILES[file].model_json_schema()
     for kind in KINDS:
         table = schema.get("$defs", {}).get(f"{kind.tool.__name__}Table", {"properties": {}})
@@ -38,7 +38,7 @@ def json_schema(file: str) -> dict[str, Any]:
 
 
 def _comments(tool: type[Tool]) -> dict[str, str]:
-    """Return the ``#:`` comment of each field of a kind of tool, by field name."""
+    """Return the ``#:`` comment of each field in the source of the class ``tool``, by field."""
     source = inspect.getsource(tool)
     same_line = dict(_SAME_LINE.findall(source))
     return {name: text for text, name in _LINE_BEFORE.findall(source)} | same_line

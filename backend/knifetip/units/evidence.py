@@ -2,10 +2,11 @@
 
     Drawing -> UnitFinding: the unit, or none if the user must choose, and the evidence
 
-The header is one kind of evidence among several.  Each kind gives every unit a weight: the
-natural logarithm of its likelihood relative to the least likely unit.  The weights are added.
-The unit that the header states is kept if its total weight is the greatest by a margin.  A unit
-that the header does not state is chosen only by a larger margin.  Otherwise the user must choose.
+The header of the file is one kind of evidence among several.  Each kind gives every unit a weight:
+the natural logarithm of the likelihood of the unit relative to the least likely unit.  The weights
+of all kinds are added to a total weight for each unit.  The unit that the header states is kept if
+its total weight is the greatest by a margin.  A unit that the header does not state is chosen only
+by a larger margin.  Otherwise the user must choose.
 """
 
 from __future__ import annotations
@@ -97,9 +98,9 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
     stated
         Unit that the header states, empty for none.
     best
-        The likeliest unit.
+        The likeliest unit: the unit with the greatest total weight of evidence.
     margin
-        Weight of the likeliest unit minus the weight of the second likeliest unit.
+        Total weight of the likeliest unit minus total weight of the second likeliest unit.
     doubtful
         Whether parts of the sheet have different scales, or the drawing has no physical size.
         If so, only the unit that the header states can be returned.
@@ -111,16 +112,17 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
 
 
 def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[Message]:
-    """Return warnings if the unit in which the drawing was read contradicts header or evidence.
+    """Return a warning for each contradiction to the unit in which the drawing was read.
 
-    The list is empty if there is no contradiction or if the drawing has no unit.
+    One warning says that the header states a different unit, another that the evidence supports a
+    different unit.  The list is empty without contradictions, or if the drawing has no unit.
 
     Parameters
     ----------
     found
-        Lengths of the edges of the drawing.
+        Lengths of the edges, and size, of the drawing.
     best
-        The likeliest unit.
+        The likeliest unit: the unit with the greatest total weight of evidence.
     lead
         Total weight of the likeliest unit minus the total weight of the unit of the drawing.
     """
@@ -159,7 +161,10 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the unit that the header states or does not state."""
+    """Return the evidence for each unit, except the least likely, from the header of the file.
+
+    The header states one unit or none.
+    """
     share = weights.STATED[drawing.stated]
     least = min(share.values())
     return [
@@ -170,7 +175,9 @@ def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
 
 
 def _header_message(stated: str, unit: str, share: float) -> Message:
-    """Return the message that states the fraction of drawings with such a header in ``unit``.
+    """Return the message that states which fraction of drawings with such a header are in ``unit``.
+
+    Such a header is one that states the unit ``stated``, or no unit.
 
     Parameters
     ----------
@@ -179,7 +186,7 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
     unit
         The unit for which the message is evidence.
     share
-        Fraction of the drawings with such a header that are in ``unit``, 0…1.
+        The fraction, 0…1.
     """
     if not stated:
         return Message("unit.share-unstated", unit=unit, percent=100.0 * share)
@@ -187,7 +194,10 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from settings of the file other than its stated unit."""
+    """Return the evidence for units from the settings of the file, other than the unit it states.
+
+    An example of such a setting is a choice between metric and imperial measures.
+    """
     evidence = []
     for hint in drawing.hints:
         favoured, weight = weights.HINTS[hint.kind]

@@ -1,18 +1,20 @@
 """lengths: evidence for the unit from the lengths of a drawing's edges.
 
-    Drawing -> Lengths in file units -> a weight for each unit: size, small features, grid
+    Drawing -> Lengths in file units -> a weight for each unit
 
-The grid is the strongest evidence.  Designers who draw in millimetres choose panels of whole or
-half millimetres; designers who draw in inches choose sixteenths.  If x is a length in file units
-and f the number of millimetres in one file unit, f x is a round number only with the right f:
+The weights come from the size of the drawing, from its shortest edges, and from the grid: the
+spacing, such as 1 mm or 1/16 in, of which the lengths of edges are multiples.  The grid is the
+strongest evidence.  Designers who draw in millimetres choose panels of whole or half millimetres;
+designers who draw in inches choose sixteenths.  If x is a length in file units and f the number of
+millimetres in one file unit, f x is a round number only with the right f:
 
     p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)
 
 The sum is over the grid spacings gᵢ (mm) of which f x is a multiple.  ε is the precision of lengths
 in the file (file units), wᵢ the fraction of lengths that are multiples of gᵢ, and w₀ the fraction
 that are multiples of no grid spacing.  A grid finer than the precision is not used.  The product
-over all lengths is averaged over the metric and the imperial table of grids, each weighted with the
-fraction of drawings in that unit that use it, and over the possible values of w₀.
+of p over all lengths is averaged over a metric and an imperial table of gᵢ and wᵢ, each weighted
+with the fraction of drawings in the unit that use the table, and over the possible values of w₀.
 """
 
 from __future__ import annotations
@@ -87,17 +89,17 @@ class Lengths:
 
 
 def drawing_lengths(drawing: Drawing) -> Lengths:
-    """Return the different lengths of the straight edges of a drawing, in file units."""
+    """Return the different lengths of a drawing's straight edges, and its size, in file units."""
     return edge_lengths(drawing.ends / factor(drawing.unit), drawing.bulge)
 
 
 def edge_lengths(ends: F64, bulge: F64) -> Lengths:
-    """Return the different lengths of straight edges, in the unit of their coordinates.
+    """Return the different lengths of the straight edges, and the size of all edges together.
 
     Parameters
     ----------
     ends : (n, 2, 2)
-        Start and end points of n edges.
+        Start and end points of n edges, in any unit; the result is in the same unit.
     bulge : (n,)
         Bulges of the edges; 0 for straight edges.
     """
@@ -133,7 +135,17 @@ def edge_lengths(ends: F64, bulge: F64) -> Lengths:
 
 
 def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, float]:
-    """Return min x, min y, max x and max y of all edges."""
+    """Return min x, min y, max x and max y of n edges, in the unit of their coordinates.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of the edges.
+    bulge : (n,)
+        Bulges of the edges.
+    straight : (n,)
+        Mask of the straight edges.
+    """
     if not len(ends):
         return 0.0, 0.0, 0.0, 0.0
     # A reduction of each column is ten times as fast as one along the rows.
@@ -151,7 +163,10 @@ def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, 
 
 
 def _quantum(ends: F64) -> float:
-    """Return the value of the last decimal place of coordinates, 0 if they are not rounded."""
+    """Return the value of the last decimal place of the coordinates ``ends``, for example 0.01.
+
+    The value is 0 if the coordinates are not rounded to at most six decimal places.
+    """
     flat = ends.reshape(-1)
     sample = np.abs(flat[:: max(1, len(flat) // _SAMPLE)])
     for places in range(7):
@@ -162,9 +177,9 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return the weight of each unit minus the least weight.
+    """Return the weight of each unit minus the least of the weights, which are given by unit.
 
-    Differences greater than ``weights.HEAVIEST`` are reduced to it.
+    Weights more than ``weights.HEAVIEST`` below the greatest weight are first raised to this limit.
     """
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
@@ -175,14 +190,16 @@ def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
 def evidence_of_units(
     kind: str, weight: Mapping[str, float], message: Mapping[str, Message]
 ) -> list[UnitEvidence]:
-    """Return the evidence of one kind for each unit.
+    """Return one ``UnitEvidence`` for each unit, all of the same kind.
 
     Parameters
     ----------
     kind
-        Kind of evidence, as in ``UnitEvidence``.
-    weight, message
-        Weight and message of the evidence for each unit.
+        Kind of the evidence, as in ``UnitEvidence``.
+    weight
+        Weight of the evidence for each unit; ``relative_weights`` is applied to the weights.
+    message
+        Message that describes the evidence for each unit.
     """
     return [
         UnitEvidence(unit, message[unit], value, kind)
@@ -191,7 +208,10 @@ def evidence_of_units(
 
 
 def size_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the size of the drawing and usual carton sizes."""
+    """Return the evidence for each unit from the longer side of the drawing.
+
+    A unit in which this side has a usual length for a carton gets a greater weight.
+    """
     weight = {
         unit: _interpolate(weights.SIZE, found.longer * scale)
         for unit, scale in MILLIMETRES.items()
@@ -205,9 +225,10 @@ def size_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def feature_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the shortest edges.
+    """Return the evidence for each unit from the shortest edges of the drawing.
 
-    The lengths of slots and small flaps depend on the caliper of the board.
+    Slots and small flaps have usual lengths, since these depend on the caliper of the board.  The
+    list is empty if the drawing has too few straight edges.
     """
     if found.straight < weights.FEATURE_EDGES or not np.isfinite(found.shortest):
         return []
@@ -223,7 +244,10 @@ def feature_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def paper_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return evidence for units in which the drawing has a paper size: a frame or a page."""
+    """Return evidence for each unit in which the drawing has a paper size, such as A4.
+
+    The drawing may have this size because it contains a frame or the outline of a page.
+    """
     short, long = sorted((found.width, found.height))
     found_in = []
     for unit, scale in MILLIMETRES.items():
@@ -236,7 +260,10 @@ def paper_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def grid_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit: how many lengths of edges are round numbers in it."""
+    """Return the evidence for each unit from the edges whose lengths are round numbers in the unit.
+
+    The list is empty if the drawing has no straight edges.
+    """
     if not len(found.value):
         return []
     message = {unit: _grid_message(found, unit) for unit in MILLIMETRES}
@@ -244,7 +271,7 @@ def grid_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def grid_likelihood(found: Lengths) -> dict[str, float]:
-    """Return the log-likelihood of the lengths of the edges for each unit."""
+    """Return the log-likelihood of the lengths of the edges for each unit of the drawing."""
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
@@ -261,14 +288,16 @@ def grid_likelihood(found: Lengths) -> dict[str, float]:
 
 
 def table_likelihood(found: Lengths, scale: float, table: Mapping[float, float]) -> float:
-    """Return the log-likelihood of the lengths of the edges for one table of grids.
+    """Return the log-likelihood of the lengths of the edges for one table of grid spacings.
 
     Parameters
     ----------
+    found
+        Lengths of the edges of the drawing.
     scale
         Millimetres in one file unit.
     table
-        Fraction of lengths that are multiples of each grid spacing (mm).
+        Grid spacings (mm), and for each the fraction of lengths that are multiples of it.
     """
     share = min(1.0, weights.INDEPENDENT / len(found.value))
     return max(share * _log_likelihood(found.value, exact, table, scale) for exact in found.exact)
@@ -287,9 +316,10 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
 
 
 def _grid_message(found: Lengths, unit: str) -> Message:
-    """Return the message with the best grid in a unit, and how many lengths are multiples of it.
+    """Return the message that names the best grid spacing and the number of its multiples.
 
-    The best grid is the one with the greatest total length of edges.
+    The best grid spacing is the one for which the edges whose length is a multiple of it have the
+    greatest total length.  ``unit`` is the unit in which the drawing is assumed to be.
     """
     scale = MILLIMETRES[unit]
     fits = []
@@ -314,12 +344,12 @@ def _grid_message(found: Lengths, unit: str) -> Message:
 
 
 def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
-    """Return the weight of a size (mm) from a table, interpolated linearly in the log of the size.
+    """Return the weight of ``size`` (mm), interpolated linearly in the logarithm of the size.
 
     Parameters
     ----------
     points
-        Sizes (mm) and their weights.
+        Sizes (mm) in ascending order, each with its weight.
     """
     at, weight = zip(*points, strict=True)
     return float(np.interp(np.log(max(size, 1e-12)), np.log(at), weight))

@@ -18,16 +18,17 @@ from knifetip.units.rescale import rescale
 def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
     """Return the drawing in the unit that the evidence supports.
 
-    The unit that the file states is kept unless a different unit is far likelier.  If the evidence
-    is not conclusive, the drawing is returned in file units, with ``unit`` empty.
+    The unit that a DXF header states is kept unless a different unit is far likelier; the units
+    that other formats state are always kept.  If the evidence is not conclusive, the drawing is
+    returned in file units, with ``unit`` empty.
 
     Parameters
     ----------
     drawing
         The drawing, read without a unit from the user.
     read_in
-        Function that reads the same file again in a given unit.  Curves are fitted within a
-        tolerance in mm, so scaling the drawing is not enough.
+        Function that reads the file of the drawing again in a given unit.  Scaling the drawing is
+        not enough, because curves are fitted within a tolerance in mm when a file is read.
     """
     found = find_unit(drawing)
     if found.unit == drawing.unit:

@@ -2,8 +2,9 @@
 
     Drawing -> warnings
 
-There are two signs.  Two parts have the same shape at different sizes, or the lengths of two parts
-are round numbers in different units, for example after a block was inserted 25.4 times too large.
+A part is a set of connected edges.  Two parts have different scales if they have the same shape at
+different sizes, or if the lengths of their edges are round numbers in different units, for example
+after a block was inserted 25.4 times too large.
 """
 
 from __future__ import annotations
@@ -37,16 +38,21 @@ _SCALES: Final = (1.5, 2.0, 2.5, 4.0, 5.0, 10.0, 20.0, 25.4, 50.0, 100.0)
 
 
 def mixed_scale_warnings(drawing: Drawing) -> list[Message]:
-    """Return a warning for each sign that parts of the drawing have different scales."""
+    """Return warnings if connected parts of the drawing have different scales, else an empty list.
+
+    At most one warning is about two parts of the same shape at different sizes, and at most one is
+    about two parts whose lengths are round numbers in different units.
+    """
     ends, bulge = drawing.ends / factor(drawing.unit), drawing.bulge
     parts = _largest_parts(ends)
     return _similar_parts(parts, ends, bulge) + _parts_in_other_units(parts, ends, bulge)
 
 
 def _largest_parts(ends: F64) -> list[I64]:
-    """Return the indices of the edges of each of the largest connected parts.
+    """Return the indices of the edges of each of the largest connected parts of n edges.
 
-    The list is empty if fewer than two parts can be compared.
+    A part is a set of connected edges.  Parts that are too small, or have too few edges, to be
+    compared are omitted.  ``ends`` are the start and end points of the edges, shape (n, 2, 2).
     """
     if len(ends) < 2 * _EDGES:
         return []
@@ -77,8 +83,14 @@ def _largest_parts(ends: F64) -> list[I64]:
 def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if two parts have the same shape at different sizes, else an empty list.
 
-    ``parts`` are the edge indices of each part; ``ends`` and ``bulge`` describe all edges of the
-    drawing, in file units.
+    Parameters
+    ----------
+    parts
+        Edge indices of each part.
+    ends : (n, 2, 2)
+        Start and end points of all n edges of the drawing (file units).
+    bulge : (n,)
+        Bulges of all edges of the drawing.
     """
     shapes = []
     for rows in parts:
@@ -100,10 +112,16 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
 
 
 def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
-    """Return a warning if the lengths of two parts are round numbers in different units.
+    """Return a warning if two parts have round lengths in different units, else an empty list.
 
-    The list is empty if they are not.  ``parts`` are the edge indices of each part; ``ends`` and
-    ``bulge`` describe all edges of the drawing, in file units.
+    Parameters
+    ----------
+    parts
+        Edge indices of each part.
+    ends : (n, 2, 2)
+        Start and end points of all n edges of the drawing (file units).
+    bulge : (n,)
+        Bulges of all edges of the drawing.
     """
     candidates: list[tuple[dict[tuple[str, str], float], Lengths]] = []
     for rows in parts:
@@ -120,10 +138,12 @@ def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Messa
 
 
 def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
-    """Return the log-likelihood of a part's lengths for pairs of a unit and a system of measures.
+    """Return the log-likelihood of the edge lengths of one part for each unit and system.
 
-    The systems are "metric" and "imperial".  Round numbers in cm or m are also round in mm, and
-    round numbers in feet are round in inches, so only one unit of each family is compared.
+    The keys are pairs of a unit in which the part is assumed to be drawn, "mm", "in", "pt" or "px",
+    and the system in which its lengths are assumed to be round numbers, "metric" or "imperial".
+    Other units are omitted: lengths that are round in cm or m are round in mm, and lengths that are
+    round in feet are round in inches.
     """
     return {
         (unit, system): table_likelihood(found, MILLIMETRES[unit], table)
@@ -133,9 +153,10 @@ def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
 
 
 def _drawn_in(key: tuple[str, str]) -> Message:
-    """Return the message that names the unit and the system of measures in which a part is drawn.
+    """Return the message that names the unit in which a part is drawn.
 
-    ``key`` is the unit of the part and its system of measures, "metric" or "imperial".
+    ``key`` is this unit, such as "mm", and the system of measures in which the lengths of the part
+    are round numbers, "metric" or "imperial".
     """
     match key:
         case ("mm", "metric"):
@@ -150,9 +171,10 @@ def _drawn_in(key: tuple[str, str]) -> Message:
 
 @kernel
 def _component_roots(node: OutI64_1, count: int) -> Any:
-    """Return the union-find root of each of ``count`` graph nodes, shape (count,).
+    """Return the number of the union-find root of each of ``count`` graph nodes, shape (count,).
 
     ``node`` contains two node numbers per edge: edge i joins ``node[2 i]`` and ``node[2 i + 1]``.
+    Nodes that are connected by edges have the same root.
     """
     root = np.arange(count)
     for edge in range(len(node) // 2):

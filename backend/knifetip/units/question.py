@@ -1,6 +1,7 @@
 """question: build the question that asks the user for the unit of a drawing.
 
-The question lists the size of the drawing in each unit, the likeliest first, and the evidence.
+The question states the size of the drawing in each unit, the likeliest unit first, and the evidence
+for the likeliest unit.
 """
 
 from __future__ import annotations
@@ -21,7 +22,10 @@ _SHOWN: Final = 2
 
 
 def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
-    """Return the question that asks the user for the unit; None if the unit is known."""
+    """Return the question that asks the user for the unit; None if the drawing has a unit.
+
+    ``finding`` is the evidence for each unit of the drawing.
+    """
     if drawing.unit:
         return None
     low_x, low_y, high_x, high_y = drawing.bounds

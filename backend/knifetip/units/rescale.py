@@ -13,14 +13,15 @@ def rescale(drawing: Drawing, unit: str) -> Drawing:
     """Return the drawing with its file coordinates interpreted in another unit.
 
     Bulges, layers and the rows of the import report do not change.  Ellipses and splines were
-    fitted when the drawing was read, so a larger unit also scales the deviation of the fitted
-    edges.  To fit them within the tolerance, read the file again with ``unit``.
+    approximated by lines and arcs when the drawing was read, so a larger unit also increases the
+    error of this approximation.  To keep the error within the tolerance, read the file again with
+    ``unit``.
 
     Parameters
     ----------
     unit
-        A key of ``model.unit.MILLIMETRES``; "" removes the unit, so that coordinates are those in
-        the file.
+        A key of ``model.unit.MILLIMETRES``.  With "" the drawing gets no unit, and its coordinates
+        become those in the file.
 
     Raises
     ------

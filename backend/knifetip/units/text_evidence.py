@@ -2,10 +2,11 @@
 
     Drawing, Lengths -> a weight for each unit, and warnings about scales
 
-A number that is the length of an edge relates the unit of the number to the unit of the file: with
-"350" beside an edge of 13.78, the file is in inches and the text in millimetres.  Some numbers
-match a length by chance, so each number is also compared at scales that no pair of units has.  The
-weight of a match grows with the ratio of its probability to the frequency of these chance matches.
+A number on the sheet that is the length of an edge relates the unit of the number to the unit of
+the file: with "350" beside an edge of 13.78, the file is in inches and the text in millimetres.
+Some numbers match a length by chance.  The frequency of such chance matches is measured at scales
+that are not the ratio of any two units.  The weight of a match grows with the ratio of its
+probability to this frequency.
 """
 
 from __future__ import annotations
@@ -68,7 +69,10 @@ class TextEvidence:
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A number in a text, and the length that the dimension measures if the text is its text."""
+    """A number in a text on the sheet, with the length that the dimension measures, if any.
+
+    A dimension has a measured length and a text; the text normally states the measured length.
+    """
 
     written: WrittenLength
     measure: (
@@ -111,9 +115,10 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
 
 
 def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
-    """Yield the lengths that are written in a text.
+    """Yield each length that is written in a text, with the length that its dimension measures.
 
-    ``scale`` is the number of millimetres in one file unit, which converts measured lengths.
+    ``scale`` is the number of millimetres in one file unit; it converts the measured length to file
+    units.  The measured length is NaN if the text does not belong to a dimension.
     """
     measure = text.measure / scale
     if measured := _MEASURED.search(text.text):
@@ -131,12 +136,16 @@ def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
 def _number_evidence(
     numbers: Sequence[_Number], found: Lengths, stated: Sequence[str]
 ) -> list[UnitEvidence]:
-    """Return the evidence for each unit from numbers that equal lengths of the drawing.
+    """Return the evidence for each unit from numbers in texts that equal lengths of the drawing.
+
+    The list is empty if no number equals a length.
 
     Parameters
     ----------
+    numbers
+        Numbers in the texts on the sheet.
     found
-        Lengths of the edges of the drawing.
+        Lengths of the edges, and size, of the drawing.
     stated
         Units that texts on the sheet state for all dimensions.
     """
@@ -187,7 +196,7 @@ def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message
     matches
         One message per number that equals a length.
     count
-        Number of all numbers on the sheet that were compared.
+        Number of the numbers on the sheet that were compared with lengths.
     """
     if not matches:
         return Message("unit.no-number-matches", unit=unit, all=count)
@@ -196,14 +205,25 @@ def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message
 
 
 def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
-    """Compare n numbers with the lengths of the drawing, at each ratio of two units.
+    """Compare n numbers with the lengths of the drawing, at each ratio in ``_RATIOS``.
+
+    A ratio is the number of file units in the unit of a written number.
+
+    Parameters
+    ----------
+    numbers
+        Numbers in the texts on the sheet.  A number in the text of a dimension is compared only
+        with the length that the dimension measures.
+    found
+        Lengths of the edges, and size, of the drawing.
 
     Returns
     -------
     gain : (n, ratios)
-        Log-likelihood of the match, or of no match, relative to a chance match.
+        Logarithm of the probability of the outcome (match or no match) if the number states a
+        length, divided by the probability of the same outcome by chance.
     hits : (n, ratios)
-        Whether the number equals a length.
+        Whether the number, multiplied by the ratio, equals a length.
     """
     sides = np.append(found.value, [found.width, found.height])
     gain = np.zeros((len(numbers), len(_RATIOS)))
@@ -224,16 +244,20 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
 
 
 def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) -> Bool:
-    """Return the mask of the ratios at which a written length equals one of the lengths, (ratios,).
+    """Return the mask of the ratios at which a written length equals a length in ``against``.
+
+    The shape of the mask is (ratios,).
 
     Parameters
     ----------
+    written
+        The written length.
     ratios
-        File units per unit of the written length.
+        Possible numbers of file units in the unit of the written length.
     against
-        Lengths in the drawing, in file units.
+        Lengths in the drawing (file units).
     exact
-        Precision of these lengths (file units).
+        Precision of the lengths in ``against`` (file units).
     """
     value = written.value * ratios
     near = np.maximum(np.maximum(exact, written.half * ratios), _TOLERANCE * value)

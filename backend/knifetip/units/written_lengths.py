@@ -81,7 +81,7 @@ _STATEMENT: Final = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class WrittenLength:
-    """A length as it is written in a text: value, unit and precision."""
+    """A length as it is written in a text: its value, its unit (if it has one) and precision."""
 
     text: str  #: the length with its unit, as written
     value: float
@@ -134,13 +134,19 @@ def _parse(match: re.Match[str]) -> WrittenLength | None:
 
 
 def stated_unit(text: str) -> str:
-    """Return the unit in a text such as "all dimensions in mm", empty if there is none."""
+    """Return the unit that a text states for all dimensions, as in "all dimensions in mm".
+
+    The unit is empty if the text states none.
+    """
     match = _STATEMENT.search(text)
     return _UNIT_OF.get(match["unit"].lower().removesuffix(" "), "in") if match else ""
 
 
 def written_scales(text: str) -> list[tuple[int, int]]:
-    """Return the drawing scales that are written in a text: (1, 10) for "1:10"."""
+    """Return the drawing scales that are written in a text, for example (1, 10) for "1:10".
+
+    Only scales of which one number is 1 and the other is not are returned.
+    """
     return [
         (int(one), int(other))
         for one, other in _SCALE.findall(text)
