@@ -1,1 +1,1 @@
-"""The REST API: routes, access control, server-sent events and the embedded service."""
+"""The REST API: routes, access control, server-sent events, and the service in one process."""

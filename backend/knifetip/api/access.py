@@ -41,7 +41,7 @@ _AUTHORITY = re.compile(r"(\[[0-9a-f:.]+\]|[a-z0-9._-]+)(?::([0-9]{1,5}))?", re.
 
 @dataclass(frozen=True, slots=True)
 class AccessRules:
-    """Settings of the access control."""
+    """Settings of the access control: the key, the accepted Host names, and the bound addresses."""
 
     key: str = ""  #: empty: only requests from this computer are served
     hosts: tuple[str, ...] = ()  #: additional NAME or NAME:PORT accepted in the Host header
@@ -50,7 +50,7 @@ class AccessRules:
 
 @dataclass(frozen=True, slots=True)
 class RequestFacts:
-    """Facts about a request and its sender that the checks use."""
+    """Method, path, headers and addresses of one request, on which the access checks depend."""
 
     method: str
     path: str
@@ -69,7 +69,7 @@ class RequestFacts:
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """HTTP status and message for a refused request."""
+    """HTTP status and error message of the response to a request that is refused."""
 
     status: int
     message: Message
@@ -81,12 +81,16 @@ class Refusal:
 
 
 def find_refusal(rules: AccessRules, facts: RequestFacts, now: float) -> Refusal | None:
-    """Return the refusal of a request, or None if the request is accepted.
+    """Return the status and message with which a request is refused, or None if it is accepted.
 
     Parameters
     ----------
+    rules
+        Settings of the access control.
+    facts
+        Method, path, headers and addresses of the request.
     now
-        Current time in seconds since 1970; sessions that end before it are refused.
+        Current time in seconds since 1970; a session that ends before it is invalid.
     """
     bearer = _bearer(facts.authorization) if rules.key else None
     keyed = bearer is not None and same_key(bearer, rules.key)
@@ -110,7 +114,10 @@ def _wrong_host(facts: RequestFacts) -> Refusal:
 
 
 def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
-    """Return a refusal if a page of another origin may have sent the request, otherwise None."""
+    """Return a refusal if a page of another origin may have sent the request, otherwise None.
+
+    ``host`` is the name and port in the Host header of the request.
+    """
     if facts.method in _SAFE:
         return None
     same = False
@@ -137,7 +144,7 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
 def _html_form(facts: RequestFacts) -> Refusal | None:
     """Return a refusal if an HTML form sent the request to a route of the API, otherwise None.
 
-    Browsers send forms of any site to any other site.
+    Browsers let the pages of any web site send HTML forms to this server.
     """
     kind = facts.content_type.partition(";")[0].strip().lower()
     if facts.method in _SAFE or not _is_api(facts.path) or kind not in _FORMS:
@@ -148,7 +155,10 @@ def _html_form(facts: RequestFacts) -> Refusal | None:
 def _without_key(
     rules: AccessRules, facts: RequestFacts, host: Authority, now: float
 ) -> Refusal | None:
-    """Return a refusal if another computer's request has no key and no session, otherwise None."""
+    """Return a refusal if a request without a key needs a session and has none, otherwise None.
+
+    Health checks, and requests from this computer to a loopback address, need no session.
+    """
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
     is_local = is_loopback(facts.peer or "")
@@ -162,8 +172,9 @@ def _without_key(
 
 
 def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool:
-    """Return whether a Host is a loopback name, the local address of the connection, or allowed.
+    """Return whether the Host header of a request names this server.
 
+    It must contain a loopback name, the local address of the connection, or one of ``rules.hosts``.
     This prevents DNS rebinding, because a rebound name is none of the three.  A name server cannot
     forge the local address, so a server that listens on all interfaces needs no list of its
     addresses.
@@ -182,9 +193,9 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
 
 
 def parse_authority(text: str) -> Authority | None:
-    """Parse ``NAME[:PORT]``; return the lower-case name and the port, or None if it is malformed.
+    """Return name and port of a text ``NAME[:PORT]``, or None if the text is malformed.
 
-    The name of an IPv6 address has no brackets.
+    The name is in lower case, for an IPv6 address without brackets; the port is None if absent.
     """
     found = _AUTHORITY.fullmatch(text)
     if found is None:
@@ -222,7 +233,7 @@ def _is_api(path: str) -> bool:
 
 
 def same_key(given: str, key: str) -> bool:
-    """Return whether two keys are equal; the comparison takes constant time."""
+    """Return whether the given key equals the server's key; the comparison takes constant time."""
     digests = (hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (given, key))
     return hmac.compare_digest(*digests)
 
@@ -285,9 +296,14 @@ class Access:
     async def _sign_in(
         self, request: Request, facts: RequestFacts, refused: Refusal | None
     ) -> Response | None:
-        """Return the response to a sign-in or a refused request; None to accept the request.
+        """Return the response to a sign-in or to a refused request; None for accepted requests.
 
         A browser that requests the page without a key receives the sign-in page.
+
+        Parameters
+        ----------
+        refused
+            Result of ``find_refusal`` for the request.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)

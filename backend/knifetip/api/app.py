@@ -52,7 +52,10 @@ STATUS: Mapping[type[errors.KnifetipError], int] = {
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """Return a new application; on start it migrates the database and starts the workers."""
+    """Return a new FastAPI application of a server with the given or the default settings.
+
+    When it starts, it migrates the database and starts the worker processes.
+    """
     chosen = settings or Settings()
 
     @asynccontextmanager
@@ -136,7 +139,7 @@ async def _health() -> Health:
 
 
 async def _ready(service: ServiceDep, response: Response) -> Health:
-    """Report whether the server can process requests; the status is 503 if it cannot."""
+    """Report whether the server can process requests; the HTTP status is 503 if it cannot."""
     checks = {"database": "ok", "workers": "ok" if service.ready else "starting"}
     try:
         await service.threads.reports(service.store.alive)
@@ -148,7 +151,7 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
 
 
 async def _status(service: ServiceDep) -> ServiceOut:
-    """Get the progress of the compilation of kernels after an installation."""
+    """Get the version of the server, and how many of its parts are compiled after installation."""
     progress = service.warm_up.progress
     return ServiceOut(
         version=version("knifetip"),

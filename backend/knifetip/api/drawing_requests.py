@@ -57,13 +57,17 @@ def add_drawing(
         Bytes of the file.
     unit
         Unit given by the user; "" for the unit of the file.
+    profile
+        Name of the classification profile.
     key
-        Idempotency-Key; if it was used before, the earlier drawing is returned.
+        Idempotency-Key; if it was used before, the drawing that was stored then is returned.
 
     Raises
     ------
     DrawingTooLarge
         The file exceeds the limit for uploads.
+    LibraryError
+        There is no profile with the name.
     ReadError
         The file cannot be read.
     """
@@ -102,18 +106,22 @@ def read_drawing(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> tasks.Reading:
-    """Read and classify a drawing in a worker process, and return the result of ``tasks.read``.
+    """Read and classify a drawing in a worker process; return the data that are to be stored.
 
     Parameters
     ----------
+    name, content
+        Name and bytes of the file.
+    interpretation
+        Unit, profile and overrides with which the file is read and classified.
     handles : (n,)
-        Handles of the edges to which the overrides of the interpretation belong; None if the
+        Handles of the n edges to which the overrides of the interpretation belong; None if the
         drawing is new.
 
     Raises
     ------
     ReadError
-        The drawing cannot be read; the message starts with its name.
+        The drawing cannot be read; the message starts with the name of the file.
     """
     try:
         return service.run(tasks.read, content, interpretation, handles)
@@ -127,7 +135,7 @@ def read_drawing(
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """New interpretation of a drawing, and the message for the event log."""
+    """New interpretation of a drawing, and the message that the event log gets about the change."""
 
     interpretation: Interpretation
     event: Message
@@ -140,14 +148,18 @@ def apply_change(
     match: str | None,
     decide: Callable[[Drawing], Change],
 ) -> DrawingOut:
-    """Change a drawing and return its API model.
+    """Change the interpretation of a drawing, classify it again, and return its API model.
 
     Parameters
     ----------
+    response
+        Gets the header ``ETag``.
+    id
+        Id of the drawing.
     match
         If-Match header of the request; None applies the change to the newest revision.
     decide
-        Returns the change for the newest revision of the drawing.
+        Function from the newest revision of the drawing to the change.
 
     Raises
     ------
@@ -185,7 +197,7 @@ def apply_change(
 
 
 def drawing_etag(drawing: DrawingOut) -> str:
-    """Return the ETag of a drawing: its revision and the state of its profile."""
+    """Return the ETag of a drawing, made from its revision and its ``profile_state``."""
     return etag(drawing.revision, drawing.profile_state)
 
 
@@ -200,7 +212,7 @@ def drawing_name(given: str) -> str:
 
 
 def drawing_out(service: Service, row: Drawing) -> DrawingOut:
-    """Return the API model of a drawing whose ``import_report`` column is loaded."""
+    """Return the API model of a stored drawing; ``row`` must have its column ``import_report``."""
     import_report = row.summary["import_report"]
     return DrawingOut.model_validate(
         {
@@ -221,7 +233,10 @@ def drawing_out(service: Service, row: Drawing) -> DrawingOut:
 
 
 def profile_state(service: Service, row: Drawing) -> str:
-    """Return "current", "changed" or "deleted": the profile's state since the classification."""
+    """Return how the profile of a drawing has changed since the drawing was classified.
+
+    The result is "current" (not changed), "changed" or "deleted".
+    """
     stored = service.store.profiles.get(row.profile)
     if stored is None:
         return "deleted" if row.rules else "current"
@@ -229,7 +244,7 @@ def profile_state(service: Service, row: Drawing) -> str:
 
 
 def summary_out(row: Drawing) -> DrawingSummary:
-    """Return the API model of a drawing for lists."""
+    """Return the API model that describes a stored drawing in lists of drawings."""
     return DrawingSummary(
         id=row.id,
         revision=row.version,

@@ -91,7 +91,7 @@ def list_drawings(
 def get_drawing(
     service: ServiceDep, response: Response, id: str, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
-    """Get a drawing with its questions and its import report."""
+    """Get a drawing with its open questions and its import report; 304 if the client has it."""
     row = service.store.drawings.get_with(id, "import_report")
     headers = {"ETag": etag(row.version, profile_state(service, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
@@ -127,7 +127,7 @@ def change_drawing(
 
 @router.delete("/{id}", status_code=204)
 def delete_drawing(service: ServiceDep, id: str) -> None:
-    """Delete a drawing that no job uses; 409 otherwise."""
+    """Delete a drawing; the status is 409 if a job uses the drawing."""
     service.store.drawings.delete(id)
 
 

@@ -48,7 +48,7 @@ def _print_line(line: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """The parts of the service that run in the process of the server."""
+    """Options of the embedded service: sample drawings, simulated machine and compile workers."""
 
     samples: bool = True  #: add the sample drawings to a new database
     simulator: bool = True  #: run a simulated machine with its gateway
@@ -58,7 +58,7 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """Access settings of the service: the key for other computers, and accepted host names."""
+    """Access settings of the service: the key for other computers, and the accepted host names."""
 
     key: str = ""  #: without a key only this computer is served
     key_file: Path | None = None  #: created with a random key if it does not exist
@@ -81,8 +81,16 @@ def serve(
 
     Parameters
     ----------
+    host
+        Address or name at which the server listens.
     port
-        0 for a free port.
+        Port at which the server listens; 0 for a free port.
+    database
+        SQLAlchemy URL of the database.
+    parts
+        Which parts of the service run in this process.
+    access
+        The key for other computers, and the accepted host names.
     announce
         Called with the server's URL when it is ready.
 
@@ -119,7 +127,11 @@ def serve(
 
 
 def _listen(host: str, port: int) -> list[socket.socket]:
-    """Return listening sockets for the host, and for loopback if the host is another address."""
+    """Return the sockets on which the server listens: one for ``host``, and one for loopback.
+
+    There is only one socket if ``host`` is a loopback address or stands for all addresses.  If
+    ``port`` is 0, a free port is used.
+    """
     first = _bind(host, port)
     address, taken = first.getsockname()[:2]
     if is_loopback(address) or ipaddress.ip_address(address).is_unspecified:
@@ -148,14 +160,21 @@ def _bind(host: str, port: int) -> socket.socket:
 
 
 def _local(host: str) -> str:
-    """Return the loopback address of a server that listens on ``host``."""
+    """Return the loopback address at which a server that listens on ``host`` can be reached."""
     if host.startswith("127."):
         return host
     return "[::1]" if ":" in host else "127.0.0.1"
 
 
 def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
-    """Return the text line for the start log that explains how other computers get access."""
+    """Return the line of the start log that explains how other computers get access.
+
+    Parameters
+    ----------
+    port, key, key_file
+        Port and key of the server, and the file that contains the key.  The key is "" if only this
+        computer is served, and the file is None if the key is not in a file.
+    """
     if not key:
         return (
             "No key: only this computer is served, at its loopback address. Start with "
@@ -167,7 +186,10 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
 
 
 def _journal_path(database: str) -> Path | None:
-    """Return the path of the gateway's journal next to a SQLite file; None for PostgreSQL."""
+    """Return the path of the gateway's journal, next to the SQLite file that ``database`` names.
+
+    It is None if the database is not a SQLite file.
+    """
     url = sa.make_url(database)
     if url.get_backend_name() != "sqlite" or not url.database:
         return None
@@ -244,7 +266,7 @@ class _Server(uvicorn.Server):
         self._loop: asyncio.AbstractEventLoop | None = None
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Start the server, announce its URL, and add the samples in the background."""
+        """Start the server, announce its URL, and add the sample drawings in the background."""
         await super().startup(sockets)
         if self.should_exit:
             return
@@ -275,7 +297,7 @@ class _Server(uvicorn.Server):
         return service
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
-        """Shut down in order at the first signal, and immediately at the second signal."""
+        """Stop the machine and then the server; at a second signal, stop the server at once."""
         if self._leaving or not self.started:
             super().handle_exit(sig, frame)
             self._end_main_loop()

@@ -42,7 +42,10 @@ _log = logging.getLogger("knifetip.api")
 
 
 class Stream:
-    """Queries the store for changes while clients listen, and sends the changes to all clients."""
+    """Sends all changes in the store to all clients.
+
+    It queries the store only while clients are connected.
+    """
 
     def __init__(self, service: Service) -> None:
         self._service = service
@@ -112,10 +115,10 @@ class Stream:
         return messages
 
     def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
-        """Return events for queued jobs whose ``waiting_for`` or message has changed.
+        """Return one event for each queued job whose reason to wait changed since the last call.
 
-        Changes of other jobs and new gateways change these fields without an event of the job
-        itself.
+        The reason is in the fields ``waiting_for`` and ``message`` of a job.  Changes of other jobs
+        and new gateways change these fields without an event of the job itself.
 
         Parameters
         ----------
@@ -157,7 +160,7 @@ class Stream:
         return _message("drawing", drawing.model_dump_json(), number)
 
     async def listen(self, after: int | None) -> AsyncIterator[ServerSentEvent]:
-        """Yield the changes after event number ``after``, and then each new change.
+        """Yield server-sent events: the changes after event number ``after``, then new changes.
 
         If ``after`` is None, only new changes are yielded.
         """

@@ -30,7 +30,7 @@ _SEEN = 2.0  # seconds between two records of a gateway's contact
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
 async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim | Response:
-    """Wait for the next job of a machine and claim it; 204 after ``wait`` seconds without one.
+    """Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
 
     If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
     """
@@ -105,12 +105,22 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
 
 @router.post("/finish")
 async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
-    """Report the end of a job; a late report of the last owner corrects an interrupted job."""
+    """Report the end of a job.
+
+    A late report of the gateway that owned an interrupted job last ends the job, or corrects the
+    last executed line and the message of the job.
+    """
     return await service.threads.reports(_finish_job, service, report)
 
 
 def _cause(why: str | MessageIn) -> Message | None:
-    """Return the cause in a report of a gateway as a message; None if the report has no cause."""
+    """Return the cause that a gateway reported for the end of a job; None if it reported none.
+
+    Parameters
+    ----------
+    why
+        The cause as a message, or as plain text; "" for no cause.
+    """
     if isinstance(why, MessageIn):
         return why.message
     return Message(STORED, text=why, hint="") if why else None

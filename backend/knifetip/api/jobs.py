@@ -97,7 +97,10 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
 
 
 def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
-    """Return the drawing's interpretation with the profile, overrides and corners of the job."""
+    """Return the interpretation of a drawing with the changes that a request for a job contains.
+
+    The request can contain a profile, overrides of line types, and corner types.
+    """
     interpretation = interpretation_of(drawing, drawing.overrides)
     if order.profile is not None:
         rules = customer_rules(service, order.profile)
@@ -173,7 +176,7 @@ def get_verdict(
     id: str,
     format: DataFormat = "json",
 ) -> Response:
-    """Get the verdict with measurements for each edge, as JSON or as binary columns."""
+    """Get the verdict on a job's program, with measurements per edge, as JSON or binary columns."""
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "verdict")
     if format == "columns":
@@ -182,7 +185,10 @@ def get_verdict(
 
 
 def verdict_out(block: bytes) -> VerdictOut:
-    """Return the API model of a stored verdict; columns that an older version lacks are empty."""
+    """Return the API model of a verdict from its packed columns.
+
+    Columns that are missing, because an older version stored the verdict, are empty.
+    """
     columns, meta = unpack_columns(block)
     figures = {
         f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_COLUMNS
@@ -200,10 +206,11 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
 def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
-    """Get the path of the head as binary columns.
+    """Get the tool path of a job as binary columns with one row per move of the head.
 
-    The columns are ``pose`` (X, Y of the head's axis, Z of the tip, C), ``bulge``, ``motion``,
-    ``feed``, ``source`` (row of the edge), ``tool`` (station number) and ``line`` (program line).
+    The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip, C; one row more),
+    ``bulge``, ``motion``, ``feed``, ``source`` (row of the edge), ``tool`` (station number) and
+    ``line`` (program line).
     """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")
@@ -212,7 +219,7 @@ def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
 
 @router.post("/{id}/release")
 def release_job(service: ServiceDep, id: str) -> JobOut:
-    """Queue a job that is ready."""
+    """Queue a job that has the state ``ready``."""
     return job_out(service.store, service.store.jobs.release(id))
 
 
@@ -221,8 +228,8 @@ def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) ->
     """Confirm that table, board and tools are ready; then the machine starts.
 
     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
-    of the gateway.  The status is 409 if the job does not wait for a confirmation, or if another
-    board is named.
+    of the gateway.  The status is 409 if the job does not wait for a confirmation, or if the
+    request names another board than the job.
     """
     confirmation = found or ConfirmIn()
     return job_out(
@@ -256,7 +263,7 @@ def finish_job(service: ServiceDep, id: str) -> JobOut:
 
 @router.post("/{id}/requeue")
 def requeue_job(service: ServiceDep, id: str) -> JobOut:
-    """Queue an interrupted job again from its first line; the table must be clear."""
+    """Queue an interrupted job again, from its first program line; the table must be clear."""
     return job_out(service.store, service.store.jobs.requeue(id))
 
 
@@ -267,12 +274,12 @@ def scrap_job(service: ServiceDep, id: str) -> JobOut:
 
 
 def job_out(store: Store, row: Job) -> JobOut:
-    """Return the API model of a job."""
+    """Return the API model of a job from its row in the store."""
     return jobs_out(store, [row])[0]
 
 
 def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
-    """Return the API models of jobs."""
+    """Return the API models of jobs from their rows in the store, in the same order."""
     now = store.database.clock()
     return [
         _job_out(row, waiting, now)
@@ -301,7 +308,10 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
 
 
 def progress(row: Job) -> float:
-    """Return the completed fraction of the compile, or of the execution on the machine, 0 … 1."""
+    """Return the completed fraction of a job, 0 … 1.
+
+    It is the fraction of the compile until the job is queued, and then that of the execution.
+    """
     match row.state:
         case State.DONE:
             return 1.0

@@ -17,7 +17,7 @@ _KEY = re.compile(r"[!-~]{8,200}")
 
 
 def load_key(key: str, file: Path | None) -> str:
-    """Return the given key, or the key in the file; "" if neither is given.
+    """Return ``key``, or the key in ``file``; "" if neither is given.
 
     Raises
     ------
@@ -32,7 +32,10 @@ def load_key(key: str, file: Path | None) -> str:
 
 
 def _read_key(file: Path) -> str:
-    """Return the key in a file; create the file with a random key, readable by its owner only."""
+    """Return the key in a file.
+
+    A missing file is created with a random key, readable by its owner only.
+    """
     try:
         with contextlib.suppress(FileExistsError):
             file.parent.mkdir(parents=True, exist_ok=True)

@@ -42,7 +42,7 @@ def get_board(name: str) -> BoardOut:
 
 @router.post("/boards/{name}/deflection")
 def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
-    """Compute the deflection of a cutter in a board from measured points by least squares.
+    """Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
 
     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
     """

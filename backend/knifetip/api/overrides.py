@@ -16,16 +16,21 @@ from knifetip.presentation.columns import unpack_columns
 
 
 def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
-    """Return the overrides of n edges after further overrides, as n bytes.
+    """Return the overrides of the n edges of a drawing after ``overrides`` are added to ``before``.
 
     Parameters
     ----------
     block
         Packed ``EdgeTable`` of the drawing.
     before : (n,)
-        For each edge one byte: ``NO_OVERRIDE`` or a LineType.
+        Present overrides, for each edge one byte: ``NO_OVERRIDE`` or a LineType.
     overrides
         Applied in order; later ones replace earlier ones.
+
+    Returns
+    -------
+    bytes : (n,)
+        New overrides, for each edge one byte as in ``before``.
 
     Raises
     ------
@@ -52,6 +57,15 @@ def _select_edges(
     count: int,
 ) -> list[int]:
     """Return the rows of the edges that an override selects.
+
+    Parameters
+    ----------
+    columns, layers
+        Columns of the drawing's ``EdgeTable``, and the layer names to which ``layer`` refers.
+    rows_of
+        Rows of the edges of each entity, by the handle of the entity.
+    count
+        Number of edges of the drawing.
 
     Raises
     ------

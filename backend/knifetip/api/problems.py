@@ -29,14 +29,20 @@ def problem(
 
     Parameters
     ----------
+    message
+        The error message, which the response contains with its text and hint.
     kind
-        Last part of the URI of the error type.
+        URI of the error type.
     title
         Title of the error type; by default the reason phrase of the status.
     source
         Handles of entities, or names of fields, that the error concerns.
+    questions
+        Open questions as JSON data, if they are the cause of the error.
     revision
         Present revision of the drawing if the request named another revision.
+    headers
+        Additional HTTP headers.
     """
     body = Problem.model_validate(
         {

@@ -99,7 +99,7 @@ def keep_profile(
     body: Body,
     match: IfMatch = None,
 ) -> ProfileOut:
-    """Create or replace the profile of a customer, which is sent as TOML or JSON.
+    """Create or replace the profile of a customer; the request body is the profile as TOML or JSON.
 
     To replace a profile, send the version on which the change is based in the header ``If-Match``.
     """
@@ -155,7 +155,7 @@ def learn_from_corrections(service: ServiceDep, id: str) -> list[ProposalOut]:
 
 
 def fields_of(profile: ProfileIn) -> dict[str, Any]:
-    """Return the profile in a request as fields of a profile file of the library."""
+    """Return the profile in a request as a dict with the fields of a profile file."""
     rules = [
         {key: value for key, value in rule.model_dump().items() if value} for rule in profile.rules
     ]
@@ -192,7 +192,15 @@ def _profile_in(body: bytes) -> ProfileIn:
 
 
 def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
-    """Return the names and numbers that lead to a faulty field in a profile; rules count from 1."""
+    """Return the names of the rule and the field in which a profile is faulty.
+
+    The first rule is "rule 1", as in ``("rule 1", "type")``.
+
+    Parameters
+    ----------
+    loc
+        Location of the fault in the JSON data, as pydantic reports it.
+    """
     match loc:
         case ("rules", int(number), field, *_):
             return (f"rule {number + 1}", str(field)[:80])

@@ -84,7 +84,7 @@ class _Queued(Protocol):
 
 
 def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
-    """Decorate a route so that it waits in the queue of its argument ``service``."""
+    """Return a route that executes ``endpoint`` in the work queue of its argument ``service``."""
 
     @wraps(endpoint)
     async def route(*args: P.args, **named: P.kwargs) -> T:

@@ -34,12 +34,15 @@ IfNoneMatch = Annotated[
 
 
 def etag(revision: int, profile_state: str = "current") -> str:
-    """Return the ETag of a drawing for a revision and a state of its profile."""
+    """Return the ETag of a drawing with a revision and a state of its profile ("changed" …)."""
     return f'"{revision}"' if profile_state == "current" else f'"{revision}-{profile_state}"'
 
 
 def check_match(match: str | None, row: Drawing) -> None:
-    """Raise StaleRevision if an If-Match header does not contain the ETag of the drawing."""
+    """Raise StaleRevision if an If-Match header does not contain the revision of the drawing.
+
+    There is no error if the header is ``*``, or missing (None).
+    """
     if match is None or "*" in _tags(match):
         return
     named = [tag.partition("-")[0] for tag in _tags(match)]
@@ -48,7 +51,10 @@ def check_match(match: str | None, row: Drawing) -> None:
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
-    """Raise StaleRevision if a job request names another revision than that of the drawing."""
+    """Raise StaleRevision if a job request names another revision than that of the drawing.
+
+    There is no error if the request names no revision (None).
+    """
     if revision is not None and revision != row.version:
         raise StaleRevision(row.id, row.version, str(revision))
 

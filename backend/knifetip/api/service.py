@@ -61,7 +61,7 @@ class Service:
         self.store.changes.notify()
 
     def run(self, task: Callable[..., T], *arguments: object) -> T:
-        """Run a task in a worker process and return its result; blocks the calling thread.
+        """Run ``task(*arguments)`` in a worker process, wait, and return its result.
 
         Raises
         ------
@@ -104,7 +104,7 @@ BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"t
 
 
 def fingerprint(*parts: str | bytes) -> str:
-    """Return a SHA-256 hash of the parts of a request.
+    """Return a SHA-256 hash of the parts of a request, in hexadecimal digits.
 
     It shows whether an Idempotency-Key was used for two different requests.
     """
@@ -116,7 +116,7 @@ def fingerprint(*parts: str | bytes) -> str:
 
 
 def check_library_name(shelf: str, name: str) -> str:
-    """Return the name of a library entry unchanged if it exists; paths of files are refused.
+    """Return ``name`` unchanged if the library has an entry with this name.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def check_library_name(shelf: str, name: str) -> str:
     Raises
     ------
     LibraryError
-        The library has no such entry.
+        The library has no such entry; paths of files are no names.
     """
     known = load.names(shelf)
     if name not in known:
@@ -155,13 +155,23 @@ def customer_rules(service: Service, name: str) -> str:
 
 
 def require_customer_profile(service: Service, name: str) -> None:
-    """Raise WrongState if a profile belongs to the library, whose profiles cannot be changed."""
+    """Raise WrongState if the profile ``name`` belongs to the library and so cannot be changed."""
     if name in load.names("profiles") and service.store.profiles.get(name) is None:
         raise WrongState("profile.shipped", name=name)
 
 
 def set_next_page(response: Response, path: str, cursor: int | None, limit: int) -> None:
-    """Set the header ``Link`` to the URL of the next page of a list, unless ``cursor`` is None."""
+    """Set the header ``Link`` of a response to the URL of the next page of a list.
+
+    Parameters
+    ----------
+    path
+        URL of the list with its other parameters; it ends with "?" or "&".
+    cursor
+        Position of the next page in the list; None if there is none, which sets no header.
+    limit
+        Maximum number of items per page.
+    """
     if cursor is not None:
         response.headers["Link"] = f'<{path}cursor={cursor}&limit={limit}>; rel="next"'
 
@@ -169,7 +179,17 @@ def set_next_page(response: Response, path: str, cursor: int | None, limit: int)
 def bytes_response(
     request: Request, content: bytes, tag: str, media: str, attachment: str = ""
 ) -> Response:
-    """Return a response with bytes and their ETag, or 304 if the client already has the bytes."""
+    """Return a response with bytes and their ETag, or 304 if the client already has the bytes.
+
+    Parameters
+    ----------
+    tag
+        ETag without quotation marks.
+    media
+        Media type.
+    attachment
+        Name under which a browser saves the bytes; "" to let the browser show them.
+    """
     headers = {"ETag": f'"{tag}"', "Cache-Control": "no-cache"}
     if f'"{tag}"' in request.headers.get("If-None-Match", ""):
         return Response(status_code=304, headers=headers)
@@ -179,6 +199,6 @@ def bytes_response(
 
 
 def file_name(name: str) -> str:
-    """Return a portable file name of letters, digits, dots and dashes."""
+    """Return a name as a portable file name of letters, digits, dots, dashes and underscores."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", name).strip("-.")
     return plain[-100:] or "knifetip"

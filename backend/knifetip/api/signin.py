@@ -54,13 +54,19 @@ def cookie_name(key: str) -> str:
 
 
 def new_session(key: str, now: float) -> str:
-    """Return the cookie value of a new session."""
+    """Return the value of the session cookie for a session that begins at ``now``.
+
+    ``now`` is in seconds since 1970.
+    """
     expiry = str(int(now) + LIFETIME)
     return f"{expiry}.{_signature(key, expiry)}"
 
 
 def is_session(cookie: str, key: str, now: float) -> bool:
-    """Return whether a cookie is a session that is signed with the key and not expired."""
+    """Return whether a cookie is a session that is signed with the key and not expired.
+
+    ``now`` is the current time in seconds since 1970.
+    """
     expiry, _, signature = cookie.partition(".")
     if not (expiry.isascii() and expiry.isdecimal() and len(expiry) < 16):
         return False
@@ -95,7 +101,10 @@ def wants_page(request: Request) -> bool:
 
 
 def welcome(request: Request, key: str, now: float) -> Response:
-    """Return a response that sets the session cookie and opens the URL without the key."""
+    """Return a response that sets the session cookie and then opens the same URL without the key.
+
+    ``now`` is the current time in seconds since 1970.
+    """
     # Not a redirect: after a link from another site a browser would follow it without the cookie.
     path = "/" if request.method == "POST" else "/" + request.url.path.lstrip("/")
     rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
@@ -119,7 +128,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL for a second attempt of a request; "" if the request is a second attempt."""
+    """Return the URL with which the browser repeats a request; "" if this is the repetition."""
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:
         return ""
@@ -128,10 +137,12 @@ def retry_url(request: Request) -> str:
 
 
 def sign_in_page(fault: str = "", *, again: str = "") -> Response:
-    """Return the sign-in page with an error message.
+    """Return the sign-in page, with status 401.
 
     Parameters
     ----------
+    fault
+        Error message on the page; "" for none.
     again
         URL that the browser loads first, before it shows the form; "" for none.
     """

@@ -37,7 +37,7 @@ class Waiting(NamedTuple):
 
 
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
-    """Return the reason for each job; queries the store only if a job is queued."""
+    """Return for each job the reason why it waits; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.gateways.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]
@@ -64,7 +64,7 @@ def _waiting(row: Job, queue: Queue | None) -> Waiting:
 
 
 def _tools(row: Job) -> Message | None:
-    """Return a message with the stations that the program uses, None if there are none."""
+    """Return a message that lists the stations which a job's program uses; None if it uses none."""
     tools = [
         Message("waiting.tool", name=tool["name"], station=tool["station"]) for tool in row.tools
     ]
@@ -85,7 +85,15 @@ def _queued(row: Job, queue: Queue) -> Waiting:
 
 
 def _taken(title: str, queue: Queue) -> Message:
-    """Return the message about the job that is on the table of a machine."""
+    """Return the message that a machine is occupied by another job.
+
+    Parameters
+    ----------
+    title
+        Title of the machine.
+    queue
+        State of the queue of the machine, with the id of the job that occupies it.
+    """
     match queue.ahead_state:
         case State.INTERRUPTED:
             return Message("waiting.taken-interrupted", machine=title, job=queue.ahead)
@@ -96,7 +104,13 @@ def _taken(title: str, queue: Queue) -> Message:
 
 
 def _no_gateway(machine: str, title: str) -> Message:
-    """Return the message about a machine without a connected gateway."""
+    """Return the message that a job waits because no gateway of its machine is connected.
+
+    Parameters
+    ----------
+    machine, title
+        Name and title of the machine.
+    """
     try:
         language = find_language(load.machine(machine, files=False).dialect)
     except LibraryError:

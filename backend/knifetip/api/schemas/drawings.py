@@ -44,7 +44,7 @@ class LineTypeCount(BaseModel):
 
 
 class LayerOut(BaseModel):
-    """The edges of one layer that have the same colour."""
+    """Number, total length and line types of the edges that have the same layer and colour."""
 
     name: str
     colour: int = Field(description="AutoCAD colour index")
@@ -65,10 +65,10 @@ class ImportReportOut(BaseModel):
 
 
 class CleaningLengths(BaseModel):
-    """Total lengths of all edges (mm).
+    """Total lengths of the edges of a drawing by outcome of cleaning (mm).
 
-    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``; ``worked`` that of ``kept`` and
-    ``added``.
+    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.  ``worked`` is the sum of ``kept``
+    and ``added``.
     """
 
     drawn: float = Field(description="Length in the drawing")
@@ -127,7 +127,7 @@ class UnitEvidenceOut(MessageOut):
 
 
 class UnitFindingOut(BaseModel):
-    """The unit in the header of the file, and the evidence for each unit."""
+    """The unit in the header of the file, all units ranked by likelihood, and the evidence."""
 
     stated: Unit | Literal[""] = Field(
         description="Unit in the file's header; empty if there is none"
@@ -232,7 +232,10 @@ class DrawingSummary(BaseModel):
 
 
 class EdgeOut(BaseModel):
-    """One edge with its line type, the deciding rule, and the outcome of import or cleaning."""
+    """One edge with its line type, the rule that decided the line type, and the edge's outcome.
+
+    The outcome is that of import or cleaning: kept, merged or dropped.
+    """
 
     row: int = Field(description="Row of the edge in the drawing")
     handle: str = Field(description="Handle of the entity in the file")

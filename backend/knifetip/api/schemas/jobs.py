@@ -43,7 +43,7 @@ class CornerAt(Strict):
 
 
 class Corners(Strict):
-    """Path of a cutter or a laser round outer corners.
+    """Types of the outer corners of a job: the path of a cutter or a laser round these corners.
 
     Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
     of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
@@ -105,7 +105,7 @@ class JobTool(BaseModel):
 
 
 class VerdictSummary(BaseModel):
-    """Maximum and total measurements of a verdict (mm, mm², s)."""
+    """Measurements of a program by the verifier: maxima over all edges, and totals (mm, mm², s)."""
 
     accepted: bool = Field(description="Whether the program may be sent to the machine")
     tolerance: float = Field(description="Maximum permitted deviation (mm)")
@@ -242,9 +242,9 @@ class VerdictOut(VerdictSummary):
     """A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
 
     ``format=columns`` also contains samples of the deviation: ``sample_edge``, ``sample_place``
-    (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  It has
-    the outlines of ``areas`` as ``area_ends``, ``area_bulge``, ``area_first`` (first row of each
-    outline) and ``area_size`` (mm²).
+    (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  The
+    outlines of the areas that no cutter reaches are in the columns ``area_ends``, ``area_bulge``,
+    ``area_first`` (first row of each outline) and ``area_size`` (mm²).
     """
 
     findings: list[FindingOut]

@@ -20,7 +20,10 @@ class ToolOut(BaseModel):
 
 
 class StationOut(BaseModel):
-    """A station of the head; its joint position is the programmed position plus the datum."""
+    """A tool station on the head of a machine.
+
+    With this station, the joint position of the machine is the programmed position plus the datum.
+    """
 
     number: int = Field(description="Number in the T word of programs")
     name: str

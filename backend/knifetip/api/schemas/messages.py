@@ -48,7 +48,10 @@ class MessageOut(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _render(cls, given: Any) -> Any:
-        """Return a Message, or the JSON data of one, as JSON data with text and hint."""
+        """Return JSON data with the text and the hint of a message.
+
+        ``given`` is the Message, or its JSON data.
+        """
         plain = with_text(given)
         return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
 
@@ -65,7 +68,10 @@ class MessageIn(BaseModel):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        """Refuse arguments that the texts of the code cannot contain."""
+        """Return the message itself; raise ValueError if it is too long or its arguments are wrong.
+
+        Arguments are wrong if they cannot be inserted into the text of the code.
+        """
         try:
             size = len(json.dumps(with_text(self.message)))
         except (TypeError, ValueError, ArithmeticError, RecursionError) as error:
@@ -76,15 +82,16 @@ class MessageIn(BaseModel):
 
     @property
     def message(self) -> Message:
-        """The message; ``stored.text`` if the server does not have the code."""
+        """The message as a Message; its code is ``stored.text`` if the server has no such code."""
         return from_json(self.model_dump())
 
 
 def describe_codes(schemas: dict[str, Any]) -> None:
-    """Add the schemas ``MessageCode`` and ``Message`` to OpenAPI, and refer to them.
+    """Add the schemas ``MessageCode`` and ``Message`` to the schemas of an OpenAPI document.
 
-    ``MessageCode`` is the enumeration of all codes; ``Message`` is the union of one object per code
-    with the types of its arguments.
+    ``MessageCode`` is the enumeration of all codes, to which the field ``code`` of messages in
+    responses then refers.  ``Message`` is the union of one object per code with the types of its
+    arguments.
     """
     for schema in schemas.values():
         if schema.pop(_MARK, False):

@@ -16,7 +16,7 @@ Colours = Annotated[
 
 
 class RuleIn(Strict):
-    """A rule that gives its line type to all edges that meet all its conditions.
+    """A rule of a profile: an edge that meets all conditions of the rule gets its line type.
 
     Conditions on names are shell patterns that ignore case; an empty list is no condition.
     """
@@ -91,7 +91,7 @@ class ProfileOut(BaseModel):
 
 
 class ChangeOut(BaseModel):
-    """Edges whose line type a profile would change."""
+    """Edges whose line type a profile would change, with their line types before and after."""
 
     before: LineTypeWord = Field(description="Present line type")
     after: LineTypeWord = Field(description="Line type that the profile would give")
@@ -99,7 +99,7 @@ class ChangeOut(BaseModel):
 
 
 class PreviewRule(RuleOut):
-    """A rule with the number and total length of the edges that it matches."""
+    """A rule, with the number and total length of the edges that the rule matches."""
 
     edges: int = Field(description="Number of edges")
     length: float = Field(description="Total length of the edges (mm)")
@@ -116,7 +116,7 @@ class PreviewOut(BaseModel):
 
 
 class ProposalOut(BaseModel):
-    """A proposed rule that gives the line types which the user set by hand."""
+    """A proposed rule that gives edges the line types that the user set for them by hand."""
 
     rule: RuleOut
     explains: list[int] = Field(description="Corrected edges that the rule matches")
