@@ -1,9 +1,9 @@
 """classify: decide the line type of each edge of a drawing, with the reason.
 
 The package ``decision`` combines the rules of the profile, the shape of the drawing, the words in
-layer names, and the colour conventions of other companies.  Line types that the user gives come
-last.  An edge whose line type is not certain remains unclassified, and the module ``questions``
-makes a question of it.  No edge is cut by default.
+layer names, and the colour conventions of other companies.  An edge whose line type is not certain
+remains unclassified, and the module ``questions`` makes a question of it.  No edge is cut by
+default.  ``apply_overrides`` replaces the decisions by the line types that the user gives.
 """
 
 from __future__ import annotations
@@ -52,19 +52,20 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     drawing
         A drawing of n edges.
     rules
-        The customer's profile.
+        The customer's profile: rules that give line types to styles.
     conventions
         Colour conventions of other companies, tried for styles without a rule in the profile.
 
     Returns
     -------
     Dieline
-        n edges in the order of the drawing.  ``rules`` are the reasons, with only the patterns that
-        matched, such as ``profile default: layer "FOLDS"``.  The confidence is 1 for a rule on
-        layer and colour, 0.95 for a rule on a layer, and 0.8 for a rule on colour or linetype.
-        Without a rule it is the confidence of the evidence, or 0 if there is none.  An edge that
-        needs a question is unclassified and has the confidence of the best guess, which is the
-        first of the ``alternatives`` of its reason.
+        The n edges in the order of the drawing.  Its field ``rules`` contains the reasons; the
+        reason for a rule of the profile names only the patterns that matched, such as ``profile
+        default: layer "FOLDS"``.  The confidence is 1 for a rule on layer and colour, 0.95 for a
+        rule on a layer, and 0.8 for a rule on colour or linetype.  Without a rule it is the
+        confidence of the evidence, or 0 if there is no evidence.  An edge that needs a question is
+        unclassified; its confidence is the confidence of the best guess, and the best guess is the
+        first entry of ``alternatives`` for its reason.
     """
     lengths, styles = parallel_pair(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
     matches = match_rules(styles, rules)
@@ -108,7 +109,7 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """The decisions about n edges, which later steps of the classification change."""
+    """The decisions about n edges; later steps of the classification write to its columns."""
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
     guess: U8  #: (n,) LineType of the best guess
@@ -139,7 +140,10 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
 
 
 def _decide(classifier: Classifier, key: int) -> Decision:
-    """Return the decision for a decision key, a number that combines style, role and flags."""
+    """Return the decision for all edges with a decision key, which combines style, role and flags.
+
+    ``key`` is a number from ``StyleTotals.decision_keys``.
+    """
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))
     decision = classifier.decide(style, Role(role), must_fold=bool(flags & MUST_FOLD))
@@ -160,8 +164,8 @@ def _restore_folds_on_cuts(
 ) -> None:
     """Give unclassified folds that coincide with a cut the line type of their profile rule.
 
-    Cleaning merges such a fold with the cut, so that no question is needed.  Writes to the columns
-    of ``edges``.
+    No question is needed for such a fold, because cleaning merges it with the cut.  Writes line
+    types, confidences and reasons to ``edges``.
     """
     styles, matches = classifier.styles, classifier.matches
     on_edge = features.coincident
@@ -184,7 +188,8 @@ def _withdraw_contradicted(
 ) -> None:
     """Make edges unclassified if symmetry or connectivity contradicts their line types.
 
-    Writes line types, confidences and reasons to ``edges``.
+    Writes line types, confidences and reasons to ``edges``.  ``ends`` (n, 2, 2) and ``lengths``
+    (n,) are the ends and the lengths of the n edges, ``features`` their shape features.
     """
     asymmetric, separating = parallel_pair(
         lambda: find_asymmetric_edges(ends, features, edges.line_type, lengths),
@@ -207,7 +212,7 @@ def _withdraw_contradicted(
 def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatches) -> ShapeFeatures:
     """Return the shape features of all edges, computed from edges that may belong to the carton.
 
-    Edges that a profile rule ignores by their layer do not contribute.  Edges whose layer has the
+    Edges that a profile rule on their layer ignores do not contribute.  Edges whose layer has the
     name of an annotation do not contribute if the outlines are closed without them.
     """
     ignored = (matches.line_type == LineType.IGNORED) & (matches.confidence >= LAYER)
@@ -251,19 +256,20 @@ def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeature
 
 
 def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:
-    """Return the dieline with the line types that the user gives.
+    """Return a dieline with the line types that the user gives in place of the decided ones.
 
     Parameters
     ----------
     dieline
         n edges.
     line_type : (n,) uint8
-        LineType, or ``NO_OVERRIDE`` (255) to keep the line type of the dieline.
+        Line type that the user gives to each edge, or ``NO_OVERRIDE`` (255) to keep the line type
+        of the dieline.
 
     Raises
     ------
     ValueError
-        The column has another length, or contains a number that is no line type.
+        The length of ``line_type`` is not n, or it contains a number that is no line type.
     """
     given = np.asarray(line_type, np.uint8)
     if given.shape != (len(dieline),):

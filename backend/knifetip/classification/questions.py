@@ -27,8 +27,8 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     Returns
     -------
     list of Question
-        In the order of the first edges.  ``edges`` are rows of the drawing; ``choices`` are the
-        names of all line types, the likeliest first.
+        Questions in the order of their first edges.  Their ``edges`` are rows of the drawing; their
+        ``choices`` are the names of all line types, the likeliest first.
     """
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     if len(rows) == 0:
@@ -84,7 +84,10 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bound
 
 
 def _guess_message(dieline: Dieline, row: int) -> Message | None:
-    """Return the best guess for an unclassified edge, or its shape; None if nothing is known."""
+    """Return the message with the best guess for the unclassified edge ``row``.
+
+    Without a guess it describes the shape of the edge; it is None if the shape is not known either.
+    """
     rule = int(dieline.rule[row])
     guesses, reason = dieline.alternatives[rule], dieline.rules[rule]
     if guesses:
@@ -98,10 +101,11 @@ def _guess_message(dieline: Dieline, row: int) -> Message | None:
 def _likely_types(
     layer: str, linetype: str, spans_drawing: bool, straight: bool
 ) -> Sequence[LineType]:
-    """Return line types that fit name, linetype and extent, the likeliest first.
+    """Return the line types that edges of one style may have, the likeliest first.
 
-    The layer name is the best evidence, then the linetype, then the extent: edges that span the
-    drawing are its outline, straight lines inside it are folds, and arcs inside it are holes.
+    The name of the layer is the best evidence, then the name of the linetype, then the extent:
+    edges that span the drawing are its outline, straight lines inside it are folds, and arcs inside
+    it are holes.  ``straight`` is whether all the edges are lines.
     """
     folded_linetype = fold_name(linetype)
     named = name_meaning(layer).kind

@@ -1,10 +1,10 @@
 """rule_proposals: propose profile rules that give the line types that a user chose by hand.
 
 A line type that the user gives to an edge is an override.  A proposed rule matches no edge that the
-user left with another line type, and no override with another line type.  It may match edges that
-are not decided yet, and lists them.  A layer whose name has no meaning (``0``, ``Default``,
-``Design``) is combined with a colour.  If the attributes of edges cannot separate two overrides,
-such as cuts and creases among the red lines of one layer, no rule is proposed.
+user left with another line type, and no override with another line type.  A rule may match
+unclassified edges, which its field ``changes`` lists.  A layer whose name has no meaning (``0``,
+``Default``, ``Design``) is combined with a colour.  If the attributes of edges cannot separate two
+overrides, such as cuts and creases among the red lines of one layer, no rule is proposed.
 """
 
 from __future__ import annotations
@@ -52,16 +52,20 @@ _TRAIT_SETS: Final = (
 def propose_rules(
     drawing: Drawing, dieline: Dieline, overrides: U8, profile: LineRules
 ) -> list[ProposedRule]:
-    """Return rules that give the user's overrides; rules that cover most overrides come first.
+    """Return rules that give the user's overrides; the rule that covers most overrides comes first.
+
+    An override is a line type that the user gave to an edge by hand.
 
     Parameters
     ----------
     drawing, dieline
         The drawing and its dieline, with the same n edges, before or after the overrides.
     overrides : (n,) uint8
-        LineType, or ``NO_OVERRIDE`` (255) for edges that the user left as they are.
+        Line type that the user gave to each edge, or ``NO_OVERRIDE`` (255) for edges that the user
+        left as they are.
     profile
-        The profile that classified the drawing.  Overrides that it already gives are left out.
+        The profile that classified the drawing.  No rule is returned for overrides that are equal
+        to the line type that the profile gives.
 
     Returns
     -------
@@ -101,11 +105,20 @@ def propose_rules(
 def _best_rule(
     styles: StyleTable, remaining: Bool, excluded: Bool, kind: LineType
 ) -> tuple[LineRule, Bool] | None:
-    """Return a rule for a line type and the mask of the styles that it covers, (c,), or None.
+    """Return the best rule that gives a line type, and the mask of the styles that it covers, (c,).
 
-    Of all rules that cover no ``excluded`` style it is the rule that covers the largest number of
-    ``remaining`` styles.  Of equally good rules it is the first in the order of ``_TRAIT_SETS``.
-    Returns None if there is no such rule.
+    The best rule covers no style in ``excluded`` and the largest number of styles in ``remaining``.
+    Of equally good rules it is the first in the order of ``_TRAIT_SETS``.  Returns None if every
+    rule covers a style in ``excluded``.
+
+    Parameters
+    ----------
+    styles
+        The c styles of the drawing.
+    remaining, excluded : (c,)
+        Masks of the styles that still need a rule and of the styles that the rule must not match.
+    kind
+        Line type that the rule gives.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}
@@ -148,7 +161,11 @@ def _trait_codes(styles: StyleTable, trait: str) -> I64:
 
 
 def _rule_for(styles: StyleTable, row: int, traits: tuple[str, ...], kind: LineType) -> LineRule:
-    """Return the rule for a line type that matches the given traits of the style in ``row``."""
+    """Return the rule that gives a line type to all edges with the attributes of one style.
+
+    ``kind`` is the line type, and ``row`` the index of the style in ``styles``.  Only the
+    attributes named in ``traits``, such as ``layer`` or ``colour``, are compared.
+    """
     index, true = int(styles.colour[row]), int(styles.true_colour[row])
     coloured = "colour" in traits
     names = {

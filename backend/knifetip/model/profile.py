@@ -60,7 +60,10 @@ def _quoted(pattern: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class ProposedRule:
-    """A rule proposed from the user's overrides, which contradicts no other edge of the drawing."""
+    """A proposed profile rule for overrides, the line types that the user gave to edges by hand.
+
+    The rule matches no classified edge that has another line type.
+    """
 
     rule: LineRule
     explains: tuple[int, ...]  #: rows of overridden edges that the rule matches

@@ -99,7 +99,7 @@ class _Guess:
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
-        """Reduce the confidence to at most ``limit``, and add other possible line types."""
+        """Reduce the confidence to at most ``limit``, and add ``others`` as possible line types."""
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
 
@@ -136,7 +136,8 @@ class Classifier:
         Parameters
         ----------
         styles, matches, totals
-            Styles of the drawing, the profile rules that match them, and sums of lengths by style.
+            The c styles of the drawing, the profile rule that matches each of them, and the total
+            lengths of the edges of each style.
         profile
             The customer's profile.
         conventions
@@ -191,7 +192,11 @@ class Classifier:
     # ── styles with a rule in the profile ────────────────────────────────────────────────────────
 
     def _decide_by_rule(self, style: int, role: Role) -> Decision:
-        """Return the decision of the profile rule, less certain if the shape contradicts it."""
+        """Return the decision of a style's profile rule, less certain if the shape contradicts it.
+
+        ``style`` is the index of the style, and ``role`` the role of the edges in the drawing's
+        shape.
+        """
         kind = LineType(int(self.matches.line_type[style]))
         confidence = float(self.matches.confidence[style])
         rule = Message(
@@ -222,7 +227,9 @@ class Classifier:
     ) -> tuple[Message | None, tuple[LineType, ...]]:
         """Return why the shape contradicts a rule, or None, and the other possible line types.
 
-        ``kind`` and ``confidence`` are the line type of the rule and the confidence in it.
+        The tuple of line types is empty if nothing contradicts the rule.  ``kind`` and
+        ``confidence`` are the line type of the rule and the confidence in it; ``style`` and
+        ``role`` are the style and the role of the edges.
         """
         weak = confidence < 0.9
         if kind == LineType.IGNORED:
@@ -248,7 +255,11 @@ class Classifier:
     # ── styles without a rule ────────────────────────────────────────────────────────────────────
 
     def _decide_by_evidence(self, style: int, role: Role, must_fold: bool) -> Decision:
-        """Return the decision that shape, conventions and names suggest, without a rule."""
+        """Return the decision that shape, conventions and names suggest for a style without a rule.
+
+        ``role`` is the role of the edges; ``must_fold`` is whether a panel is attached by them
+        alone.
+        """
         if role == Role.OPEN:
             shape = Message(
                 "classification.no-rule-but-shape",
@@ -274,7 +285,10 @@ class Classifier:
         return Decision(guess.kind, guess.confidence, reason, tuple(others[:3]))
 
     def _weigh_conventions(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the line types that fitting conventions give to the style's colour."""
+        """Change a guess by the line types that fitting conventions give to a style's colour.
+
+        ``style`` and ``role`` are the style and the role of the edges that ``guess`` is about.
+        """
         types = {LineType(int(fit.line_type[style])) for fit in self.conventions}
         types.discard(LineType.UNCLASSIFIED)
         if len(types) > 1:
@@ -297,7 +311,10 @@ class Classifier:
             guess.weaken(0.6, kind)
 
     def _weigh_names(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess according to the meaning of the style's layer name or linetype name."""
+        """Change a guess by the meaning of a style's layer name, or else of its linetype name.
+
+        ``style`` and ``role`` are the style and the role of the edges that ``guess`` is about.
+        """
         meaning, by_layer = self._meaning(style)
         if meaning.denied:
             if by_layer:
@@ -337,7 +354,11 @@ class Classifier:
     def _guess_by_shape(
         self, style: int, role: Role, must_fold: bool
     ) -> tuple[LineType, float, Sequence[Message]]:
-        """Return the line type that shape alone suggests, its confidence, and the reasons."""
+        """Return the line type that shape alone suggests, its confidence, and the reasons.
+
+        ``style`` and ``role`` are the style and the role of the edges; ``must_fold`` is whether a
+        panel is attached by them alone.
+        """
         own, total = self.length[style], self.total
         outlines = own[Role.OUTLINE] >= 0.3 * total[Role.OUTLINE]
         # Only one style has the folds of a drawing.
@@ -375,9 +396,11 @@ class Classifier:
     def _guess_divider(
         self, style: int, must_fold: bool, outlines: bool
     ) -> tuple[LineType, float, Sequence[Message]]:
-        """Return the line type that shape suggests for dividers, its confidence and the reasons.
+        """Return the line type that shape suggests for dividers, its confidence, and the reasons.
 
-        ``outlines`` is whether the style has at least 30 % of the length of all outlines.
+        ``style`` is the style of the dividers, and ``must_fold`` is whether a panel is attached by
+        them alone.  ``outlines`` is whether the style has at least 30 % of the length of all
+        outlines.
         """
         if self.only_divides[style]:
             reasons = [Message("classification.as-its-style")]
@@ -402,16 +425,16 @@ def _likeliest_type(role: Role) -> LineType:
 
 
 def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
-    """Return the fraction of the dividers in each style's group that have some property, (c,).
+    """Return the fraction of the dividers that have a property in the group of each style, (c,).
 
-    Styles with equal layer, colour and linetype are in one group; fractions are by length.
+    The fraction is by length.  Styles with equal layer, colour and linetype are in one group.
 
     Parameters
     ----------
     part : (c,)
         Length of the dividers of each style that have the property.
     group : (c,)
-        Group of each style.
+        Number of the group of each style.
     grouped : (groups, roles)
         Length of the edges of each group, by role.
     """
@@ -444,7 +467,17 @@ def _group_styles(styles: StyleTable) -> I64:
 def _swap_reason(
     matches: RuleMatches, length: F64, conventions: Sequence[FittingConvention]
 ) -> Message | None:
-    """Return why the profile seems to swap cut and crease, or None if it does not."""
+    """Return why the profile seems to swap cut and crease, or None if it does not.
+
+    Parameters
+    ----------
+    matches
+        The profile rule that matches each of c styles.
+    length : (c, roles)
+        Length of the edges of each style in each role.
+    conventions
+        Colour conventions that fit the drawing; the message names the first one.
+    """
     folds = np.isin(matches.line_type, (LineType.CREASE, LineType.V_GROOVE, LineType.COMBI))
     cuts = matches.line_type == LineType.CUT
     outline, divider = length[:, Role.OUTLINE], length[:, Role.DIVIDER]
@@ -459,6 +492,10 @@ def _swap_reason(
 
 
 def _contradiction_message(rule: Message, role: Role, against: Message | None) -> Message:
-    """Return the message that the role of edges contradicts a rule."""
+    """Return the message that the role of edges contradicts a rule.
+
+    ``rule`` is the clause that names the rule, and ``against`` the clause why the role contradicts
+    it, or None.
+    """
     reason = Message("classification.role-against", role=role.message, against=against)
     return Message("classification.contradicted", rule=rule, reason=reason)

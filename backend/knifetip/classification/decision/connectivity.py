@@ -64,7 +64,8 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
 def _label_connected_faces(faces: int, sides: I32_2) -> Any:
     """Return a label of each face, (faces,), which is equal for faces that are connected.
 
-    Each row of ``sides``, (k, 2), connects two faces, directly or through other faces.
+    ``sides`` (k, 2) are k pairs of neighbouring faces.  Two faces are connected if a series of such
+    pairs leads from one to the other.  ``faces`` is the number of faces.
     """
     parent = np.arange(faces)
     for k in range(len(sides)):

@@ -48,11 +48,13 @@ def find_fitting_conventions(
     Parameters
     ----------
     styles, totals
-        The c styles of the drawing, and sums of lengths by style.
+        The c styles of the drawing, and the total lengths of the edges of each style.
     unmatched : (c,)
-        Mask of styles without a rule in the profile; only these are compared.
+        Mask of styles without a rule in the profile; conventions are compared with these styles
+        only.
     conventions
-        Profiles that contain only the rules that distinguish them from other profiles.
+        Colour conventions of companies, each with only the rules by which it differs from the
+        others.
     """
     outline = np.where(unmatched, totals.length[:, Role.OUTLINE], 0.0)
     divider = np.where(unmatched, totals.length[:, Role.DIVIDER], 0.0)

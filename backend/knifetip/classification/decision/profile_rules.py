@@ -71,7 +71,10 @@ class StyleTable:
 
 
 def tabulate_styles(drawing: Drawing) -> StyleTable:
-    """Return the styles of a drawing: layer, colour, linetype, kind of entity and block."""
+    """Return the table of the different styles of a drawing, and the style of each edge.
+
+    A style combines layer, colour, linetype, kind of entity and block.
+    """
     report = drawing.import_report
     kinds, kind = numbered(report.kind)
     blocks, block = numbered(report.block or ("",))
@@ -114,7 +117,7 @@ def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
 
 
 def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
-    """Return the first rule of a profile that matches each style, and the patterns that matched."""
+    """Return the first rule of a profile that matches each style, and its patterns that matched."""
     count = len(styles)
     line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
     matched_rule = np.full(count, -1, np.int32)
@@ -168,7 +171,7 @@ def display_name(name: str) -> str:
 
 
 def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
-    """Return the first pattern that matches each name.
+    """Return the index of the first pattern that matches each name.
 
     Parameters
     ----------
@@ -180,7 +183,8 @@ def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
     Returns
     -------
     (m,) int32
-        Index into ``patterns``, -1 where none matches.  Without patterns every name matches: 0.
+        Index into ``patterns``, or -1 for a name that no pattern matches.  If ``patterns`` is
+        empty, all entries are 0, because a rule without patterns matches every name.
     """
     if not patterns:
         return np.zeros(len(names), np.int32)
@@ -205,7 +209,11 @@ def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
 
 
 def rule_confidence(rule: LineRule) -> float:
-    """Return the confidence of a rule: highest if it names both a layer and a colour."""
+    """Return the confidence of a rule, 0.5 … 1, by the attributes that its patterns restrict.
+
+    It is 1 for layer (or block) and colour, 0.95 for layer or block without colour, 0.8 for colour
+    or linetype without layer and block, and 0.5 for all other rules.
+    """
     coloured = bool(rule.colour or rule.true_colour)
     if rule.layer or rule.block:
         return LAYER_AND_COLOUR if coloured else LAYER
@@ -228,11 +236,11 @@ def narrow_rule(
     rule
         Rule of a profile, perhaps with several patterns for each attribute.
     layer, linetype, entity, block
-        Indices of the patterns that matched.
+        Index of the pattern that matched, among the rule's patterns for this attribute.
     colour
-        Colour index that matched, 0 for none.
+        Colour index that matched, 0 if no colour index did.
     true_colour
-        True colour that matched, -1 for none.
+        True colour (0xRRGGBB) that matched, -1 if no true colour did.
     """
     return replace(
         rule,

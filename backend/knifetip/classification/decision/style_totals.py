@@ -1,6 +1,7 @@
 """style_totals: sum up lengths and numbers of edges by style and role.
 
-The module also computes decision keys: edges with equal keys get the same decision.
+The module also computes decision keys, numbers that combine style, role and flags of an edge: edges
+with equal keys get the same decision.
 """
 
 from __future__ import annotations
@@ -85,7 +86,9 @@ class StyleTotals(NamedTuple):
     def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
         """Return the decision key of each edge, (n,): style, role and flags combined in one number.
 
-        Edges with equal keys get the same decision.  ``style`` (n,) is the style of each edge.
+        Edges with equal keys get the same decision.  The flags are whether the edge's pieces have
+        different roles, whether it is near a text, and whether it must be a fold.  ``style`` (n,)
+        is the style of each edge.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
@@ -119,8 +122,8 @@ def _add(
 ) -> None:
     """Add numbers and lengths of n edges to the totals of their styles.
 
-    ``style`` to ``must_fold`` are columns of the edges; the arguments from ``count`` on are the
-    columns of ``StyleTotals`` and are written to.
+    The arguments ``style`` to ``must_fold`` are columns of the edges, (n,).  The arguments
+    ``count`` to ``fold_lengths`` are the columns of ``StyleTotals``, to which the function writes.
     """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
@@ -150,9 +153,10 @@ def _write_keys(
     dashes_fold: Bool_1,
     key: OutI64_1,
 ) -> None:
-    """Write the decision key of each edge to ``key``, (n,).
+    """Write the decision key of each of n edges to ``key``, (n,).
 
-    ``dashes_fold`` (c,) is whether all dashes of a style are folds.
+    ``dashes_fold`` (c,) is whether the dashed edges of each style are treated as folds.  The other
+    arguments are the style of each edge and columns of ``ShapeFeatures``.
     """
     for i in range(len(style)):
         flags = 0

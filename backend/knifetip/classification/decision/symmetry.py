@@ -70,7 +70,10 @@ def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, len
 
 
 def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
-    """Return the components that contain at least one of the edges ``cut`` as blanks."""
+    """Return the components that contain at least one of the edges ``cut``, as blanks.
+
+    ``ends`` (n, 2, 2) and ``component`` (n,) are the ends and the component of each edge.
+    """
     number = np.full(int(component.max()) + 2, -1, np.int32)
     number[component[cut]] = 0
     wanted = np.flatnonzero(number == 0)
@@ -89,9 +92,9 @@ def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
 def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tuple[I64, I64]:
     """Return pairs of edges that are mirror images of each other, as two arrays (k,) and (k,).
 
-    The first edge of a pair is one of ``rows``, the second one of ``candidates``.  ``axis`` is 0
-    for images with opposite x and 1 for images with opposite y, relative to the centre of the
-    blank.
+    The first array has edges from ``rows``, the second array their images from ``candidates``; all
+    are indices of edges.  ``axis`` is 0 for images with opposite x and 1 for images with opposite
+    y, relative to the centre of the blank.
     """
     found: list[tuple[I64, I64]] = []
     # Two grids, half a cell apart: lines near a border of one are inside a cell of the other.
@@ -109,11 +112,13 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
 
 
 def _position_keys(blanks: _Blanks, rows: I64, axis: int, sign: float, shift: float) -> I64:
-    """Return a key of the position of each edge in ``rows``, (k, 5).
+    """Return a key of the position of each edge in ``rows``, (k, 5) integers.
 
-    The columns are the blank of the edge, and x and y of its middle and of its extent, each rounded
-    down to cells.  An edge has with ``sign`` 1 the key that its mirror image along ``axis`` has
-    with ``sign`` -1.  ``shift`` moves the borders of the cells, as a fraction of a cell.
+    The columns are the number of the edge's blank, x and y of the edge's middle relative to the
+    centre of the blank, and the edge's extent in x and y, rounded down to cells of a grid.  The
+    middle's coordinate ``axis`` (0 for x, 1 for y) is multiplied by ``sign``, so that the key of an
+    edge with ``sign`` -1 equals the key of its mirror image with ``sign`` 1.  ``shift`` is added to
+    the measures before rounding, as a fraction of a cell.
     """
     blank = blanks.blank[rows]
     tolerance = _TOLERANCE * blanks.size[blank][:, None]
