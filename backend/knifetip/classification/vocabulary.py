@@ -95,7 +95,10 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
 
 @lru_cache(maxsize=4096)
 def name_meaning(name: str) -> NameMeaning:
-    """Return the line type that the name of a layer or linetype suggests, and the words for it."""
+    """Return the line type that the name of a layer or linetype suggests, or no line type.
+
+    The result also has the part of the name that suggests it.
+    """
     vocabulary = _vocabulary()
     folded = name.casefold()
     for part, kind in vocabulary.substrings:

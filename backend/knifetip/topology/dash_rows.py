@@ -31,7 +31,8 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     lines
         The n edges of the drawing.
     reach
-        Search distance of an end of an edge that is not a dash of a row.
+        Least search distance; the two outer ends of a row of dashes get a longer one if the gaps
+        between the dashes are wide.
     loose : (q,)
         Whether only one edge ends at each of q vertices.  This function sets the entries of
         vertices that get a link to False.
@@ -43,8 +44,8 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     links : (t, 2)
         Pairs of vertices that a link connects.
     gap_of : (2n,)
-        Distance within which the start and the end of each edge search for another edge; it is
-        larger at the two ends of a row of dashes.
+        Search distance: largest distance from the start and from the end of each edge to another
+        edge that it may be linked to.
     """
     ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
     facing = np.full(2 * len(bulge), -1, np.int32)
@@ -139,9 +140,10 @@ def _find_dangling_ends(
     ends: F64_3, bulge: F64_1, end_vertex: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
     cell: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Write the cells of the dangling ends of straight edges ``begin`` … ``end`` - 1 to ``cell``.
+    """Write the grid cells of dangling ends of straight edges to ``cell``, (2n,).
 
-    ``cell`` (2n,) keeps its values for all other ends of edges.
+    ``cell`` has one entry for the start and one for the end of each edge.  Only the entries of
+    dangling ends of edges ``begin`` … ``end`` - 1 are written.
     """
     low, size, side, _, _ = grid
     for i in range(begin, end):
@@ -159,10 +161,12 @@ def _find_facing_ends(
     ends: F64_3, bulge: F64_1, tolerance: float, unit: float, grid: EdgeGrid, begins: I32_1,
     tips: I32_1, position: F64_2, facing: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Find the dangling end that each of the dangling ends ``begin`` … ``end`` - 1 faces.
+    """Find the dangling end that each dangling end ``begin`` … ``end`` - 1 faces across a gap.
 
     Parameters
     ----------
+    unit
+        Number of drawing units in a millimetre.
     begins : (side² + 1,)
         Index in ``tips`` of the first dangling end in each cell of the grid.
     tips, position : (t,) and (t, 2)

@@ -71,9 +71,9 @@ def build_grid(ends: F64, bulge: F64, tolerance: float, reach: float) -> EdgeGri
 
 @kernel(allocates=False)
 def _measure_boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
-    """Write the bounding box of each edge to ``boxes``, (n, 4), and enlarge ``bounds`` to hold all.
+    """Write the bounding box of each edge to ``boxes``, (n, 4), and enlarge ``bounds`` around them.
 
-    Each box, and ``bounds`` (4,), is x min, y min, x max, y max.
+    ``bounds`` (4,) and each bounding box are x min, y min, x max, y max.
     """
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
@@ -124,9 +124,20 @@ def _cells_of_edges(
     pad: float,
     limit: int,
 ) -> Any:
-    """Return all pairs of a cell and an edge in it: the cells, (k,), and the edges, (k,).
+    """Return all pairs of a grid cell and an edge in it, as cell numbers, (k,), and edges, (k,).
 
-    Both arrays are empty if there are more than ``limit`` pairs.
+    The arrays are empty if there are more than ``limit`` pairs.
+
+    Parameters
+    ----------
+    boxes : (n, 4)
+        Bounding box of each edge.
+    low, size : (2,) and (2,)
+        Least x and y of the grid, and width and height of a cell.
+    side
+        Number of columns and of rows of the grid.
+    pad
+        Distance from a cell within which an edge counts as in the cell.
     """
     cell, edge = np.empty(limit, np.int32), np.empty(limit, np.int32)
     total = 0

@@ -114,9 +114,11 @@ def _follow_hits(
 
 @kernel
 def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, radius: F64_1) -> Any:
-    """Return the k spans of all edges and the half-edges on their upper sides, (k, 8) and (k,).
+    """Return the k spans of n edges, and the half-edge on the upper side of each span, (k,).
 
-    Half-edge 2 i has the left side of edge i, half-edge 2 i + 1 the right side.
+    The spans, (k, 8), are x and y of the left end and of the right end, x and y of the centre and
+    radius of the circle, and 1 for its upper half, -1 for its lower half or 0 for a line.
+    Half-edge 2 i is the left side of edge i, half-edge 2 i + 1 its right side.
     """
     spans = np.empty((3 * len(bulge), _SPAN))
     above = np.empty(3 * len(bulge), np.int64)
@@ -153,11 +155,12 @@ def _add_span(
     spans: OutF64_2, above: OutI64_1, count: int, edge: int,
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
 ) -> int:  # fmt: skip
-    """Write the span of ``edge`` from (``ax``, ``ay``) to (``bx``, ``by``) to row ``count``.
+    """Write a span from (``ax``, ``ay``) to (``bx``, ``by``) to row ``count`` of ``spans``.
 
-    ``cx``, ``cy`` and ``r`` are centre and radius of the circle of an arc; ``side`` is 1 for its
-    upper half, -1 for its lower half, and 0 for a straight span.  A vertical span is not written.
-    Returns the new number of spans.
+    The half-edge of ``edge`` on its upper side is written to ``above``.  ``cx``, ``cy`` and ``r``
+    are centre and radius of the circle of an arc; ``side`` is 1 for the upper half of the circle,
+    -1 for its lower half, and 0 for a straight span.  A vertical span is not written.  Returns the
+    new number of spans.
     """
     if ax == bx:
         return count
@@ -171,7 +174,7 @@ def _add_span(
 
 @kernel(checks_division=True)
 def _height_at(span: F64_1, x: float) -> float:
-    """Return the y coordinate of a span at ``x`` (mm)."""
+    """Return the y coordinate of a span at the x coordinate ``x`` (mm)."""
     if x <= span[0]:
         return float(span[1])
     if x >= span[2]:
@@ -183,7 +186,7 @@ def _height_at(span: F64_1, x: float) -> float:
 
 @kernel(checks_division=True)
 def _slope_at(span: F64_1, x: float) -> float:
-    """Return the slope dy/dx of a span at ``x``; infinite at the end of a half circle."""
+    """Return the slope dy/dx of a span at x = ``x``; infinite at the end of a half circle."""
     if span[7] == 0.0:
         return float((span[3] - span[1]) / (span[2] - span[0]))
     rise = math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0))

@@ -258,9 +258,10 @@ def _first_line_through(
 
     Returns
     -------
-    edge, parameter, x, y
-        The edge is -1 if none crosses the link.  The parameter, 0 … 1, and the coordinates are
-        those of the crossing on the edge.
+    edge
+        Index of the edge, -1 if no edge crosses the link.
+    parameter, x, y
+        Parameter of the crossing on the edge, 0 … 1, and its coordinates.
     """
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
@@ -298,8 +299,9 @@ def _split_at_lines(
 ) -> Any:
     """Split the links with the numbers ``wanted`` at all edges that cross them.
 
-    Returns edge, parameter and vertex of the splits, the links, and the new vertices in three
-    columns: positions, next vertex in the hash bucket, and number of vertices.
+    Returns edge, parameter and vertex of the splits of edges, then the links, (t, 2), then the
+    vertices in three values: position of each vertex, next vertex in its hash bucket, and number of
+    vertices.
     """
     point, vertex_count, onward, head = vertices
     row = np.empty(16, np.int32)

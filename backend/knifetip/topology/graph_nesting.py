@@ -168,10 +168,10 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Return the x coordinate of edge ``i`` at the height ``y``, and whether it runs upwards there.
+    """Return the x coordinate of edge ``i`` at y = ``y``, and whether the edge runs upwards there.
 
     The x coordinate is NaN if the edge does not reach that height.  ``root`` is 0 for the left half
-    and 1 for the right half of the circle of an arc; lines ignore it.
+    and 1 for the right half of the circle of an arc; it has no effect on lines.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]

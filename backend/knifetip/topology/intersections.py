@@ -47,10 +47,10 @@ class Crossings(NamedTuple):
 def find_crossings(
     ends: F64, bulge: F64, tolerance: float, grid: EdgeGrid, limit: int
 ) -> Crossings:
-    """Return the crossings of straight edges.
+    """Return the points at which straight edges cross between their ends.
 
-    The search ends soon after it has found ``limit`` crossings, so that the result is incomplete
-    then.
+    The search ends soon after it has found ``limit`` crossings; further crossings are then missing.
+    ``grid`` lists the edges in each cell.
     """
 
     def crossed(run: tuple[int, int]) -> Any:
@@ -112,7 +112,10 @@ def find_splits(
 def _split_at_crossings(
     ends: F64, tolerance: float, pairs: Crossings, vertices: VertexTable
 ) -> tuple[Splits, VertexTable]:
-    """Return the splits of the two edges of each crossing, and the given and the added vertices."""
+    """Return the splits of the two edges of each crossing, and the given vertices with new ones.
+
+    A vertex is added at each crossing that has no vertex within the tolerance.
+    """
     pair, parameter = pairs
     vertices = with_capacity(vertices, len(pair))
     at = np.empty(len(pair), np.int32)

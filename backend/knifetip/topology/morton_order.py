@@ -46,7 +46,10 @@ def spatial_order(ends: F64) -> I64 | None:
 
 @kernel
 def _start_extent(ends: F64_3) -> Any:
-    """Return least x, least y and the larger of width and height of all start points, (3,)."""
+    """Return the extent of the start points of the edges, (3,).
+
+    It is the least x, the least y, and the larger of width and height of their bounding box.
+    """
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
     for i in range(len(ends)):
@@ -58,9 +61,9 @@ def _start_extent(ends: F64_3) -> Any:
 
 @kernel
 def _count_leaps(ends: F64_3, far: float) -> int:
-    """Return the number of edges that start far from the start of the preceding edge.
+    """Return the number of edges whose start is far from the start of the preceding edge.
 
-    A distance is far if it is more than ``far`` in x or in y.
+    Starts are far from each other if they are more than ``far`` apart in x or in y.
     """
     leaps = 0
     for i in range(1, len(ends)):

@@ -114,7 +114,11 @@ def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> Planar
 def _find_crossings(
     ends: F64, bulge: F64, tolerance: float, reach: float, limit: int
 ) -> tuple[EdgeGrid, Crossings] | None:
-    """Return a grid of the edges and their crossings, or None if the edges are too crowded."""
+    """Return a grid of the edges and their crossings, or None if the edges are too crowded.
+
+    The search ends soon after ``limit`` crossings; ``reach`` is the largest distance from an edge
+    at which the grid will be searched.
+    """
     grid = build_grid(ends, bulge, tolerance, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, tolerance, grid, limit))
 

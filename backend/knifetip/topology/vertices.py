@@ -75,7 +75,7 @@ def _merge_points(
     """Write the vertex of each end to ``end_vertex``, (2n,), and add new vertices to the table.
 
     Sets ``several``, (2n,), to True for ends with several vertices within the tolerance.  Returns
-    the number of vertices and the number of these ends.
+    the number of vertices and the number of ends for which ``several`` is True.
     """
     count = near = 0
     for half in range(len(end_vertex)):
@@ -95,10 +95,11 @@ def _merge_points(
 
 @kernel
 def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return the slot of the hash table ``known`` for the position of end ``half``.
+    """Return the slot of the hash table ``known`` for the position of an end of an edge.
 
-    The slot contains an end at this position, rounded to multiples of 1 / ``fine``, or a negative
-    number if there is none in the table.
+    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.  Positions are equal if they
+    are equal after rounding to multiples of 1 / ``fine``.  The slot contains an end at this
+    position, or a negative number if no such end is in the table.
     """
     mask = len(known) - 1
     x, y = _rounded_position(ends, half, fine)
@@ -110,7 +111,10 @@ def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
 
 @kernel
 def _rounded_position(ends: F64_3, half: int, fine: float) -> Any:
-    """Return x and y of end ``half`` rounded to integers, in units of 1 / ``fine``."""
+    """Return x and y of an end of an edge, rounded to integers, in units of 1 / ``fine``.
+
+    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
+    """
     return (
         np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
         np.int64(np.rint(ends[half // 2, half % 2, 1] * fine)),
@@ -154,9 +158,9 @@ def _nearest_vertex(
 ) -> int:
     """Return the nearest vertex within the tolerance of (``x``, ``y``), or a negative number.
 
-    The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are, and none
-    is exactly at the point, it is ``_SEVERAL`` minus the nearest vertex: to return a second value
-    would take longer.
+    The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are within
+    the tolerance, and none is exactly at the point, the number is ``_SEVERAL`` minus the nearest
+    vertex, because returning a second value would take longer.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)

@@ -1,8 +1,9 @@
 """arrows: find dimension arrows, which annotate a carton and are never made.
 
 An arrowhead is two short edges of equal length that meet at the end of a third edge, the shaft.
-Both point back along the shaft at equal angles, and their other ends are free or joined to each
-other.  A notch at the end of a crease points the other way, and its ends continue in the outline.
+The two short edges point back along the shaft at equal angles, and their other ends are free or
+joined to each other.  A notch at the end of a crease points the other way, and its ends continue in
+the outline.
 """
 
 from __future__ import annotations
@@ -83,7 +84,11 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
 
 @kernel
 def _pieces_by_vertex(graph: _Graph, same: I32_1) -> _Incidence:
-    """Return the pieces at each vertex; coincident pieces count once."""
+    """Return the pieces that start or end at each vertex.
+
+    Of coincident pieces only the first one is returned, and links are left out.  ``same`` (p,) is
+    the first piece that coincides with each piece.
+    """
     vertex, start, end, edge, _ = graph
     vertices, count = len(vertex), len(start)
     first = np.zeros(vertices + 1, np.int32)
@@ -228,7 +233,11 @@ def _mark_extension_lines(
 
 @kernel(allocates=False)
 def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
-    """Set ``found``, (n,), to True also for edges that are covered by the edges marked in it."""
+    """Set ``found`` to True also for edges that are covered by edges for which it is True already.
+
+    ``found`` (n,) is the mask of edges of arrows, and ``same`` (p,) is the first piece that
+    coincides with each piece.
+    """
     for i in range(len(found)):
         if found[i] or graph.first[i] == graph.first[i + 1]:
             continue
@@ -241,7 +250,11 @@ def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
 
 @kernel(allocates=False)
 def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) -> int:
-    """Return the other end vertex of edge ``i`` if one end is vertex ``at``, otherwise -1."""
+    """Return the other end vertex of edge ``i`` if one end is vertex ``at``, otherwise -1.
+
+    ``start``, ``end`` (p,) and ``first_piece`` (n + 1,) are the vertices at which each piece starts
+    and ends, and the index of the first piece of each edge.
+    """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == at:
         far: int = two
@@ -264,7 +277,11 @@ def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool
 
 @kernel(allocates=False)
 def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i: int) -> float:
-    """Return the distance between the two end vertices of edge ``i``."""
+    """Return the distance between the two end vertices of edge ``i``.
+
+    ``vertex`` (q, 2) are the positions of the vertices; ``start``, ``end`` (p,) and ``first_piece``
+    (n + 1,) are the vertices at which each piece starts and ends, and the first piece of each edge.
+    """
     a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
     return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])
 

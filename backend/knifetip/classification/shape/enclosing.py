@@ -70,7 +70,8 @@ def _find_frames(
     Parameters
     ----------
     parent, panels : (c,) and (c,)
-        Component around each component, and number of faces inside its outline.
+        Component that contains each component, -1 for none, and number of faces inside the outline
+        of each component.
     bounded_area : (c,)
         Sum of the areas of the bounded faces of each component.
     """
@@ -111,6 +112,18 @@ def _find_bleeds(
     """Return the mask of components that follow the outline of a blank inside them, (c,).
 
     The blank must have several panels, because a ring inside a ring may be a gasket.
+
+    Parameters
+    ----------
+    box : (c, 4)
+        Bounding box of each component.
+    parent, panels : (c,) and (c,)
+        Component that contains each component, -1 for none, and number of faces inside the outline
+        of each component.
+    frame : (c,)
+        Whether each component is a frame.
+    unit
+        Number of drawing units in a millimetre.
     """
     count = len(parent)
     bleed = np.zeros(count, np.bool_)
@@ -187,21 +200,20 @@ def _mark_bleeds(
     nearest: float,
     bleed: OutBool_1,
 ) -> None:
-    """Set ``bleed`` to True for components that follow the outlines of the components inside them.
+    """Write to ``bleed`` whether components follow the outlines of the components inside them.
 
     Parameters
     ----------
     outer : (k,)
         The components to check.
     contents : (k, 2)
-        First index in ``inner``, and the index after the last, of the components inside each of
-        them.
+        The components inside ``outer[k]`` are ``inner[contents[k, 0] : contents[k, 1]]``.
     inner
         Components inside the components ``outer``, sorted by the component around them.
     nearest
-        Least distance between an outer component and a component inside it (drawing units).
+        Least distance between a component and a component inside it (drawing units).
     bleed : (c,)
-        Mask of all components of the graph.
+        Mask of all components of the graph; the entries of the components ``outer`` are written.
     """
     for k in range(len(outer)):
         ends, bulge = _segments_of(lines, pieces, outer[k : k + 1])
@@ -236,9 +248,10 @@ def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> 
 def _distance_range(
     ends: F64_3, bulge: F64_1, other_ends: F64_3, other_bulge: F64_1
 ) -> tuple[float, float]:
-    """Return the least and the greatest distance of segments from other segments.
+    """Return the least and the greatest distance of segments from the nearest other segment.
 
-    Only the distances of the starts and the middles of the segments are measured.
+    Only the distances of the starts and the middles of the segments are measured.  ``ends`` and
+    ``bulge`` are the segments, ``other_ends`` and ``other_bulge`` the other segments.
     """
     least, most = np.inf, 0.0
     for p in range(len(bulge)):

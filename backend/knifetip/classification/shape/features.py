@@ -139,7 +139,10 @@ def extract_shape_features(
 
 
 def _no_features(count: int) -> ShapeFeatures:
-    """Return the features of edges that are too crowded for a planar graph: all unknown."""
+    """Return features of ``count`` edges that are all unknown.
+
+    They are used if the edges are too crowded for a planar graph.
+    """
     none = np.zeros(count, np.bool_)
     return ShapeFeatures(
         np.zeros(count, np.uint8),
@@ -187,7 +190,10 @@ class _Extraction(NamedTuple):
         return build_graph(self.ends, self.bulge, GAP * self.unit, _REACH * self.unit)
 
     def _features_in(self, graph: PlanarGraph) -> ShapeFeatures:
-        """Return the features of the edges of a planar graph without arrows."""
+        """Return the features of all edges, from their planar graph.
+
+        The edges of arrows must not be in the graph.
+        """
         count, unit, tolerance = len(self.bulge), self.unit, GAP * self.unit
         (length, boxes), faces = parallel_pair(
             lambda: (
@@ -293,9 +299,16 @@ class _EdgeSums(NamedTuple):
 def _fill_short_edges(
     edges: _EdgeSums, graph: PlanarGraph, ends: F64, length: F64, tolerance: float
 ) -> None:
-    """Give edges without pieces the role and component of an edge that continues them.
+    """Give edges without pieces the role and component of an edge that ends at their start.
 
     An edge has no pieces if it is shorter than ``tolerance``.  Writes to ``edges``.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Ends of the n edges.
+    length : (p,)
+        Length of each piece of the graph.
     """
     short = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
@@ -315,7 +328,17 @@ def _fill_short_edges(
 
 @kernel
 def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, width: float) -> Any:
-    """Return the mask of faces that are long and narrower than ``width``, (f,)."""
+    """Return the mask of faces that are long and narrower than ``width`` on average, (f,).
+
+    Parameters
+    ----------
+    left, right : (p,)
+        Faces on the left and on the right of each piece.
+    length : (p,)
+        Length of each piece.
+    area : (f,)
+        Signed area of each face.
+    """
     left_length, right_length = np.zeros(len(area)), np.zeros(len(area))
     for p in range(len(length)):
         left_length[left[p]] += length[p]
@@ -368,10 +391,10 @@ def _sum_pieces(
 
 
 def _longest_neighbours(graph: PlanarGraph, length: F64, short: I64) -> I32:
-    """Return for each short edge the edge of the longest piece at its start, (k,), -1 for none.
+    """Return the edge of the longest piece at the start of each short edge, (k,), -1 for none.
 
-    ``short`` (k,) are the indices of edges without pieces, ``length`` (p,) is the length of each
-    piece.
+    ``short`` (k,) are the indices of edges without pieces, and ``length`` (p,) is the length of
+    each piece.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short) == 0:
@@ -439,14 +462,18 @@ def _look_up_roles(
     begin: int,
     end: int,
 ) -> None:
-    """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``.
+    """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``, (p,).
 
     Parameters
     ----------
     table : (kinds, 4)
-        Role for the kind of the component and the faces on the two sides of the piece.
+        Role of a piece, by the kind of its component and by the faces on its two sides.
     row : (c,)
-        Row of each component in the table.
+        Kind of each component, as a row of ``table``.
+    component, left, right : (p,)
+        Component of each piece, and the faces on its left and on its right.
+    outer_face : (c,)
+        Outer face of each component.
     """
     for p in range(begin, end):
         outside = outer_face[component[p]]

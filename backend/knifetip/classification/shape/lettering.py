@@ -53,7 +53,7 @@ def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
 
 @kernel
 def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBool_1) -> None:
-    """Mark the components in rows along an axis that have enough different shapes for a word.
+    """Mark the components of each row along an axis that has enough different shapes for a word.
 
     Parameters
     ----------
@@ -62,9 +62,11 @@ def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBo
     shape : (k, 4)
         Shorter and longer side, total length and number of pieces of each component.
     order : (k,)
-        The components sorted by the lower ends of their boxes along the axis.
+        The components sorted by the least coordinate of their boxes along the axis.
+    axis
+        Direction of the rows: 0 for x, 1 for y.
     letter : (k,)
-        Set to True for letters.
+        Set to True for the components of words.
     """
     across = 1 - axis
     count = len(order)

@@ -85,10 +85,14 @@ class Measures(NamedTuple):
 
         Parameters
         ----------
+        graph, faces
+            Planar graph of a drawing, with p pieces and c components, and its faces.
         length : (p,)
             Length of each piece.
         box : (c, 4)
-            Box of each component.
+            Bounding box of each component.
+        annotations
+            Texts and dimensions of the drawing.
         unit
             Number of drawing units in a millimetre.
         """
@@ -153,9 +157,12 @@ def _add_lengths(
     edge: I32_1, component: I32_1, left: I32_1, right: I32_1, outer_face: I32_1, length: F64_1,
     total: OutF64_1, dangling: OutF64_1, outline: OutF64_1, pieces: OutI64_1,
 ) -> None:  # fmt: skip
-    """Add the lengths and the number of the pieces to the totals of their components.
+    """Add the lengths and the number of p pieces to the totals of their c components.
 
-    Writes to ``total``, ``dangling``, ``outline`` and ``pieces``, (c,) each.
+    Writes to ``total`` (length of all pieces), ``dangling`` (length of pieces with the outer face
+    on both sides), ``outline`` (length of pieces with the outer face on one side) and ``pieces``
+    (number of pieces), (c,) each.  The other arguments are columns of the pieces, and the outer
+    face of each component.
     """
     for p in range(len(edge)):
         c = component[p]
@@ -171,7 +178,17 @@ def _add_lengths(
 
 
 def _has_slot_shape(area: F64, perimeter: F64, pieces: I64, size: F64, unit: float) -> Bool:
-    """Return the mask of closed components that are narrow or round and have few pieces, (c,)."""
+    """Return the mask of closed components that are narrow or round and have few pieces, (c,).
+
+    Parameters
+    ----------
+    area, perimeter : (c,) and (c,)
+        Area inside the outline and length of all pieces of each component.
+    pieces, size : (c,) and (c,)
+        Number of pieces, and diagonal of the bounding box.
+    unit
+        Number of drawing units in a millimetre.
+    """
     length = np.maximum(perimeter, 1e-12)
     is_round = 4.0 * np.pi * area > 0.98 * length * length
     is_round &= size <= _HOLE_DIAMETER * unit * 2.0**0.5
@@ -198,9 +215,9 @@ def _text_positions(annotations: Sequence[Annotation]) -> F64:
 
 
 def _locate_texts(annotations: Sequence[Annotation], box: F64) -> tuple[I64, Bool]:
-    """Return the number of texts in each box, and whether a text is in or beside the box.
+    """Return the number of texts in each box, and whether a text is in or beside each box.
 
-    Each of the two arrays has the shape (c,).
+    ``box`` (c, 4) are the boxes; each of the two returned arrays has the shape (c,).
     """
     positions = _text_positions(annotations)
     inside, near = np.zeros(len(box), np.int64), np.zeros(len(box), np.bool_)
@@ -221,6 +238,10 @@ def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near: OutBool_1) -> 
     ----------
     text : (t, 4)
         x, y, height and width of each text, sorted by x.
+    box : (c, 4)
+        x min, y min, x max, y max of each box.
+    inside, near : (c,) and (c,)
+        Receive the number of texts in each box, and whether a text is in or beside it.
     """
     widest, lowest, highest = 0.0, np.inf, -np.inf
     for t in range(len(text)):

@@ -129,9 +129,10 @@ def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, ti
     box : (c, 4)
         Bounding box of each component.
     outlines, small : (c,)
-        Components that may be blanks or parts of the outline of one, and small components.
+        Mask of components that may be a blank or a part of a blank's outline, and mask of small
+        components.
     tiny
-        A square millimetre in drawing units.
+        A square millimetre, in square drawing units.
     """
     blank = outlines & ~small & (measures.area > tiny)
     dangling = np.where(blank, measures.dangling, 0.0)
@@ -165,7 +166,19 @@ def _add_open_outlines(
     """Add the dangling length of open components to the blanks that they surround.
 
     An open component surrounds a blank if its bounding box covers more than half of the bounding
-    box of the blank.  Writes to ``dangling``, one entry per blank.
+    box of the blank.
+
+    Parameters
+    ----------
+    open_row, open_box, open_dangling : (k,), (k, 4) and (k,)
+        Indices of the open components, their bounding boxes, and the lengths of their dangling
+        pieces.
+    box, box_area : (c, 4) and (c,)
+        Bounding box of each component, and its area.
+    blank : (b,)
+        Indices of the components that are blanks.
+    dangling : (c,)
+        Dangling length of each component; the entries of blanks are increased.
     """
     for m in range(len(blank)):
         b = blank[m]

@@ -4,8 +4,8 @@ A blank is cut out in one piece.  If one straight line alone connects a panel to
 blank, the line cannot be a cut.  If panels meet in a ring round a corner, one of the lines between
 them is a slit.  A slit starts at the rim, so a straight line between two inner corners is no slit.
 
-For several equal blanks without space between them no edge is found.  Faces framed by bends, such
-as tabs, slots and windows, do not count as panels.
+No edge is found in a component that consists of several equal blanks without space between them.
+Faces framed by bends, such as tabs, slots and windows, do not count as panels.
 """
 
 from __future__ import annotations
@@ -140,7 +140,7 @@ def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
 
 
 class _Borders(NamedTuple):
-    """The borders between k pairs of faces: d pieces of a graph, by pair."""
+    """The borders between k pairs of faces, made of d pieces of a planar graph."""
 
     graph: PlanarGraph
     piece: I64  #: (d,) pieces of the borders
@@ -196,7 +196,7 @@ class _Borders(NamedTuple):
         return result
 
     def longest(self, length: F64, count: int) -> Bool:
-        """Return the mask of pieces of the longest edge of each border, (d,).
+        """Return the mask of pieces that belong to the longest edge of their border, (d,).
 
         For a border with dashes it is the mask of the pieces of the dashes.  Short edges at the
         ends of a fold are left out, because they may be slits that lock it.
@@ -236,11 +236,18 @@ class _Panels(NamedTuple):
 def _find_single_cartons(
     graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool, panel: Bool
 ) -> Bool:
-    """Return the mask of components with the panels of one carton, not of several blanks, (c,).
+    """Return the mask of components whose panels belong to one carton, not to several blanks, (c,).
 
     Equal blanks are beside each other, or head to tail: one translation, or one half-turn, maps
     every panel at the rim onto another panel.  A single carton has a glue flap or a base without
     such an image.
+
+    Parameters
+    ----------
+    length : (p,)
+        Length of each piece.
+    at_rim, panel : (f,) and (f,)
+        Whether each face is at the outline of a blank, and whether it is a panel.
     """
     measured = _measure_faces(graph, faces, length, at_rim)
     owner = faces.component
@@ -256,7 +263,11 @@ def _find_single_cartons(
 
 
 def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return the measures of all faces of a graph; coincident pieces count once."""
+    """Return the measures of all faces of a graph; coincident pieces count once.
+
+    ``length`` (p,) is the length of each piece; ``at_rim`` (f,) is whether each face is at the
+    outline of a blank.
+    """
     count = len(faces.area)
     own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
     start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
