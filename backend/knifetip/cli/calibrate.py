@@ -24,16 +24,24 @@ _COLUMNS = ("azimuth", "dx", "dy")
 
 
 class Side(Enum):
-    """Side of the drawn contour on which the cutter ran, seen in the direction of travel."""
+    """Side of the drawn contour on which the cutter cut, seen in the direction of travel."""
 
     LEFT = "left"
     RIGHT = "right"
 
 
 def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, float]]]:
-    """Return azimuths (degrees) and measured offsets (ΔX, ΔY) in mm from a CSV file.
+    """Return the azimuths (degrees) and the offsets (ΔX, ΔY) (mm) of the points in a CSV file.
 
-    The file has the columns ``azimuth``, ``dx`` and ``dy``.
+    An azimuth is the direction of travel at a measured point; an offset is the vector from the
+    drawn to the cut contour.  The file has the columns ``azimuth``, ``dx`` and ``dy``.
+
+    Parameters
+    ----------
+    name
+        Name of the file, for error messages.
+    data
+        Content of the file.
 
     Raises
     ------
@@ -122,5 +130,5 @@ def calibrate(
 
 
 def register(app: typer.Typer) -> None:
-    """Add the command of this module to an application."""
+    """Add the command ``calibrate`` to a Typer application."""
     app.command()(expand(calibrate))

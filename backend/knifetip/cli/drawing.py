@@ -60,20 +60,20 @@ Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]
 
 @dataclass(frozen=True, slots=True)
 class ReadingOptions:
-    """Options of the command line for the unit and the line types of a drawing."""
+    """Command-line options for the unit, the classification profile and the layers of a drawing."""
 
     profile: Profile = "default"
     layer: Layers = None
     unit: Unit = None
 
     def load(self, file: Path) -> LoadedDrawing:
-        """Read and classify the drawing in a file."""
+        """Return the drawing in a file, read and classified with these options."""
         return load_drawing(file, self.unit, self.profile, self.layer)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class LoadedDrawing:
-    """The drawing of a file, classified with the options of the command line."""
+    """The drawing in a file, read and classified with the command-line options."""
 
     data: bytes
     drawing: Drawing
@@ -81,13 +81,24 @@ class LoadedDrawing:
     overrides: U8  #: (n,) ``NO_OVERRIDE`` or the LineType set by an option, for each edge
 
     def questions(self, machine: Machine | None = None) -> list[Question]:
-        """Return the open questions about the drawing, and about its tools on a machine."""
+        """Return the questions about the drawing that the user must answer before a compile.
+
+        Parameters
+        ----------
+        machine
+            Machine whose tools the questions concern too; None for questions without a machine.
+        """
         return pipeline.questions(self.drawing, self.dieline, machine)
 
     def as_json(self, name: str) -> dict[str, Any]:
         """Return the drawing and its edges as JSON data, with the field names of the REST API.
 
         If the drawing cannot be cleaned, all its edges have the outcome *kept*.
+
+        Parameters
+        ----------
+        name
+            Name of the file, which becomes the name of the drawing.
         """
         outcomes = edge_outcomes(self.drawing, self.dieline, self._cleaned())
         data = classified_json(
@@ -99,7 +110,7 @@ class LoadedDrawing:
         }
 
     def _cleaned(self) -> Cleaned | None:
-        """Return the result of cleaning; None without a unit, or if cleaning raises an error."""
+        """Return the cleaned drawing; None if its unit is unknown or it cannot be cleaned."""
         if not self.drawing.unit:
             return None
         try:
@@ -112,7 +123,16 @@ class LoadedDrawing:
 def load_drawing(
     file: Path, unit: str | None, profile: str, layers: list[str] | None
 ) -> LoadedDrawing:
-    """Read and classify the drawing in a file.
+    """Return the drawing in a file, read and classified.
+
+    Parameters
+    ----------
+    unit
+        Unit of the drawing; None for the unit that the file states.
+    profile
+        Name of a classification profile, or path of its TOML file.
+    layers
+        Line types of layers, each as ``NAME=TYPE``; None for none.
 
     Raises
     ------
@@ -146,10 +166,10 @@ def load_drawing(
 
 
 def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
-    """Return unit, size and import report of a drawing as JSON data with texts.
+    """Return name, unit, size and import report of a drawing as JSON data with texts.
 
-    The fields are those of a drawing in the REST interface; in addition, ``size`` is the list of
-    width and height, and ``warnings`` contains the warnings about the unit.
+    The fields are the fields of a drawing in the REST interface.  In addition, ``size`` is the list
+    of width and height, and ``warnings`` contains the warnings about the unit.
     """
     return _with_report(name, drawing, drawing_json(drawing))
 
@@ -169,7 +189,7 @@ def _with_report(name: str, drawing: Drawing, data: dict[str, Any]) -> dict[str,
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the commands ``read``, ``classify``, ``clean`` and ``samples`` to a Typer application."""
 
     @app.command()
     def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
@@ -266,7 +286,10 @@ def register(app: typer.Typer) -> None:
 
 
 def _print_lines(lines: list[str], indent: int = 2) -> None:
-    """Print text lines indented; beyond a maximum, print only the number of further lines."""
+    """Print text lines, indented by ``indent`` blanks.
+
+    After ``_MAX_LINES`` lines, only the number of further lines is printed.
+    """
     for line in lines[:_MAX_LINES]:
         typer.echo(" " * indent + line)
     if len(lines) > _MAX_LINES:
@@ -274,10 +297,15 @@ def _print_lines(lines: list[str], indent: int = 2) -> None:
 
 
 def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
-    """Return the import report as text lines.
+    """Return the text lines that show an import report on the terminal.
 
     Entities with equal outcome, kind, layer and reason are combined in one text line; the lines of
     kept entities come last.
+
+    Parameters
+    ----------
+    rows
+        Rows of the import report as JSON data, one per entity.
     """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
@@ -292,7 +320,16 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
-    """Return one text line per classification rule: number of edges, confidence and rule."""
+    """Return text lines about the rules that classified some edges, one text line per rule.
+
+    Each text line states the number of edges, the confidence of their line types (percent) and the
+    conditions of the rule.
+
+    Parameters
+    ----------
+    rows
+        Indices of the edges.
+    """
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]
     lines = []
@@ -306,7 +343,13 @@ def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
 
 
 def _evidence_lines(finding: dict[str, Any]) -> list[str]:
-    """Return text lines with the evidence for the two likeliest units, highest weight first."""
+    """Return text lines with the evidence for the two likeliest units of a drawing.
+
+    Parameters
+    ----------
+    finding
+        Field ``unit_finding`` of a drawing in JSON data.
+    """
     return [
         f"{one['unit']:3} {one['weight']:5.1f}  {one['text']}"
         for unit in finding["ranking"][:2]
@@ -316,7 +359,7 @@ def _evidence_lines(finding: dict[str, Any]) -> list[str]:
 
 
 def _size(drawing: Drawing) -> str:
-    """Return width and height of a drawing with its unit."""
+    """Return a text with the width and the height of a drawing and their unit."""
     min_x, min_y, max_x, max_y = drawing.bounds
     unit = "mm" if drawing.unit else "units (unit unknown)"
     return f"{max_x - min_x:.2f} × {max_y - min_y:.2f} {unit}"

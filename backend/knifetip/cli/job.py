@@ -54,12 +54,13 @@ class JobClient:
         params: dict[str, Any] | None = None,
         body: dict[str, str] | None = None,
     ) -> Any:
-        """Send a request to a path under ``/api/jobs`` and return the decoded JSON body.
+        """Send a request to a path under ``/api/jobs`` and return the decoded JSON answer.
 
         Raises
         ------
         JobError
-            The server cannot be reached or refuses the request; its message is used.
+            The server cannot be reached or refuses the request; the error contains the message of
+            the server, if the server sent one.
         """
         import httpx  # imported here: slow, and other commands do not need it
 
@@ -81,11 +82,11 @@ class JobClient:
         raise JobError("server.answered", url=url, status=answer.status_code)
 
     def job(self, id: str) -> dict[str, Any]:
-        """Return a job as JSON data."""
+        """Return the job with an id as JSON data."""
         return dict(self.request("GET", _path(id)))
 
     def command(self, id: str, command: str, body: dict[str, str] | None = None) -> dict[str, Any]:
-        """Send a command to a job and return the updated job."""
+        """Send a command, such as ``hold``, for a job; return the changed job as JSON data."""
         return dict(self.request("POST", f"{_path(id)}/{command}", body=body))
 
 
@@ -94,7 +95,7 @@ def _path(id: str) -> str:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the command ``job`` with its subcommands to a Typer application."""
     job = typer.Typer(
         help="List and control the jobs of a server.",
         no_args_is_help=True,
@@ -196,7 +197,15 @@ _PLAIN_COMMANDS = {
 
 
 def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
-    """Add a command that takes only a job id and sends its own name to the server."""
+    """Add a subcommand that sends a command of its own name for one job to the server.
+
+    Parameters
+    ----------
+    name
+        Name of the subcommand, such as ``hold``.
+    help_text
+        Help text of the subcommand.
+    """
 
     @app.command(name, help=help_text)
     def send(id: Id, server: Server = SERVER, key: Key = "") -> None:
@@ -204,7 +213,7 @@ def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
 
 
 def _print_job(row: dict[str, Any]) -> None:
-    """Print a summary of a job."""
+    """Print a summary of a job, given as JSON data."""
     typer.echo(f"{row['id']}  {row['state']}  {row['drawing_name']}")
     typer.echo(f"  {row['machine']}, board {row['board']}")
     if row["tools"]:

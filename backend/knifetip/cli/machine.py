@@ -16,7 +16,7 @@ from knifetip.post.rs274.tool_table import tool_table
 
 
 def machine_json(machine: Machine) -> dict[str, Any]:
-    """Return a machine as JSON data (mm, degrees, mm/min)."""
+    """Return a machine and its stations as JSON data (mm, degrees, mm/min)."""
     return {
         "name": machine.name,
         "title": machine.title,
@@ -46,7 +46,7 @@ def _station_json(station: Station) -> dict[str, Any]:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the command ``machine`` to a Typer application."""
 
     @app.command()
     def machine(

@@ -14,7 +14,7 @@ from knifetip.errors import KnifetipError
 
 
 class _Command(NamedTuple):
-    """The module and the help text of a command."""
+    """The module that registers a command of the command line, and the help text of the command."""
 
     module: str  #: module of this package that registers the command
     help: str  #: first sentence of the help text, at most 63 characters
@@ -61,10 +61,10 @@ def load_command(name: str) -> Any:
 
 
 class _Commands(TyperGroup):
-    """Command group that lists names and help texts, and imports only the invoked command."""
+    """Command group that lists all commands, and imports only the module of the invoked command."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Return the name of the invoked command, the loaded command, and its arguments."""
+        """Return the name of the invoked command, the imported command, and its arguments."""
         name, _, rest = super().resolve_command(ctx, args)
         return name, None if name is None else load_command(name), rest
 
@@ -79,7 +79,11 @@ app = _Commands(
 
 
 def main() -> None:
-    """Run the command line; print a ``KnifetipError`` and exit with code 3."""
+    """Run the command line.
+
+    If a ``KnifetipError`` is raised, its text and hint are printed and the process exits with code
+    3.
+    """
     try:
         app()
     except KnifetipError as error:

@@ -1,7 +1,7 @@
-"""options: group the options of a command in dataclasses.
+"""options: allow dataclasses as parameters of commands, to group command-line options.
 
 Typer creates one option from each parameter of a function.  ``expand`` converts a function with
-dataclass parameters to a function with one parameter for each field.
+dataclass parameters to a function with one parameter for each field of the dataclasses.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from typing import Any, get_type_hints
 
 
 def expand(command: Callable[..., None]) -> Callable[..., None]:
-    """Return a command with one keyword parameter for each field of its dataclass parameters.
+    """Return a function for Typer in which fields of dataclasses replace dataclass parameters.
 
     Parameters
     ----------
     command
         Function whose parameters have types that Typer supports, or are dataclasses with fields of
-        such types.  It is called with an instance of each dataclass.
+        such types.  The returned function creates the dataclass instances and calls ``command``.
     """
     hints = get_type_hints(command, include_extras=True)
     records: dict[str, tuple[Callable[..., Any], list[str]]] = {}
@@ -45,7 +45,13 @@ def expand(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _parameter(field: Field[Any], kind: Any) -> inspect.Parameter:
-    """Return the keyword parameter for a field of a dataclass."""
+    """Return a keyword parameter with the name and the default of a dataclass field.
+
+    Parameters
+    ----------
+    kind
+        Type annotation of the field.
+    """
     default = inspect.Parameter.empty if field.default is MISSING else field.default
     return inspect.Parameter(
         field.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=kind

@@ -36,7 +36,7 @@ Database = Annotated[
 
 
 def profile_json(name: str, rules: LineRules) -> dict[str, Any]:
-    """Return a profile as JSON data."""
+    """Return the name, the title and the rules of a profile as JSON data."""
     listed = [
         {"type": rule.line_type.word, "conditions": with_text(rule.conditions)}
         for rule in rules.rules
@@ -45,7 +45,7 @@ def profile_json(name: str, rules: LineRules) -> dict[str, Any]:
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the command ``profile`` with its subcommands to a Typer application."""
     profile = typer.Typer(
         help="Classification profiles: list, show, export, import.", no_args_is_help=True
     )

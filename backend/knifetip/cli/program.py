@@ -67,9 +67,12 @@ class Interference(Enum):
 
 
 def parse_corner(text: str) -> CornerAt:
-    """Return the corner position and corner type in the text of an option ``--corner-at``.
+    """Return the corner position and the corner type that a text describes.
 
-    The text has the form ``X,Y=TYPE`` or ``X,Y=TYPE:K``.
+    Parameters
+    ----------
+    text
+        Value of the option ``--corner-at``, in the form ``X,Y=TYPE`` or ``X,Y=TYPE:K``.
 
     Raises
     ------
@@ -85,7 +88,7 @@ def parse_corner(text: str) -> CornerAt:
 
 @dataclass(frozen=True, slots=True)
 class TargetOptions:
-    """Options of the command line for the machine and the board."""
+    """Command-line options that name the machine and the board for a program."""
 
     machine: Annotated[
         str, typer.Option(help="Name of a machine of the library, or its TOML file.")
@@ -93,13 +96,13 @@ class TargetOptions:
     board: Annotated[str, typer.Option(help="Name of a board of the library, or its TOML file.")]
 
     def load(self) -> tuple[Machine, Board]:
-        """Return the machine and the board."""
+        """Return the machine and the board that the options name."""
         return load.machine(self.machine), load.board(self.board)
 
 
 @dataclass(frozen=True, slots=True)
 class CornerOptions:
-    """Options of the command line for the path of a cutter round outer corners."""
+    """Command-line options for the path of a cutter round outer corners of a contour."""
 
     corner: Annotated[
         CornerType | None,
@@ -149,7 +152,7 @@ class CornerOptions:
 
 
 def print_verdict(verdict: Verdict) -> None:
-    """Print the figures and the first findings of a verdict."""
+    """Print the figures and the first findings of a verdict of the verifier."""
     word = "accepted" if verdict.accepted else "refused"
     print_stderr(
         f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm "
@@ -177,7 +180,7 @@ def _parse_placement(text: str) -> tuple[float, float]:
 
 
 def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
-    """Print the open questions about a drawing and exit, if there are any."""
+    """If there are open questions about a drawing, print them and exit."""
     open_questions = loaded.questions(machine)
     if open_questions:
         report_questions(open_questions)
@@ -244,7 +247,7 @@ def program(
 
 
 def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any]:
-    """Return figures and verdict of a compiled program as JSON data."""
+    """Return the figures of a compiled program and the verdict of the verifier as JSON data."""
     return {
         "placement": list(result.placement),
         "seconds": result.seconds,
@@ -301,6 +304,6 @@ def verify(
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the commands ``program`` and ``verify`` to a Typer application."""
     for command in (program, verify):
         app.command()(expand(command))

@@ -18,8 +18,13 @@ DATABASE_FILE = Path("knifetip.sqlite")
 def database_of(given: str | None) -> str | None:
     """Return the URL of the database with stored profiles, or None if there is none.
 
-    The URL is ``given``, else the value of the environment variable, else the URL of the default
-    file if this file exists.
+    The first of the following is used: ``given``, the environment variable ``KNIFETIP_DATABASE``,
+    and the file ``knifetip.sqlite`` if it exists.
+
+    Parameters
+    ----------
+    given
+        URL of a database from the command line; None if the user gave none.
     """
     if url := given or os.environ.get(DATABASE_VARIABLE):
         return url
@@ -27,7 +32,13 @@ def database_of(given: str | None) -> str | None:
 
 
 def stored_profiles(database: str | None) -> dict[str, str]:
-    """Return the TOML of the profiles in the database by their names."""
+    """Return the TOML texts of the profiles in a database, by name of the profile.
+
+    Parameters
+    ----------
+    database
+        URL of the database; None for the default of ``database_of``.
+    """
     url = database_of(database)
     if url is None:
         return {}
@@ -42,7 +53,14 @@ def stored_profiles(database: str | None) -> dict[str, str]:
 
 
 def profile_toml(name: str, database: str | None = None) -> str:
-    """Return the TOML of a profile from a file, the library or the database.
+    """Return the TOML text of a classification profile.
+
+    Parameters
+    ----------
+    name
+        Name of a profile of the library or of the database, or path of a TOML file.
+    database
+        URL of the database; None for the default of ``database_of``.
 
     Raises
     ------
@@ -62,7 +80,15 @@ def profile_toml(name: str, database: str | None = None) -> str:
 
 
 def find_profile(name: str, database: str | None = None) -> LineRules:
-    """Return a profile from a file, the library or the database."""
+    """Return the rules of a classification profile.
+
+    Parameters
+    ----------
+    name
+        Name of a profile of the library or of the database, or path of a TOML file.
+    database
+        URL of the database; None for the default of ``database_of``.
+    """
     if name in load.names("profiles") or name.endswith(".toml"):
         return load.profile(name)
     return custom_profiles.parse_text(name, profile_toml(name, database))

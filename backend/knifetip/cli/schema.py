@@ -12,7 +12,7 @@ from knifetip.library.schema import json_schema
 
 
 class File(Enum):
-    """Kinds of TOML files with a schema."""
+    """Kinds of TOML files for which a JSON Schema can be printed."""
 
     MACHINE = "machine"
     BOARD = "board"
@@ -20,7 +20,7 @@ class File(Enum):
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add the command ``schema`` to a Typer application."""
 
     @app.command()
     def schema(

@@ -29,7 +29,11 @@ DATABASE = "sqlite:///knifetip.sqlite"
 
 @dataclass(frozen=True, slots=True)
 class PartOptions:
-    """Options of the command line for the parts of the service that run in the process."""
+    """Options of the command ``knifetip serve`` for what the server process does besides serving.
+
+    The options state whether the process compiles jobs, whether it runs a simulated machine and at
+    which speed, and whether it adds the sample drawings to a new database.
+    """
 
     speed: Speed = 1.0
     samples: Annotated[bool, typer.Option(help="Add the sample drawings to a new database.")] = True
@@ -46,7 +50,10 @@ class PartOptions:
 
 @dataclass(frozen=True, slots=True)
 class AccessOptions:
-    """Options of the command line for requests from other computers."""
+    """Options of the command ``knifetip serve`` for requests from other computers.
+
+    The options state the key that such requests must send, and the permitted Host headers.
+    """
 
     key: Annotated[
         str,
@@ -184,6 +191,6 @@ def simulator(
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands of this module to an application."""
+    """Add ``serve``, ``worker``, ``gateway`` and ``simulator`` to a Typer application."""
     for command in (serve, worker, gateway, simulator):
         app.command()(expand(command))

@@ -1,4 +1,4 @@
-"""terminal: exit codes, messages, JSON output and file access of all commands."""
+"""terminal: functions for exit codes, messages, JSON output and files, used by all commands."""
 
 from __future__ import annotations
 
@@ -28,12 +28,21 @@ UNUSABLE = 3
 
 
 def print_stderr(text: str, colour: str | None = None) -> None:
-    """Print a line on stderr; with ``colour``, bold and coloured if stderr is a terminal."""
+    """Print a text line on stderr.
+
+    Parameters
+    ----------
+    colour
+        Colour of the text, which is then also bold; None for plain text.
+    """
     typer.secho(text, err=True, fg=colour, bold=colour is not None)
 
 
 def report_error(error: KnifetipError) -> None:
-    """Print the text and the hint of an error."""
+    """Print the text and the hint of an error on stderr.
+
+    For the error ``OpenQuestions``, its questions are printed instead.
+    """
     if isinstance(error, OpenQuestions):
         for question in error.questions:
             print_stderr(f"? {from_json(question)}")
@@ -44,7 +53,7 @@ def report_error(error: KnifetipError) -> None:
 
 
 def report_questions(questions: Sequence[Question]) -> None:
-    """Print open questions with their possible answers."""
+    """Print open questions with their possible answers on stderr."""
     for question in questions:
         print_stderr(f"? {question.text}", "yellow")
         print_stderr(f"  {' | '.join(question.choices)}")
@@ -97,12 +106,17 @@ def write_bytes(path: Path, data: bytes) -> None:
 
 @contextmanager
 def progress(title: str) -> Iterator[Any]:
-    """Show a progress bar if stderr is a terminal; used as a context manager.
+    """Return a context that shows a progress bar on stderr if stderr is a terminal.
+
+    Parameters
+    ----------
+    title
+        Text before the bar.
 
     Yields
     ------
     callable
-        ``update(stage, fraction)`` sets the name of the stage and the fraction done, 0 … 1.
+        ``update(stage, fraction)`` shows the name of the stage and the fraction done (0 … 1).
     """
     if not sys.stderr.isatty():
         yield lambda _stage, _fraction: None

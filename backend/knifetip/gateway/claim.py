@@ -4,16 +4,17 @@ The gateway only makes outgoing connections.  It decides the following by itself
 
 - It claims jobs only while the controller is connected and idle: a machine that is switched off
   gets no job.
-- For a job that must be confirmed nothing is sent to the machine before the server has answered a
-  heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the job is returned
-  to the queue, and the operator must confirm again.
+- If the operator must confirm a job, the gateway sends nothing to the machine before the server has
+  answered a heartbeat with ``start``.  Meanwhile the controller must stay idle; otherwise the job
+  is returned to the queue, and the operator must confirm again.
 - If the server cannot be reached, the machine continues until the lease expires, then holds.  It
-  does not continue by itself: the operator resumes, or the server answers that the job was
-  reassigned (409), and the machine is stopped and brought into its safe state.
-- ``resume`` is only valid as the answer to a heartbeat with ``held``, so that a late answer cannot
-  start the next copy.
-- The end of a job is recorded in the journal and reported until the server has answered, also
-  after a restart: ``done`` only if the journal contains every copy up to its last line.
+  does not continue by itself: either the operator resumes the job, or the server answers that the
+  job was reassigned (409), and the machine is then stopped and brought into its safe state.
+- The answer ``resume`` is only accepted if the heartbeat that it answers reported that the machine
+  is held, so that a late answer cannot start the next copy.
+- The end of a job is recorded in the journal and reported until the server has answered.  After a
+  restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
+  every copy was executed to its last line.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
   stopped and brought into its safe state.
 """
@@ -54,7 +55,7 @@ def _not_idle(controller: Controller, state: State) -> Message:
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
-    """Return the message of an error that ended a job."""
+    """Return the message that describes an error because of which a job ended."""
     if isinstance(error, KnifetipError):
         return error.message
     return Message("gateway.system-error", reason=error)
@@ -77,7 +78,13 @@ class _GatewayLoop:
     # -- the loop ------------------------------------------------------------------------------
 
     async def run(self, jobs: int | None) -> None:
-        """Claim and run jobs one after another; return after ``jobs`` jobs, never if None."""
+        """Claim and run the jobs of the machine, one after another.
+
+        Parameters
+        ----------
+        jobs
+            Number of jobs after which to return; None to run until cancelled.
+        """
         try:
             await asyncio.gather(self._report_unfinished(), self._recover())
             while jobs is None or jobs > 0:
@@ -91,7 +98,10 @@ class _GatewayLoop:
             await self._disconnect()
 
     async def _report_unfinished(self) -> None:
-        """Report a job during which the gateway was switched off, until the server answers."""
+        """Report the end of the job that ran when the gateway was last switched off, if any.
+
+        The report is repeated until the server answers.
+        """
         if (unfinished := self._journal.unfinished()) is None:
             return
         outcome, cause = unfinished.outcome, unfinished.cause
@@ -110,7 +120,10 @@ class _GatewayLoop:
         await self._server.finish(ended)
 
     async def _recover(self) -> None:
-        """Stop a machine that may still run a job during which the gateway was killed."""
+        """Connect to the controller and stop the machine if the journal contains an unfinished job.
+
+        The machine may still execute that job, because the gateway was killed while the job ran.
+        """
         if self._journal.unfinished() is None:
             return
         self._abandoned = True
@@ -140,7 +153,10 @@ class _GatewayLoop:
             pause = min(2.0 * pause, LONGEST_PAUSE)
 
     async def _connected_controller(self) -> Controller:
-        """Return a controller without a fault; connect if there is none."""
+        """Return the controller of the machine, without a fault.
+
+        Connects to the controller if there is no connection, or if the connection has a fault.
+        """
         if self._controller is not None and self._controller.fault is not None:
             await self._disconnect()
         if self._controller is None:
@@ -192,7 +208,15 @@ class _GatewayLoop:
         await self._server.finish(JobEnd.of(run, outcome, cause))
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
-        """Wait until the operator has confirmed the job; the controller must stay idle."""
+        """Wait until the operator has confirmed the job.
+
+        Raises
+        ------
+        JobReturned
+            The controller is not idle, or cannot be reached.
+        JobWithdrawn, JobCancelled
+            The server withdrew the job, or the operator cancelled it.
+        """
         while run.waiting:
             run.answered.clear()
             await run.answered.wait()
@@ -249,7 +273,11 @@ class _GatewayLoop:
     async def _apply_requests(
         self, run: JobRun, progress: Progress, controller: Controller
     ) -> None:
-        """Hold or resume as requested; a request is cleared when the machine has carried it out."""
+        """Hold the machine, or let it continue, as the server has requested for the job.
+
+        The machine also holds if the lease of the job has expired.  A request is deleted from
+        ``run`` as soon as the status of the controller shows that it was carried out.
+        """
         if self._now() > run.lease_end and progress.state is State.RUN:
             await controller.hold()
         elif run.requested == "hold":
@@ -264,7 +292,7 @@ class _GatewayLoop:
                 run.requested = ""
 
     async def _wait_for_sheet(self, run: JobRun) -> None:
-        """Wait in the held state until the operator has loaded a new sheet."""
+        """Wait until the operator has loaded a sheet for the next copy; report the job as held."""
         run.held, run.requested = True, ""
         while run.requested != "resume":
             run.answered.clear()
@@ -273,7 +301,10 @@ class _GatewayLoop:
         run.held, run.requested = False, ""
 
     def _head(self, progress: Progress) -> Pose:
-        """Return the pose of the head on the sheet, without the datum of the station in use."""
+        """Return the position of the axes minus the datum of the station in use.
+
+        If no station is in use, the position of the axes is returned unchanged.
+        """
         x, y, z, c = progress.position
         for station in self._settings.machine.stations:
             if progress.output >= 0 and station.output == progress.output:
@@ -297,10 +328,12 @@ async def run_gateway(
 
     Parameters
     ----------
+    settings
+        Settings of the gateway: its server, its machine, its name and its time limits.
     connect
-        Returns an open controller in its safe state, for example ``lambda safe, stop_motion:
-        dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of the machine's
-        language.  It is called again after every failure.
+        Function that returns an open controller in its safe state, for example ``lambda safe,
+        stop_motion: dial("127.0.0.1:2323", safe, stop_motion=stop_motion)`` with the ``dial`` of
+        the machine's language.  It is called again after every failure.
     client
         HTTP client to use, which is not closed; None to create one.
     jobs

@@ -31,7 +31,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """A status report of a controller, with the number of lines answered until it arrived."""
+    """A status report of a controller, with the numbers of program lines answered and sent."""
 
     state: State
     position: Pose  #: in work coordinates, as in the program
@@ -55,23 +55,29 @@ class SafeState:
 
     @classmethod
     def of(cls, machine: Machine) -> SafeState:
-        """Return the safe state of a machine: all its outputs off, Z at travel height."""
+        """Return the safe state of a machine: all its outputs off, Z at travel height.
+
+        If the travel height is above the upper limit of Z, the upper limit is used.
+        """
         lift = min(machine.travel_z, machine.z.high)
         return cls(machine.outputs, lift, machine.has_beam)
 
 
 class Observer(Protocol):
-    """Compares each status report with the state that the program requires."""
+    """Compares each status report of a controller with the state that the program requires."""
 
     @property
     def doubtful(self) -> bool:
-        """Whether the last report contradicts the program, so that a new report is needed soon."""
+        """Whether the last status report contradicts the program.
+
+        If it does, the connection requests a new status report at once.
+        """
         ...
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Compare a report with the program; return an error if the machine must stop, else None.
+        """Return an error if a status report shows that the machine must stop, else None.
 
-        The returned error becomes the fault of the controller.
+        The caller records the returned error as the fault of the controller.
         """
         ...
 
@@ -132,7 +138,15 @@ class Controller(Protocol):
         ...
 
     async def send(self, line: bytes, number: int) -> None:
-        """Send a program line (numbers start at 1) when the receive buffer has room for it."""
+        """Send a program line as soon as the receive buffer of the controller has room for it.
+
+        Parameters
+        ----------
+        line
+            Text of the program line, without newline.
+        number
+            Number of the program line, from 1, for error messages.
+        """
         ...
 
     async def drain(self) -> None:
@@ -140,7 +154,7 @@ class Controller(Protocol):
         ...
 
     async def settle(self) -> Status:
-        """Wait until the machine is at rest and each received answer is assigned to a line.
+        """Wait until the machine is at rest and all lines are answered; return the last status.
 
         Raises
         ------
@@ -154,17 +168,20 @@ class Controller(Protocol):
         ...
 
     async def hold(self) -> None:
-        """Decelerate to a stop from which ``resume`` can continue."""
+        """Decelerate the machine to a stop from which ``resume`` can continue."""
         ...
 
     async def resume(self) -> None:
-        """Continue after a hold."""
+        """Let the machine continue after a hold."""
         ...
 
     async def stop(self) -> Status:
-        """Discard the rest of the program and bring the machine into its safe state.
+        """Discard the rest of the program, make the machine safe, and return its status.
 
-        Can be called after every failure and clears it; reconnects if the connection is lost.
+        The machine is brought into its safe state: tool raised, spindle off, all outputs off.
+
+        Can be called after every failure and clears the failure; reconnects if the connection is
+        lost.
 
         Raises
         ------
@@ -174,7 +191,7 @@ class Controller(Protocol):
         ...
 
     async def close(self) -> None:
-        """Close the connection; the machine is not changed."""
+        """Close the connection to the controller; nothing is sent to the machine."""
         ...
 
 
@@ -184,14 +201,18 @@ class Driver(Protocol):
     async def __call__(
         self, address: str, safe: SafeState | None = None, *, stop_motion: bool = False
     ) -> Controller:
-        """Connect to a controller, take control of it and bring its machine into the safe state.
+        """Return a connected controller whose machine is in the safe state.
 
         Parameters
         ----------
         address
-            HOST:PORT.
+            HOST:PORT of the controller.
+        safe
+            Safe state of the machine; with None the machine is not lifted and no output is
+            switched.
         stop_motion
-            Stop a machine that moves, because it executes a program of this gateway.
+            Whether to stop a machine that moves; True if the machine may still execute a program of
+            this gateway.
 
         Raises
         ------

@@ -1,10 +1,11 @@
 """corridor: check that the machine is on the path of the program.
 
-Each status report is compared with the program; a position off the path is an error.  A program
-line with a digit changed in transmission is answered ``ok``, and only the position reveals it.  X,
-Y and Z are compared with the moves that the controller can be executing: the moves that were sent
-and not answered, and as many answered moves as the planner holds.  At rest the position must be
-the end of the last line.
+Each status report is compared with the program; a position off the path is an error.  If a digit of
+a program line was changed in transmission, the controller still answers ``ok``, and only the
+position of the machine reveals the change.  X, Y and Z are compared with the moves that the
+controller may be executing: all moves that were sent and not answered, and the last answered moves,
+up to the number of moves that the planner of the controller holds.  At rest the position must be
+the end of the last program line.
 
 The rotary axis is not compared, because it may be reported modulo 360 degrees.
 """
@@ -43,9 +44,10 @@ class Corridor:
     text
         The program.
     start
-        Status at its start.
+        Status of the controller before the first program line is sent.
     capacity
-        Blocks that the planner holds, if known.
+        Number of blocks that the planner of the controller holds; None if unknown, then
+        ``PLANNER``.
     """
 
     def __init__(self, text: bytes, start: Status, capacity: int | None) -> None:
@@ -62,14 +64,11 @@ class Corridor:
 
     @property
     def doubtful(self) -> bool:
-        """Whether the last position was off the path."""
+        """Whether the position in the last status report was off the path of the program."""
         return self._off > 0
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Compare a report with the path.
-
-        Returns an error if the last ``REPORTS`` reports were off the path, else None.
-        """
+        """Return an error if the last ``REPORTS`` status reports were off the path, else None."""
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
         if self._blind or not status.located or status.state not in _STATES:
@@ -82,12 +81,12 @@ class Corridor:
         return _off_path(status.position, distance, line) if self._off >= REPORTS else None
 
     def check_rest(self, status: Status) -> None:
-        """Compare the position of a machine at rest with the end of the last line sent.
+        """Compare the position of a machine at rest with the end of the last program line sent.
 
         Raises
         ------
         ControllerError
-            The position differs from the end of the line.
+            The position differs from the end of the line by more than ``OFF``.
         """
         self._take(status.sent - self._base)
         if self._blind or not status.located:
@@ -98,7 +97,13 @@ class Corridor:
             raise _off_path(status.position, distance, line)
 
     def _take(self, sent: int) -> None:
-        """Interpret the program lines up to the last line sent."""
+        """Interpret the program lines sent since the last call, and store their moves.
+
+        Parameters
+        ----------
+        sent
+            Number of program lines sent so far.
+        """
         while self._read < sent and (line := next(self._lines, None)) is not None:
             self._read += 1
             try:
@@ -111,15 +116,24 @@ class Corridor:
                 self._moves.append((self._read, move))
 
     def _forget(self, answered: int) -> None:
-        """Remove the answered moves that must have left the planner, and so are executed."""
+        """Delete the oldest stored moves that are certainly executed.
+
+        A move is executed if as many later moves as the planner can hold have been answered.
+
+        Parameters
+        ----------
+        answered
+            Number of program lines answered so far.
+        """
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
             self._moves.popleft()
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return the distance of a position from a move (mm), and the program line of that move.
+        """Return the distance (mm) of a position from the nearest move, and its program line.
 
-        The move is the first one within ``OFF`` of the position, else the nearest one.
+        If a move is within ``OFF`` of the position, the first such move is used and no nearer one
+        is searched.
         """
         least, line = math.inf, 0
         count = len(self._moves)
@@ -137,7 +151,10 @@ class Corridor:
 
 
 def distance_to(move: Move, position: Pose) -> float:
-    """Return the distance of a position from a move, in X, Y and Z (mm)."""
+    """Return the distance in X, Y and Z of a position from the path of a move (mm).
+
+    On an arc, the distance is measured to the point that is nearest in X and Y.
+    """
     x, y, z, _ = position
     start, end = move.start, move.end
     if move.centre is None:

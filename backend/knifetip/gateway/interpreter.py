@@ -68,7 +68,7 @@ class Block:
 
     @property
     def waits(self) -> bool:
-        """Whether the block is executed and answered only when every earlier move is done.
+        """Whether the block is executed and answered only after all earlier moves have ended.
 
         M64 and M65 do not wait: grblHAL switches the output when it reads the line.
         """
@@ -79,23 +79,23 @@ EMPTY_BLOCK = Block()
 
 
 def strip_comments(line: bytes) -> bytes:
-    """Return a line without comments and blanks, in capitals."""
+    """Return a program line without comments and blanks, in capital letters."""
     return b"".join(_COMMENT.sub(b"", line).split()).upper()
 
 
 def switches_output(line: bytes) -> bool:
-    """Return whether a line switches a digital output, as soon as grblHAL reads the line."""
+    """Return whether a program line contains a command for a digital output (M62 … M65)."""
     return bool(_OUTPUT.search(strip_comments(line)))
 
 
 class Interpreter:
-    """The modal state of a controller, which each interpreted line changes."""
+    """Interprets the program lines of a controller one by one, and keeps its modal state."""
 
     def __init__(self, position: Pose = (0.0, 0.0, 0.0, 0.0)) -> None:
         self.reset(position)
 
     def reset(self, position: Pose) -> None:
-        """Restore the modal state after power-up, with the axes at ``position``."""
+        """Set the modal state of a controller after power-up, with the axes at ``position``."""
         self.position = position
         self.feed = 0.0
         self._motion = 0.0
@@ -104,12 +104,12 @@ class Interpreter:
         self._inverse = False
 
     def read(self, line: bytes) -> Block:
-        """Return the effect of a line, and change the modal state accordingly.
+        """Return the effect of a program line, and change the modal state accordingly.
 
         Raises
         ------
         LineRefused
-            With the number of grbl's error; the modal state is not changed.
+            The controller would refuse the line; the modal state is not changed.
         """
         text = strip_comments(line)
         if not text or text == b"%":
@@ -174,7 +174,19 @@ class Interpreter:
         )
 
     def _target(self, words: dict[str, float], scale: float, relative: bool) -> Pose | None:
-        """Remove the axis words from ``words``; return the target pose, None without axis words."""
+        """Return the pose at the end of a line, None if the line has no axis words.
+
+        Removes the axis words from ``words``.
+
+        Parameters
+        ----------
+        words
+            Value of each word of the line, by letter.
+        scale
+            Millimetres per length unit of the program: 1 or 25.4.
+        relative
+            Whether the axis words are distances from the present position (G91).
+        """
         named = [letter for letter in _AXES if letter in words]
         if not named:
             return None
@@ -224,7 +236,13 @@ class Interpreter:
 
 
 def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Return the words with a value and the G and M commands of a line without comments."""
+    """Return the values of the words of a line by letter, and the list of its G and M commands.
+
+    Parameters
+    ----------
+    text
+        The line without comments and blanks, in capital letters.
+    """
     if len(text) > LINE:
         raise LineRefused(11)
     words: dict[str, float] = {}

@@ -13,7 +13,7 @@ from knifetip.messages import Message, with_text
 
 @dataclass(frozen=True, slots=True)
 class Lease:
-    """A claimed job, as the server describes it."""
+    """A claimed job with its program, number of copies and lease, as the server describes it."""
 
     job: str
     epoch: int
@@ -37,7 +37,7 @@ class Lease:
 
 
 class JobWithdrawn(Exception):
-    """Raised when the server has reassigned or withdrawn the job."""
+    """Raised when the server has assigned the job of this gateway elsewhere, or withdrawn it."""
 
 
 class JobCancelled(Exception):
@@ -53,7 +53,7 @@ class JobReturned(Exception):
 
 
 class JobRun:
-    """Progress of a claimed job, for heartbeats, and the commands with which the server answers."""
+    """State of a claimed job: the progress that heartbeats report, and the requests to it."""
 
     def __init__(self, claim: Lease, now: float) -> None:
         self.claim = claim
@@ -85,7 +85,16 @@ class JobRun:
         }
 
     def apply_answer(self, command: str, held: bool) -> None:
-        """Apply the command that answers a heartbeat; ``held`` as it was sent in the heartbeat."""
+        """Store the command with which the server answered a heartbeat.
+
+        Parameters
+        ----------
+        command
+            ``cancel``, ``start``, ``hold``, ``resume``, ``wait`` or ``continue``.
+        held
+            Whether the heartbeat reported that the machine is held; otherwise ``resume`` is
+            ignored.
+        """
         if command == "cancel":
             self.cancelled = True
         elif command == "start":
@@ -95,7 +104,7 @@ class JobRun:
         self.answered.set()
 
     def raise_if_withdrawn(self) -> None:
-        """Raise ``JobWithdrawn`` if the server withdrew the job, ``JobCancelled`` if cancelled."""
+        """Raise ``JobWithdrawn`` or ``JobCancelled`` if the job was withdrawn or cancelled."""
         if self.stale:
             raise JobWithdrawn
         if self.cancelled:
@@ -119,7 +128,7 @@ class JobEnd:
         return cls(run.claim.job, run.claim.epoch, outcome, cause, line, run.copies_done)
 
     def report(self) -> dict[str, object]:
-        """Return the body of the request that reports the end."""
+        """Return the JSON body of the request that reports the end of the job to the server."""
         return {
             "job": self.job,
             "epoch": self.epoch,

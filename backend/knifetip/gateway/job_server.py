@@ -59,7 +59,7 @@ class JobServer:
         return urljoin(self._api, path)
 
     async def claim(self) -> Lease | None:
-        """Claim the next job; return None if there is none or the server does not answer."""
+        """Claim the next job of the machine; return None if there is no job or no answer."""
         body = {
             "gateway": self._settings.name,
             "machine": self._settings.machine.name,
@@ -85,12 +85,13 @@ class JobServer:
         return None
 
     async def program(self, claim: Lease) -> bytes:
-        """Fetch the program of a job and compare its SHA-256 with that of the verified program.
+        """Return the program of a claimed job, fetched from the server.
 
         Raises
         ------
         ProgramError
-            The program has another checksum, or the server did not send it.
+            The SHA-256 of the program differs from the SHA-256 in the claim, or the server did not
+            send the program.
         """
         reason = ""
         for attempt in range(3):
@@ -113,7 +114,7 @@ class JobServer:
         raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
     async def send_heartbeats(self, run: JobRun) -> None:
-        """Report the progress of a job and apply the answers, until the job is withdrawn."""
+        """Send heartbeats with the progress of a job until it is withdrawn; apply the answers."""
         patience = max(min(run.claim.lease / 3.0, 2.0), self._settings.beat)
         while not run.stale:
             body, asked = run.heartbeat(), asyncio.get_running_loop().time()
@@ -132,7 +133,15 @@ class JobServer:
             await asyncio.sleep(self._settings.beat)
 
     async def finish(self, end: JobEnd, tries: int | None = None) -> None:
-        """Report the end of a job until the server answers, at most ``tries`` times if given."""
+        """Record the end of a job in the journal, and report it until the server answers.
+
+        Parameters
+        ----------
+        end
+            The job, and how it ended.
+        tries
+            Greatest number of requests; None for no limit.
+        """
         job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
         self._journal.outcome(job, outcome, cause)
         body = end.report()

@@ -1,8 +1,8 @@
 """journal: a file in which the gateway records the progress and the end of each job.
 
-The file has one JSON object per line and is flushed after each.  It contains events that the server
-cannot record: those while the server was unreachable, or while the gateway was switched off during
-a job or before its report arrived.
+The file has one JSON object per line; it is closed after each line.  It contains events that the
+server does not receive: progress while the server was unreachable, and the end of a job if the
+gateway was switched off before the server had answered its report.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Unfinished:
 
 
 class Journal:
-    """A file to which events are only appended; without a path nothing is stored."""
+    """A file to which events of jobs are appended; nothing is stored if its path is None."""
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
@@ -44,7 +44,17 @@ class Journal:
             _end_last_line(path)
 
     def begin(self, job: str, epoch: int, sha256: str, lines: int, copies: int = 1) -> None:
-        """Record that a job starts, before any line is sent."""
+        """Record that a job starts, before any line is sent.
+
+        Parameters
+        ----------
+        job, epoch
+            Id of the job, and epoch of its claim.
+        sha256
+            Checksum of the program.
+        lines, copies
+            Number of lines of the program, and number of copies to make.
+        """
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
         self._append(
@@ -60,7 +70,17 @@ class Journal:
         )
 
     def line(self, job: str, copy: int, executed: int, acknowledged: int) -> None:
-        """Record the progress of the machine."""
+        """Record the progress of the machine, if it has changed since the last call.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        copy
+            Number of the running copy, from 0.
+        executed, acknowledged
+            Number of program lines executed by the machine, and answered by the controller.
+        """
         now = (job, copy, executed, acknowledged)
         if now != self._last:
             self._last = now
@@ -75,11 +95,29 @@ class Journal:
             )
 
     def copy(self, job: str, copies_done: int) -> None:
-        """Record that a copy was executed to its last line and the machine is at rest."""
+        """Record that a copy was executed to its last line and the machine is at rest.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        copies_done
+            Number of copies executed so far.
+        """
         self._append({"event": "copy", "job": job, "copies_done": copies_done}, safe=True)
 
     def outcome(self, job: str, outcome: str, cause: Message | None) -> None:
-        """Record how a job ended, before it is reported to the server."""
+        """Record how a job ended, before it is reported to the server.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        outcome
+            ``done``, ``interrupted``, ``cancelled`` or ``returned``.
+        cause
+            Cause of the end; None if there is none.
+        """
         row: dict[str, object] = {
             "event": "outcome",
             "job": job,
@@ -89,7 +127,15 @@ class Journal:
         self._append(row, safe=True)
 
     def end(self, job: str, epoch: int, outcome: str, cause: Message | None) -> None:
-        """Record that the server has answered the report of how a job ended."""
+        """Record that the server has answered the report of the end of a job.
+
+        Parameters
+        ----------
+        job, epoch
+            Id of the job, and epoch of its claim.
+        outcome, cause
+            As recorded by the method ``outcome``.
+        """
         self._append(
             {
                 "event": "end",
@@ -129,14 +175,22 @@ def _plain(cause: Message | None) -> dict[str, Any] | None:
 
 
 def _end_last_line(path: Path) -> None:
-    """Terminate an incomplete last line, so that the next one can be read."""
+    """Append a newline to a file whose last line has none, so that the next event can be read."""
     with path.open("r+b") as file:
         if file.seek(0, os.SEEK_END) and file.seek(-1, os.SEEK_END) >= 0 and file.read(1) != b"\n":
             file.write(b"\n")
 
 
 def _apply(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
-    """Return the unfinished job after one more row of the journal."""
+    """Return the unfinished job after a further event of the journal, None if there is none.
+
+    Parameters
+    ----------
+    found
+        Unfinished job before the event, None if there is none; it may be changed.
+    row
+        JSON object of the event.
+    """
     event = row["event"]
     if event == "begin":
         return Unfinished(

@@ -27,7 +27,10 @@ NOTHING = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Greatest velocity (1/s), acceleration (1/s²) and travel of four axes (mm, degrees)."""
+    """Limits of x, y, z and c: greatest velocity (1/s), greatest acceleration (1/s²) and travel.
+
+    Lengths are in mm, angles in degrees.
+    """
 
     velocity: Pose
     acceleration: Pose
@@ -36,7 +39,7 @@ class Limits:
 
     @classmethod
     def of(cls, machine: Machine) -> Limits:
-        """Return the limits of a machine."""
+        """Return the limits of the axes of a machine."""
         x, y, z, c = machine.x, machine.y, machine.z, machine.c
         return cls(
             (x.velocity, y.velocity, z.velocity, c.velocity),
@@ -78,7 +81,7 @@ class Move:
             self.length = math.sqrt(dx * dx + dy * dy + dz * dz + dc * dc)
 
     def at(self, fraction: float) -> Pose:
-        """Return the pose at a fraction (0 … 1) of the length."""
+        """Return the pose at a fraction (0 … 1) of the length of the move."""
         if fraction >= 1.0:
             return self.end
         (x, y, z, c), end = self.start, self.end
@@ -95,7 +98,13 @@ class Move:
         return x, y, z + fraction * (end[2] - z), c + fraction * (end[3] - c)
 
     def heading(self, fraction: float) -> Pose:
-        """Return the derivative of each axis with respect to the length, at a fraction of it."""
+        """Return the derivative of each axis position with respect to the length covered.
+
+        Parameters
+        ----------
+        fraction
+            Fraction (0 … 1) of the length at which the derivative is computed.
+        """
         inverse = 1.0 / self.length
         start, end = self.start, self.end
         dz, dc = (end[2] - start[2]) * inverse, (end[3] - start[3]) * inverse
@@ -108,9 +117,10 @@ class Move:
         return -pace * (rx * sin + ry * cos), pace * (rx * cos - ry * sin), dz, dc
 
     def nearest(self, pose: Pose) -> tuple[float, float]:
-        """Return the distance of a pose from the move, and the fraction of the nearest point.
+        """Return the distance of a pose from the move, and where on the move it is nearest.
 
-        The distance is measured over all four axes (mm and degrees).
+        The distance is measured over all four axes (mm and degrees); on an arc, the point nearest
+        in X and Y is used.  The second value is a fraction (0 … 1) of the length of the move.
         """
         start, end = self.start, self.end
         if self.centre is None:
@@ -133,7 +143,7 @@ class Move:
         return math.dist(pose, self.at(fraction)), fraction
 
     def bounds(self) -> tuple[Pose, Pose]:
-        """Return the least and greatest value of each axis along the move."""
+        """Return two poses: the least and the greatest value of each axis along the move."""
         pairs = list(zip(self.start, self.end, strict=True))
         low, high = [min(pair) for pair in pairs], [max(pair) for pair in pairs]
         if self.centre is not None:
@@ -150,10 +160,11 @@ class Move:
         return (low[0], low[1], low[2], low[3]), (high[0], high[1], high[2], high[3])
 
     def pace(self, limits: Limits) -> tuple[float, float]:
-        """Return the greatest velocity and acceleration along the move that the axes allow.
+        """Return the greatest velocity (1/s) and acceleration (1/s²) along the move.
 
-        The velocity is at most the programmed one; on an arc it also keeps the centripetal
-        acceleration within that of X and Y.
+        Both are measured along the length of the move, in mm and degrees.  No axis exceeds its
+        limits, and the velocity is at most the programmed one.  On an arc, the velocity is also
+        limited by the centripetal acceleration, which must not exceed the limits of X and Y.
         """
         velocity = self.length / (self.minutes * 60.0) if self.minutes else self.rate / 60.0
         acceleration = math.inf
@@ -184,7 +195,7 @@ class Move:
 
 
 class _Block:
-    """A queued move with its planned speeds."""
+    """A queued move with its velocity, its acceleration and the planned speed at its start."""
 
     __slots__ = ("acceleration", "entry", "joint", "move", "tag", "velocity")
 
@@ -200,8 +211,9 @@ class _Block:
 class Planner:
     """A queue of moves with look-ahead, and a point that moves along them.
 
-    Velocity is trapezoidal along each move; at a joint no axis changes its velocity by more than it
-    can accelerate in ``JOLT``; the last queued move ends at rest.
+    The speed of the point rises, stays constant and falls along each move (trapezoidal profile).
+    At the joint of two moves no axis changes its velocity by more than it can accelerate in
+    ``JOLT``. The last queued move ends at rest.
     """
 
     def __init__(self, limits: Limits, capacity: int, position: Pose) -> None:
@@ -219,7 +231,7 @@ class Planner:
 
     @property
     def full(self) -> bool:
-        """Whether the queue is full."""
+        """Whether the queue of moves is full."""
         return len(self._queue) >= self.capacity
 
     @property
@@ -229,26 +241,34 @@ class Planner:
 
     @property
     def moving(self) -> bool:
-        """Whether the point moves."""
+        """Whether the queue contains a move and the point is not at rest in a hold."""
         return bool(self._queue) and not self.halted
 
     @property
     def current(self) -> Move | None:
-        """The current move."""
+        """The move on which the point is, None if the queue is empty."""
         return self._queue[0].move if self._queue else None
 
     @property
     def tag(self) -> int:
-        """Tag of the current move, 0 for none."""
+        """Tag with which the current move was appended; 0 if there is no current move."""
         return self._queue[0].tag if self._queue else 0
 
     @property
     def fraction(self) -> float:
-        """Fraction of the current move that is done."""
+        """Fraction (0 … 1) of the length of the current move that the point has covered."""
         return self._along / self._queue[0].move.length if self._queue else 0.0
 
     def append(self, move: Move, tag: int = 0) -> None:
-        """Append a move to the queue; a move of zero length is dropped, as in real planners."""
+        """Append a move to the queue; a move of zero length is ignored, as in real planners.
+
+        Parameters
+        ----------
+        move
+            The move; it must begin at the end of the last queued move.
+        tag
+            Number that the property ``tag`` returns while the point is on the move.
+        """
         if move.length <= NOTHING:
             return
         block = _Block(move, tag, *move.pace(self.limits))
@@ -269,13 +289,15 @@ class Planner:
             queued.entry = leaving = entry
 
     def clear(self) -> None:
-        """Discard all moves and stop at the present position."""
+        """Discard all moves and stop the point at its present position."""
         self._queue.clear()
         self._along = self.speed = 0.0
         self.holding = False
 
     def advance(self, seconds: float) -> float:
-        """Advance by at most ``seconds``, to the end of the current move; return the time used (s).
+        """Advance the point for at most ``seconds``; return the time used (s).
+
+        The point stops advancing at the end of the current move.
 
         The planned motion depends only on position and speed, so that many short steps and one
         long step reach the same pose.
@@ -303,7 +325,19 @@ class Planner:
         return used
 
     def _travel(self, block: _Block, rest: float, left: float) -> tuple[float, float, float]:
-        """Advance along the trapezoid; return time used, length covered and new speed."""
+        """Return the time used (s), the length covered and the new speed of the point.
+
+        The speed follows the trapezoidal profile of the move.
+
+        Parameters
+        ----------
+        block
+            The current move with its planned speeds.
+        rest
+            Length from the point to the end of the move.
+        left
+            Available time (s).
+        """
         hard, first = block.acceleration, self.speed
         last = self._queue[1].entry if len(self._queue) > 1 else 0.0
         # After a hold the planned speed may be unreachable; it is not needed.
@@ -326,7 +360,19 @@ class Planner:
 
 
 def _brake(rest: float, speed: float, hard: float, left: float) -> tuple[float, float, float]:
-    """Decelerate at the limit; return time used, length covered and new speed."""
+    """Return the time used (s), the length covered and the new speed of a decelerating point.
+
+    Parameters
+    ----------
+    rest
+        Length from the point to the end of its move.
+    speed
+        Present speed (1/s).
+    hard
+        Deceleration (1/s²).
+    left
+        Available time (s).
+    """
     if speed * speed / (2.0 * hard) <= rest:
         stop = speed / hard
         if left >= stop:

@@ -3,13 +3,15 @@
 N words are not added, because the program must run exactly as it was verified.  Three facts are
 combined, each of which is reliable by itself:
 
-- a line that waits for all motion (G4, M3, M5, M30) was answered: all lines before it are done;
-- the field ``Bf`` of a report: answered moves beyond the planner blocks in use are executed;
-- the position: the first pending move that passes through it is being executed.
+- the controller answers a line that waits for all motion (G4, M3, M5, M30) only when all lines
+  before it are executed;
+- the field ``Bf`` of a report shows how many blocks the planner contains; all answered moves before
+  these blocks are executed;
+- the first answered move that passes through the reported position is the one being executed.
 
-If a program has N words and the controller reports ``Ln``, ``Ln`` is the line.  The search only
-moves forward over the lines between executed and answered, so memory does not grow with the
-program.
+If a program has N words and the controller reports the field ``Ln``, this field is the number of
+the line.  The search only moves forward over the lines between executed and answered, so memory
+does not grow with the program.
 """
 
 from __future__ import annotations
@@ -48,7 +50,15 @@ class _Line:
 
 
 def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block]:
-    """Yield the block of each program line, empty for a line that cannot be interpreted."""
+    """Yield the effect of each line of a program; an empty block for a line that is refused.
+
+    Parameters
+    ----------
+    text
+        The program.
+    start
+        Pose of the axes before the first line.
+    """
     interpreter = Interpreter(start)
     for line in lines_of(text):
         try:
@@ -58,7 +68,7 @@ def blocks_of(text: bytes, start: Pose = (0.0, 0.0, 0.0, 0.0)) -> Iterator[Block
 
 
 def seconds_of(block: Block, limits: Limits) -> float:
-    """Return the nominal duration of a block (s)."""
+    """Return the nominal duration of a block (s): its dwell plus the duration of its move."""
     return (block.dwell or 0.0) + (block.move.seconds(limits) if block.move else 0.0)
 
 
@@ -70,7 +80,7 @@ class ProgramFollower:
     text
         The program.
     limits
-        Limits of the axes, for nominal durations.
+        Limits of the axes, from which the nominal durations of the lines are computed.
     start
         Pose at the start of the program.
     """
@@ -93,10 +103,13 @@ class ProgramFollower:
 
         Parameters
         ----------
+        status
+            The status report.
         acknowledged
-            Lines of this program that had been answered when the report arrived.
+            Number of lines of this program that the controller had answered when the report
+            arrived.
         capacity
-            Number of blocks of the planner, None if unknown.
+            Number of blocks that the planner of the controller holds, None if unknown.
         """
         self._take(acknowledged)
         if capacity is not None and status.free is not None:
@@ -108,19 +121,29 @@ class ProgramFollower:
         return self.lines
 
     def finish(self, acknowledged: int) -> int:
-        """Mark all answered lines as executed (the machine is at rest); return their number."""
+        """Count all answered lines as executed, and return their number; the machine is at rest.
+
+        Parameters
+        ----------
+        acknowledged
+            Number of lines of this program that the controller has answered.
+        """
         self._take(acknowledged)
         self._drop(len(self._window))
         return self.lines
 
     @property
     def seconds_done(self) -> float:
-        """Nominal seconds of all executed lines and of the executed part of the current one."""
+        """Nominal duration of the executed lines and of the executed part of the next line (s)."""
         part = self._window[0].seconds * self._fraction if self._window else 0.0
         return self.seconds + part
 
     def _find(self, status: Status) -> tuple[int, float]:
-        """Return the window row of the line being executed, and its executed fraction."""
+        """Return the index of the line being executed, and the executed fraction of its move.
+
+        The index counts from the first answered line that is not known to be executed.  Returns
+        ``(0, 0.0)`` if no answered move passes through the reported position.
+        """
         nearest, found = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
             if status.number > 0 and line.block.number == status.number:
@@ -136,9 +159,15 @@ class ProgramFollower:
         return found
 
     def _take(self, acknowledged: int) -> None:
-        """Interpret lines up to the last answered line.
+        """Interpret the program lines that the controller has answered since the last call.
 
-        All lines before an answered line that waits for motion are executed.
+        The lines are stored until they are known to be executed.  If one of them waits for all
+        earlier motion, its answer proves that it and all lines before it are executed.
+
+        Parameters
+        ----------
+        acknowledged
+            Number of lines of this program that the controller has answered.
         """
         while self._read < acknowledged and (block := next(self._blocks, None)) is not None:
             self._window.append(_Line(block, seconds_of(block, self._limits)))
@@ -148,12 +177,18 @@ class ProgramFollower:
                 self._drop(len(self._window))
 
     def _release(self, held: int) -> None:
-        """Remove lines until the window has at most ``held`` moves, which the planner can hold."""
+        """Count the oldest stored lines as executed until at most ``held`` moves remain.
+
+        Parameters
+        ----------
+        held
+            Greatest number of answered moves that the controller may not have completed.
+        """
         while self._moves > held:
             self._drop(1)
 
     def _skip(self) -> None:
-        """Remove lines without motion from the start of the window: they are executed."""
+        """Count the lines without motion before the first stored move as executed."""
         while self._window and not _moves(self._window[0].block):
             self._drop(1)
 

@@ -123,7 +123,17 @@ def run(
     speed: float = 1.0,
     ready: Callable[[Server], None] | None = None,
 ) -> None:
-    """Serve a simulated table until interrupted; ``ready`` is called when its port is open."""
+    """Serve a simulated table on a TCP port until interrupted.
+
+    Parameters
+    ----------
+    host, port
+        Address to listen on; port 0 for any free port.
+    speed
+        Simulated seconds per second of the clock.
+    ready
+        Called with the server when its port is open; None for no call.
+    """
 
     async def serving() -> None:
         async with await serve(machine, host, port, speed=speed) as server:

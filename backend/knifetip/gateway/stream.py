@@ -2,9 +2,9 @@
 
     stream(program: Program | bytes, controller: Controller) -> AsyncIterator[Progress]
 
-Hold and resume are calls on the controller.  Closing the iterator early cancels: the machine is
-stopped and brought into its safe state, also after an exception in the consumer or at the end of
-the event loop; use ``contextlib.aclosing``.
+To hold or resume the machine, call ``hold`` or ``resume`` of the controller.  If the iterator is
+closed early, the machine is stopped and brought into its safe state.  For this to happen also after
+an exception in the code that uses the iterator, wrap the iterator in ``contextlib.aclosing``.
 
 The bytes are sent unaltered.  A line that switches an output is sent when the machine is at rest.
 Memory does not grow with the length of the program, except for its bytes.
@@ -74,19 +74,22 @@ async def stream(
     limits
         Limits of the axes, to estimate the remaining time.
     check
-        Let the controller parse the whole program first, without motion.
+        Whether the controller first parses the whole program without motion.
+    interval
+        Time between two progress reports (s).
 
     Yields
     ------
     Progress
-        The last one has every line executed.
+        Progress of the machine; in the last one, every line is executed.
 
     Raises
     ------
     ControllerError
         The controller is not idle, refused a line, is in alarm, was reset, does not answer, lost
-        the connection, or left the path of the program.  The machine has been brought into its
-        safe state, or the message contains why not, and how many lines may have been executed.
+        the connection, or left the path of the program.  The message states how many lines may have
+        been executed.  The machine has been brought into its safe state, or the message states
+        why not.
     ProgramError
         The program contains bytes that the controller would execute as realtime commands.
     """
@@ -155,7 +158,19 @@ async def _stop(
     base: Status,
     lines: int,
 ) -> ControllerError:
-    """Bring the machine into its safe state; return the error with the number of executed lines."""
+    """Bring the machine into its safe state; return the error to raise for an interrupted program.
+
+    Parameters
+    ----------
+    error
+        Error that interrupted the program; the returned error has its type.
+    follower
+        Follower with the number of executed lines, which the returned error contains.
+    base
+        Status before the first line was sent.
+    lines
+        Number of lines of the program.
+    """
     progress = _progress_message(follower.lines, controller.sent - base.sent, lines)
     try:
         status = await _make_safe(controller)
@@ -172,7 +187,17 @@ async def _stop(
 
 
 def _progress_message(executed: int, sent: int, lines: int) -> Message:
-    """Return the message with the numbers of executed and of possibly executed lines."""
+    """Return a message about how far a program was executed.
+
+    Parameters
+    ----------
+    executed
+        Number of lines that were certainly executed.
+    sent
+        Number of lines sent; the lines between ``executed`` and ``sent`` may be executed too.
+    lines
+        Number of lines of the program.
+    """
     rest = sent - executed
     if sent == 0:
         return Message("run.nothing-sent")
@@ -182,7 +207,19 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
 
 
 async def _measure(text: bytes, limits: Limits, start: Pose) -> tuple[int, float]:
-    """Return the number of lines and their nominal duration, without blocking other tasks."""
+    """Return the number of lines of a program and its nominal duration (s).
+
+    Gives other tasks a turn after every ``TURN`` lines.
+
+    Parameters
+    ----------
+    text
+        The program.
+    limits
+        Limits of the axes.
+    start
+        Pose at the start of the program.
+    """
     lines, total = 0, 0.0
     for block in blocks_of(text, start):
         lines += 1
@@ -204,7 +241,7 @@ async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: 
 
 
 async def _give_up(task: asyncio.Task[None]) -> None:
-    """Cancel the sending task and discard its error, which the caller has already."""
+    """Cancel the task that sends the program; ignore its error, which the caller has already."""
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
 
@@ -232,14 +269,14 @@ class _Clock:
         self._last: float | None = None
 
     def left(self, done: float, status: Status) -> float:
-        """Return the remaining seconds of the program.
+        """Return the estimated remaining time of the program (s).
 
         Parameters
         ----------
         done
             Nominal duration of the executed part of the program (s).
         status
-            Status at present; the clock only runs in the state ``run``.
+            Present status; time counts as running time only in the state ``run``.
         """
         now = asyncio.get_running_loop().time()
         if self._last is not None and status.state is State.RUN:

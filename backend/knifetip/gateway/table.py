@@ -48,7 +48,7 @@ def discard_answer(line: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Faults:
-    """Injected faults; program lines outside check mode are counted from 1."""
+    """Faults that the simulated table injects; lines are counted from 1 outside check mode."""
 
     drop_ok: frozenset[int] = frozenset()  #: lines that are executed but not answered
     errors: Mapping[int, int] = field(
@@ -73,25 +73,34 @@ class SwitchEvent:
 
 @dataclass(slots=True)
 class Trace:
-    """Positions of the head, sampled every ``interval`` simulated seconds while it moves."""
+    """Positions of the simulated axes, sampled every ``interval`` seconds of motion or dwell."""
 
     interval: float
     _values: array[float] = field(default_factory=lambda: array("d"))
 
     def add(self, time: float, position: Pose) -> None:
-        """Add a sample if there is room."""
+        """Add a sample, unless the trace already has ``SAMPLES`` samples.
+
+        Parameters
+        ----------
+        time
+            Simulated time (s).
+        position
+            Position of the axes.
+        """
         if len(self._values) < 5 * SAMPLES:
             self._values.extend((time, *position))
 
     def samples(self) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
-        """Return (samples, 5): time (s), x, y, z (mm), c (degrees) of the joints."""
+        """Return time (s), x, y, z (mm) and c (degrees) of each sample, shape (samples, 5)."""
         return np.array(self._values, dtype=np.float64).reshape(-1, 5)
 
 
 class Table:
-    """The controller and its machine, without a network.
+    """The simulated controller and its machine, without a network.
 
-    ``receive`` processes incoming bytes; ``answer`` is called with each line sent back.
+    ``receive`` processes bytes that a client sends; ``answer`` is called with each line for the
+    client.
     """
 
     def __init__(
@@ -141,7 +150,7 @@ class Table:
 
     @property
     def state(self) -> str:
-        """State as in a status report."""
+        """State of the controller, as grbl writes it in a status report, such as ``Hold:0``."""
         if self._state != "Idle":
             return self._state
         if self._check:
@@ -158,7 +167,7 @@ class Table:
     # -- what it hears --------------------------------------------------------------------------
 
     def receive(self, data: bytes) -> None:
-        """Process incoming bytes: realtime commands act at once, the rest is buffered."""
+        """Process received bytes: execute realtime commands at once, buffer other bytes."""
         for byte in data:
             if byte == 0x18:
                 self._reset()
@@ -184,7 +193,7 @@ class Table:
             self._planner.holding = True
 
     def _discard_motion(self) -> None:
-        """Discard all motion and stop at the present position."""
+        """Discard all moves and the dwell, and stop at the present position."""
         self._planner.clear()
         self._interpreter.reset(self._planner.position)
         self._waiting = None
@@ -230,7 +239,7 @@ class Table:
     # -- what it reads --------------------------------------------------------------------------
 
     def _read(self) -> None:
-        """Execute and answer lines from the buffer until one must wait."""
+        """Execute and answer lines from the buffer until it is empty or a line must wait."""
         while True:
             if self._waiting is not None and not self._execute_block(*self._waiting):
                 return
@@ -272,7 +281,17 @@ class Table:
         self._waiting = (block, order)
 
     def _execute_block(self, block: Block, order: int) -> bool:
-        """Execute a block as far as possible and answer it when done; return whether it is done."""
+        """Execute and answer a program line; return False if the line must wait.
+
+        A line waits for the end of all motion, for a dwell, or for room in the planner.
+
+        Parameters
+        ----------
+        block
+            Effect of the line.
+        order
+            Number of the program line, from 1; 0 in check mode.
+        """
         if block.waits:
             if len(self._planner) or self._dwell > 0.0:
                 return False
@@ -313,7 +332,13 @@ class Table:
         )
 
     def _alarm(self, code: int) -> None:
-        """Raise a critical alarm: everything is ignored until a reset."""
+        """Enter an alarm that locks the controller until a reset.
+
+        Parameters
+        ----------
+        code
+            Code that is sent as ``ALARM:code``.
+        """
         self._discard_motion()
         self._buffer.clear()
         self._state = "Alarm"
@@ -371,7 +396,13 @@ class Table:
         return rows
 
     def _jog(self, text: bytes) -> int:
-        """Start a jog; return the error code, 0 for none."""
+        """Start a jog (a move outside a program); return the error code, 0 if accepted.
+
+        Parameters
+        ----------
+        text
+            Line after ``$J=``.
+        """
         jog = Interpreter(self._interpreter.position)
         try:
             move = jog.read(b"G1" + text.replace(b"G53", b"")).move
@@ -390,7 +421,10 @@ class Table:
     # -- how it moves ---------------------------------------------------------------------------
 
     def elapse(self, seconds: float) -> None:
-        """Advance the simulated time: move, dwell, and execute lines when the planner has room."""
+        """Advance the simulated time by ``seconds``, or until the table neither moves nor dwells.
+
+        Lines in the buffer are executed as soon as the planner has room.
+        """
         left = seconds
         while left > 0.0:
             self._read()
@@ -445,7 +479,15 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Advance by the pending simulated time, within the real time of one step."""
+        """Simulate the pending time, but return at the real time ``deadline`` at the latest.
+
+        Parameters
+        ----------
+        deadline
+            Time on the clock of ``loop`` (s).
+        loop
+            The running event loop.
+        """
         part = max(self._pending_time / 16.0, 1e-4)  # checks the clock from time to time
         while self._pending_time > 0.0 and self.busy and loop.time() < deadline:
             step = min(part, self._pending_time)

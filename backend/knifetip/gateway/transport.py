@@ -51,7 +51,7 @@ class Tcp:
 
     @classmethod
     async def open(cls, host: str, port: int, *, timeout: float = 5.0) -> Tcp:
-        """Return a connection to a host and port.
+        """Return an open TCP connection to a host and port.
 
         Raises
         ------
@@ -76,7 +76,7 @@ class Tcp:
             return b""
 
     async def write(self, data: bytes) -> None:
-        """Send bytes.
+        """Send bytes; return when the operating system has accepted them.
 
         Raises
         ------

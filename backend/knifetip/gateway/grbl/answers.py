@@ -91,18 +91,18 @@ SOFT_LIMIT = 2
 
 
 def error_meaning(code: int) -> Message:
-    """Return the meaning of ``error:code`` as a message."""
+    """Return a message that explains the answer ``error:code`` of a controller."""
     return ERRORS.get(code, Message("grbl.unknown-error"))
 
 
 def alarm_meaning(code: int) -> Message:
-    """Return the meaning of ``ALARM:code`` as a message."""
+    """Return a message that explains the alarm ``ALARM:code`` of a controller."""
     return ALARMS.get(code, Message("grbl.unknown-alarm"))
 
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """The fields of a status report; None for fields that were not sent."""
+    """The fields of a status report of grbl; None or 0 for optional fields that were not sent."""
 
     state: State
     still: bool
@@ -116,14 +116,25 @@ class Report:
 
 
 def rotary_axis(letters: str) -> int:
-    """Return the index of the axis that rotates the tool; ``letters`` as in ``[AXS:n:letters]``."""
+    """Return the index of the axis that rotates the tool: C if there is one, else A, else 3.
+
+    Parameters
+    ----------
+    letters
+        Letters of the axes in the order of status reports, from the answer ``[AXS:n:letters]``.
+    """
     return next((letters.index(axis) for axis in "CA" if axis in letters), 3)
 
 
 def report(line: str, rotary: int = 3) -> Report | None:
-    """Parse a status report; return None if the line is damaged.
+    """Return the fields of a status report of grbl; None if the line is damaged.
 
-    ``rotary`` is the index of the axis that rotates the tool (see ``rotary_axis``).
+    Parameters
+    ----------
+    line
+        The received line, such as ``<Idle|MPos:0.000,0.000,0.000,0.000>``.
+    rotary
+        Index of the axis that rotates the tool (see ``rotary_axis``).
     """
     if not (line.startswith("<") and line.endswith(">")):
         return None
@@ -156,7 +167,15 @@ def report(line: str, rotary: int = 3) -> Report | None:
 
 
 def _pose(value: str, rotary: int) -> Pose:
-    """Return X, Y, Z and the rotary axis; axes that the controller does not have are 0."""
+    """Return the pose in a position field of a status report; axes that are not reported are 0.
+
+    Parameters
+    ----------
+    value
+        Axis positions separated by commas, such as ``1.000,2.000,0.000,90.000``.
+    rotary
+        Index of the axis that rotates the tool.
+    """
     axes = [float(part) for part in value.split(",")]
     if not all(map(math.isfinite, axes)):
         raise ValueError(value)

@@ -36,7 +36,7 @@ _BANNER = re.compile(r"grbl", re.IGNORECASE)
 
 
 class GrblConnection:
-    """Connection to one controller; lasts over reconnects.
+    """Connection to one controller, which can be restored with a new transport after it was lost.
 
     Each failure is recorded as the fault of the connection.  The first fault is raised by every
     later call, until ``reach`` or the driver clears it.
@@ -46,7 +46,7 @@ class GrblConnection:
     transport
         Open transport.
     reconnect
-        Opens a new transport after the connection was lost; None if there is no other transport.
+        Function that opens a new transport after the connection was lost; None to give up.
     silence, poll
         Time limits of the ``Watchdog`` (s).
     """
@@ -88,7 +88,7 @@ class GrblConnection:
     # -- opening and closing ----------------------------------------------------------------------
 
     def start(self) -> None:
-        """Start to read answers and to request reports, if not started; clear the fault."""
+        """Clear the fault; start to read answers and to request reports, if not started."""
         if not self._tasks:
             self._start_tasks()
         self.fault = None
@@ -131,7 +131,7 @@ class GrblConnection:
         ]
 
     async def _disconnect(self) -> None:
-        """Stop the tasks of the transport and close it."""
+        """Cancel the tasks that read answers and request reports, and close the transport."""
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
@@ -158,7 +158,7 @@ class GrblConnection:
         await self._transport.write(line.text + b"\n")
 
     async def drain(self) -> None:
-        """Wait until every line has been answered."""
+        """Wait until the controller has answered every line that was sent."""
         await self.wait_until(lambda: self.buffer.first is None)
 
     async def command(self, text: bytes) -> list[str]:
@@ -192,7 +192,7 @@ class GrblConnection:
         return info
 
     async def realtime(self, byte: bytes) -> None:
-        """Send a realtime command."""
+        """Send a realtime command: a single byte that the controller executes at once."""
         self.raise_fault()
         await self._transport.write(byte)
 
@@ -205,14 +205,14 @@ class GrblConnection:
         self._watchdog.restart()
 
     async def await_banner(self, cause: Callable[[], Awaitable[object]], code: str) -> None:
-        """Do what resets the controller, and return when its welcome banner has arrived.
+        """Call ``cause``, which resets the controller; return when its banner has arrived.
 
         Parameters
         ----------
         cause
-            Sends what resets the controller.
+            Function that makes the controller reset, for example by sending the reset command.
         code
-            Code of the error if no banner arrives.
+            Message code of the ``ControllerSilent`` that is raised if no banner arrives.
         """
         banners, self._banner_due = self._banners, True
         await cause()
@@ -225,17 +225,19 @@ class GrblConnection:
         await self._transport.write(b"?")
 
     async def report(self, patience: float | None = None) -> Status:
-        """Request a status report and return it; silence is not recorded as the fault.
+        """Request a status report and return it.
+
+        If no report arrives, the error is raised but not recorded as the fault of the connection.
 
         Parameters
         ----------
         patience
-            Seconds after which the controller counts as silent; None for the limit of silence.
+            Seconds to wait for the report; None for the limit of silence of the connection.
 
         Raises
         ------
         ControllerSilent
-            There is no report.
+            No report arrived.
         ControllerError
             Any failure so far.
         """
@@ -254,9 +256,9 @@ class GrblConnection:
     # -- faults and waiting -----------------------------------------------------------------------
 
     def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault if there is none, wake all waiting tasks, return the fault.
+        """Record an error as the fault if there is none, wake waiting tasks, return the fault.
 
-        The returned fault is an earlier error if there is one.
+        The returned fault is ``error``, or the error that was recorded before it.
         """
         if self.fault is None:
             self.fault = error
@@ -270,13 +272,13 @@ class GrblConnection:
             raise self.fault
 
     def silent(self) -> ControllerSilent:
-        """Return the error for a controller that does not answer."""
+        """Return the error that states that the controller does not answer."""
         return ControllerSilent(
             "controller.silent", name=self.name, seconds=self.silence, due=self.buffer.due()
         )
 
     def surplus_answer(self) -> ControllerError:
-        """Return the error for an answer that belongs to no line."""
+        """Return the error for an answer that arrived when no line was unanswered."""
         return ControllerError("controller.unexpected-answer", name=self.name)
 
     async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
@@ -284,9 +286,11 @@ class GrblConnection:
 
         Parameters
         ----------
+        condition
+            Checked after each received line.
         code
-            Code of the error after the limit of silence; if it is empty, only the watchdog limits
-            the time.
+            Message code of the ``ControllerSilent`` that is raised after the limit of silence; if
+            it is empty, there is no time limit here, and only a fault ends the wait.
         """
         try:
             async with asyncio.timeout(self.silence if code else None):
@@ -302,7 +306,7 @@ class GrblConnection:
             await self._changed.wait()
 
     def _discard_lines(self) -> None:
-        """Discard all unanswered lines, as a reset of the controller does."""
+        """Discard all unanswered lines, because a reset of the controller discards them too."""
         self.buffer.fail(ControllerError("controller.was-reset", name=self.name))
         self.buffer.clear()
 
@@ -336,7 +340,13 @@ class GrblConnection:
         self._changed.set()
 
     def _handle_answer(self, code: int) -> None:
-        """Assign an answer to the first unanswered line; ``code`` is 0 for ``ok``."""
+        """Assign an answer to the oldest unanswered line.
+
+        Parameters
+        ----------
+        code
+            Error code of the answer, 0 for ``ok``.
+        """
         if self.buffer.first is None:
             if not (self._banner_due or self.recovering):
                 self.fail(self.surplus_answer())
@@ -388,7 +398,7 @@ class GrblConnection:
     def _status_of(self, report: answers.Report) -> Status:
         """Return the status that a report describes.
 
-        Its position is that of the previous status if the report contains none.
+        If the report contains no position, the position of the previous status is used.
         """
         position = report.work
         if position is None and report.machine is not None:
@@ -410,12 +420,15 @@ class GrblConnection:
         )
 
     def _compare_buffer(self, free: int | None) -> None:
-        """Record a fault if the controller reports more bytes in its buffer than are unanswered.
+        """Record a fault if the receive buffer contains more bytes than the unanswered lines.
+
+        The fault is recorded only if ``_CONTRADICTIONS`` consecutive reports show this.
 
         Parameters
         ----------
         free
-            Free bytes of the buffer according to a status report; None if it contains no number.
+            Free bytes of the receive buffer according to a status report; None if the report does
+            not contain this number.
         """
         if free is None or self._banner_due:
             return
@@ -450,6 +463,6 @@ class GrblConnection:
 
 
 def _code(line: str) -> int:
-    """Return the number in ``error:9`` or ``ALARM:2``; -1 if it is damaged."""
+    """Return the number at the end of ``error:9`` or ``ALARM:2``; -1 if the number is damaged."""
     code = line.partition(":")[2].strip()
     return int(code) if code.isdecimal() else -1

@@ -148,7 +148,7 @@ class Grbl:
         await recovery.secure(connection, self._safe, self._silence)
 
     async def _read_options(self) -> None:
-        """Request the sizes of the buffers and the axes of the controller (``$I``)."""
+        """Request the options of the controller (``$I``); store buffer sizes and rotary axis."""
         for line in await self._connection.command(b"$I"):
             if options := _OPTIONS.match(line):
                 self.capacity = int(options[1])
@@ -157,10 +157,10 @@ class Grbl:
                 self._connection.rotary = answers.rotary_axis(axes[1])
 
     async def _require_laser_mode(self) -> None:
-        """Raise ``ControllerError`` if the controller does not switch a beam off at a hold.
+        """Raise ``ControllerError`` unless the controller is in laser mode.
 
-        Only in laser mode does grbl switch the spindle output off for every rapid move and at every
-        hold, whether the gateway or the button of the controller caused it.
+        Only in laser mode does grbl switch the spindle output, and so the beam, off for every rapid
+        move and at every hold, whether the gateway or the button of the controller caused the hold.
         """
         if "$32=1" not in await self._connection.command(b"$$"):
             raise self._connection.fail(
@@ -231,11 +231,11 @@ class Grbl:
         await connection.send_line(pending)
 
     async def drain(self) -> None:
-        """Wait until every line has been answered."""
+        """Wait until the controller has answered every line that was sent."""
         await self._connection.drain()
 
     async def settle(self) -> Status:
-        """Wait until the machine is at rest and each received answer is assigned to a line.
+        """Wait until the machine is at rest and every program line is answered.
 
         Returns
         -------
@@ -280,7 +280,7 @@ class Grbl:
         await self._connection.realtime(b"!")
 
     async def resume(self) -> None:
-        """Continue after a hold (cycle start, ``~``)."""
+        """Let the machine continue after a hold (cycle start, ``~``)."""
         await self._connection.realtime(b"~")
 
     async def stop(self) -> Status:
@@ -291,7 +291,7 @@ class Grbl:
         Returns
         -------
         Status
-            After the machine came to rest, or was lifted.
+            Status after the machine came to rest and Z was raised, if it had to be raised.
 
         Raises
         ------

@@ -25,7 +25,7 @@ _SHOWN = 60
 
 @dataclass(slots=True)
 class PendingLine:
-    """A line without an answer; its bytes may be in the receive buffer of the controller."""
+    """A line that the controller has not answered; its bytes may be in the receive buffer."""
 
     text: bytes
     number: int = 0  #: number of the program line, from 1; 0 for a command of the driver
@@ -43,7 +43,7 @@ class PendingLine:
         return self.text.decode("ascii", "replace").strip()[:_SHOWN]
 
     def fail(self, error: ControllerError) -> None:
-        """Raise an error in the task that waits for the answer, if there is one."""
+        """Raise an error in the task that waits for the answer to this line, if a task waits."""
         if self.answer is not None and not self.answer.done():
             self.answer.set_exception(error)
             self.answer.exception()  # asyncio logs the error if the waiting task was cancelled
@@ -77,43 +77,49 @@ class ReceiveBuffer:
         return Message("controller.due", line=line.number, text=line.excerpt)
 
     def reserve(self, line: PendingLine) -> None:
-        """Keep enough bytes free from now on for a line of this length to be answered twice."""
+        """From now on, keep at least as many bytes free as a line occupies.
+
+        With this reserve, the buffer does not overflow if the controller answers such a line twice.
+        """
         self._longest = max(self._longest, line.size)
 
     def release_reserve(self) -> None:
-        """Keep no bytes free: each received answer has been assigned to a line."""
+        """Delete the reserve of free bytes; called when no answer can be a doubled one."""
         self._longest = 0
 
     def has_room_for(self, line: PendingLine) -> bool:
-        """Return whether a line fits into the buffer, even if one answer was doubled."""
+        """Return whether a line fits into the free bytes of the buffer beyond the reserve.
+
+        Returns True if there is no unanswered line.
+        """
         return not self._lines or self._used + line.size + self._longest <= self.capacity
 
     def add(self, line: PendingLine) -> None:
-        """Add a line that is being sent."""
+        """Add a line that is being sent to the unanswered lines."""
         self._lines.append(line)
         self._used += line.size
 
     def remove_first(self) -> PendingLine:
-        """Remove the line that has been answered, and return it."""
+        """Remove the oldest unanswered line, which has just been answered, and return it."""
         line = self._lines.popleft()
         self._used -= line.size
         return line
 
     def fail(self, error: ControllerError) -> None:
-        """Raise an error in all tasks that wait for an answer."""
+        """Raise an error in all tasks that wait for the answer to a line of this buffer."""
         for line in self._lines:
             line.fail(error)
 
     def clear(self) -> None:
-        """Remove all lines, as a reset of the controller does."""
+        """Remove all unanswered lines, because a reset empties the buffer of the controller."""
         self._lines.clear()
         self._used = self._longest = self._contradictions = 0
 
     def count_contradictions(self, free: int) -> int:
         """Return how many consecutive status reports, up to this one, contradict the byte count.
 
-        A line leaves the buffer before it is answered, so the buffer may contain fewer bytes than
-        the unanswered lines have, but never more.
+        A line leaves the buffer of the controller before it is answered, so the buffer may contain
+        fewer bytes than the unanswered lines have, but never more.
 
         Parameters
         ----------

@@ -35,7 +35,7 @@ class Recoverable(Protocol):
 
     @property
     def name(self) -> str:
-        """Address, for messages."""
+        """Address of the controller, for messages."""
         ...
 
     @property
@@ -60,15 +60,23 @@ class Recoverable(Protocol):
         ...
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a line; return the lines received before its ``ok``."""
+        """Send a command of the driver; return the lines received before its ``ok``."""
         ...
 
 
 async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Stop and discard the running program, and bring the machine into its safe state.
+    """Discard the running program, bring the machine into its safe state, return its status.
 
-    Retries for ``6 * silence`` seconds if the controller does not answer or the connection is
-    lost.  Returns the last status.
+    Retries for ``6 * silence`` seconds if the controller does not answer or the connection is lost.
+
+    Parameters
+    ----------
+    machine
+        Connection to the controller of the machine.
+    safe
+        Safe state of the machine; with None the machine is only held and reset.
+    silence
+        Seconds after which the controller counts as silent.
 
     Raises
     ------
@@ -101,10 +109,23 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
 
 
 async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
-    """Lift Z, stop the spindle and switch off every output of a machine at rest; return the status.
+    """Lift Z, stop the spindle and switch off every output of a machine at rest; return a status.
 
-    Z is first, so that a tool in the board leaves it along its axis.  With ``safe`` None nothing
-    is done.
+    Z is lifted first, so that a tool in the board leaves the board along its axis.
+
+    Parameters
+    ----------
+    machine
+        Connection to the controller of the machine.
+    safe
+        Safe state of the machine; with None nothing is changed.
+    silence
+        Seconds after which the controller counts as silent.
+
+    Returns
+    -------
+    Status
+        Status after the lift, if there was one; the outputs are switched off after it.
 
     Raises
     ------
@@ -150,12 +171,12 @@ async def _hold(machine: Recoverable, silence: float) -> None:
 
 
 async def _unlock(machine: Recoverable) -> None:
-    """Clear the alarm if it is one of ``UNLOCKABLE``.
+    """Clear the present alarm if its code is in ``UNLOCKABLE``.
 
     Raises
     ------
     ControllerAlarm
-        It is another alarm, or the controller refuses to clear it.
+        The code is not in ``UNLOCKABLE``, or the controller refuses to clear the alarm.
     """
     locked = _locked_error(machine)
     if machine.last_alarm not in UNLOCKABLE:
@@ -175,7 +196,7 @@ def _locked_error(machine: Recoverable) -> ControllerAlarm:
 
 
 async def _wait_until_idle(machine: Recoverable, seconds: float) -> Status:
-    """Wait until the lift has ended, and return the status.
+    """Wait until the controller is idle after the lift of Z, and return its status.
 
     Raises
     ------

@@ -44,16 +44,18 @@ class Watched(Protocol):
 
 
 class Watchdog:
-    """Timer of status requests for one connection.
+    """Sends status requests at intervals on one connection, and records silence as a fault.
 
     Parameters
     ----------
+    connection
+        Connection to the controller.
     silence
         Seconds after which the controller counts as silent if no status report arrives, or if a
         line has no answer although the machine is idle.
     poll
-        Longest time between two status requests while the machine moves (s).  An idle machine
-        without unanswered lines is requested once in a fifth of ``silence``.
+        Longest time between two status requests while the machine moves (s).  If the machine is
+        idle and no line is unanswered, this time is a fifth of ``silence``, but at least ``poll``.
     """
 
     def __init__(self, connection: Watched, silence: float, poll: float) -> None:
@@ -67,29 +69,29 @@ class Watchdog:
         self._last_progress = 0.0  # last event that explains a missing answer (s, same clock)
 
     def restart(self) -> None:
-        """Restart the time limits for a report and for an answer."""
+        """Restart the time limits for the next status report and for the next answer to a line."""
         self._last_report = self._last_progress = _now()
 
     def expect_answer(self) -> None:
-        """Restart the time limit for an answer: a line was sent when no answer was due."""
+        """Restart the time limit for an answer; called when the only unanswered line is sent."""
         self._last_progress = _now()
         self._wake.set()
 
     def note_answer(self) -> None:
-        """Restart the time limit for an answer: a line was answered."""
+        """Restart the time limit for an answer; called when a line was answered."""
         self._last_progress = _now()
 
     def note_report(self) -> None:
-        """Restart the time limit for a report: a report was received."""
+        """Restart the time limit for a status report; called when a report was received."""
         self._last_report = _now()
 
     def request_soon(self) -> None:
-        """Request a status report soon."""
+        """Reduce the time from the last status request to the next one to ``_SOON`` or less."""
         self._soon = True
         self._wake.set()
 
     def request_at_once(self) -> None:
-        """Request a status report at once."""
+        """Make the running watchdog send the next status request without further delay."""
         self._at_once = True
         self._wake.set()
 
@@ -103,12 +105,13 @@ class Watchdog:
                 self._check_limits(before + interval)
 
     def _check_limits(self, expected: float) -> None:
-        """Record a fault if a time limit is exceeded.
+        """Record a fault of the connection if a report or an answer is overdue.
 
         Parameters
         ----------
         expected
-            Latest time at which this check should have been made (s, clock of the event loop).
+            Latest time at which this check should have been made (s, clock of the event loop); a
+            check that is much later only restarts the time limits.
         """
         connection, now = self._connection, _now()
         status = connection.status
@@ -164,6 +167,6 @@ def _now() -> float:
 
 
 def _dwell_seconds(line: bytes) -> float:
-    """Return the seconds that a program line lets the machine dwell."""
+    """Return the seconds for which a program line with G4 makes the machine dwell; 0 without G4."""
     match = _DWELL.search(line)
     return float(match[1]) if match else 0.0
