@@ -134,20 +134,23 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
-    """Return the k crossings of segments with cuts that are ends of neither the segment nor the
-    cut.
+    """Return the k points at which segments of paths cross cuts away from the ends of both.
+
+    A crossing within ``GAP`` (mm) of an end of the segment's path or of an end of the cut is left
+    out.  A joint between two segments of one path is not an end.
 
     Parameters
     ----------
     paths
         Paths that consist of the segments.
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts.
+        Start and end points of the n cuts, and their bulges.
 
     Returns
     -------
     segment, cut, share : (k,), (k,) and (k,)
-        Segment and cut of each crossing, and its parameter on the segment, 0 … 1.
+        Index of the segment and index of the cut of each crossing, and the position of the crossing
+        on the segment as a parameter from 0 at its start to 1 at its end.
     """
     mine, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)

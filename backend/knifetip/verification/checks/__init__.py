@@ -1,1 +1,1 @@
-"""The checks that a program must pass; each adds findings and figures to the verdict."""
+"""The checks that a program must pass; each adds findings, and measured figures of each edge."""

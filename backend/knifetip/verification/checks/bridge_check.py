@@ -1,9 +1,10 @@
 """Check the bridges that hold a part in the sheet.
 
-Bridges are the gaps that the tip paths leave in closed paths of edges.  Their widths are measured
-in the top face of the board.  A slanted blade cuts the top face ahead of its tip by its lead.  If
-the tip stops before a bridge, the gap in its path is therefore wider than the bridge by the lead.
-If the tip enters the board after a bridge, the cuts in the top and bottom faces begin at one point.
+A bridge is a gap that the paths of the blade's tip leave in a closed path of edges.  Its width is
+measured in the top face of the board.  A slanted blade cuts the top face ahead of its tip; the
+length by which it does is the lead.  If the tip stops before a bridge, the gap in the tip's path is
+therefore wider than the bridge by the lead.  If the tip enters the board after a bridge, the cut in
+the top face and the cut in the bottom face begin at the same point.
 """
 
 from __future__ import annotations
@@ -29,7 +30,9 @@ MIN_BRIDGES: Final = 2
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Bridges:
-    """k bridges in closed paths, sorted by path and by position along it."""
+    """k bridges (uncut gaps) in closed paths of edges, sorted by path and by position along the
+    path.
+    """
 
     path: I64  #: (k,)
     middle: F64  #: (k,) mm along the path
@@ -48,13 +51,13 @@ def find_bridges(
     Parameters
     ----------
     overlaps
-        Overlaps of the tip paths with the edges of the paths.
+        Overlaps of the paths of the knife's tip with the edges.
     paths, edges
-        Paths, and the edges that form them.
+        The c paths of edges, and the edges that form them.
     held : (c,)
-        Mask of the paths that are searched.
+        Mask of the paths of edges that are searched for bridges.
     lead : mm
-        Length by which the cut in the top face is ahead of the tip.
+        Length by which the blade cuts the top face ahead of its tip.
     """
     size = edges.curve[:, 5]
     some = overlaps.best & (np.diff(overlaps.along)[:, 0] > SHORT)
@@ -89,15 +92,17 @@ def find_bridges(
 
 
 def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
-    """Return k bridges sorted by path and position, with their spacings.
+    """Return k bridges sorted by path and by position on it, with the spacings between them.
 
     Parameters
     ----------
-    path, middle, width, bare, need : (k,)
-        Columns of ``Bridges``, in any order: index of the path, position of the middle on it,
-        width, length of the gap in the tip's path, and length that must be clear of corners (mm).
+    path, middle : (k,)
+        Index of the path of each bridge, and the position of its middle along that path (mm).
+    width, bare, need : (k,) mm
+        Width of each bridge, length of the gap in the path of the tip, and length that must be
+        clear of corners.
     length : (c,) mm
-        Length of each path.
+        Length of each of the c paths.
     """
     order = np.lexsort((middle, path))
     path, middle = path[order], middle[order]
@@ -114,12 +119,13 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 
 
 def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
-    """Return 1 for each of k positions on paths at which a cut stretch ends, else 0, (k,).
+    """Return 1.0 for each of k positions on closed paths at which a cut stretch ends, else 0.0,
+    (k,).
 
     Parameters
     ----------
     path, at : (n,)
-        Path of each cut stretch, and the position of its end along that path (mm).
+        Path of each of n cut stretches, and the position of its end along that path (mm).
     which, place : (k,)
         Path of each position to test, and the position along that path (mm).
     length : (k,) mm
@@ -135,20 +141,24 @@ def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F6
 def check_bridges(
     found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
-    """Yield the faults of bridges: kind of finding, index of the edge, message, and measure (mm).
+    """Yield a tuple for each fault of a bridge: kind of finding, index of an edge, message,
+    measure.
+
+    The edge is the one that the bridge lies on, or the first edge of a path with too few bridges.
+    The measure is the length (mm) by which the bridge is wrong, 0 for too few bridges.
 
     Parameters
     ----------
     found
         All bridges.
     paths, edges
-        Paths, and the edges that form them.
+        The c paths of edges, and the edges that form them.
     held : (c,)
         Mask of the paths that must have bridges.
     board
-        Contains the required width and spacing of bridges.
+        Board whose record states the required width and spacing of bridges.
     slack : mm
-        Deviations up to this length are ignored.
+        A width, distance or spacing that is wrong by at most this length is no fault.
     """
     edge, short = _corner_shortfall(found, paths, edges)
     wide = found.width - board.bridge_width
@@ -190,10 +200,10 @@ def check_bridges(
 
 
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
-    """Return the edge of each of k bridges (k,), and the length by which it is too near to a corner
-    (k,).
+    """Return the index of the edge that each of k bridges lies on, (k,), and a length (k,) mm.
 
-    Only sharp corners count.  The length (mm) is 0 if the bridge is far enough from all of them.
+    The length is the length by which the bridge is too near to a sharp corner at an end of that
+    edge, and 0 if the bridge is far enough from both ends.
     """
     size = edges.curve[:, 5]
     edge, place = paths.locate(found.path, found.middle, edges.curve)
@@ -206,7 +216,10 @@ def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I
 
 
 def _sharp_corners(paths: EdgePaths, edges: Edges) -> Bool:
-    """Return the mask of the ends of edges, (2n,), at which a closed path has a sharp corner."""
+    """Return the mask of the 2n ends of n edges at which the path of the edge turns sharply, (2n,).
+
+    The edges form closed paths.  End 2i is the start of edge i, and end 2i + 1 is its end.
+    """
     order = np.lexsort((paths.begin, paths.path))
     path = paths.path[order]
     new = np.ones(len(order), np.bool_)

@@ -39,8 +39,10 @@ ToolKind = TypeVar("ToolKind", Knife, CreaseWheel, VCutter)
 
 
 class StationCheck(ABC):
-    """Base class of checks that compare one station's tip paths, for one kind of operation, with
-    the edges.
+    """Base class of the checks that compare the paths of the tip of one station's tool with the
+    edges.
+
+    An instance checks one kind of operation (cut, half-cut, crease, groove or mill).
     """
 
     def __init__(
@@ -70,7 +72,7 @@ class StationCheck(ABC):
         self.set_edges(edges)
 
     def set_edges(self, edges: Edges) -> None:
-        """Set the edges that must be cut or creased, each over its entire length."""
+        """Set the edges that must be cut, creased or grooved, each over its entire length."""
         self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
@@ -81,18 +83,22 @@ class StationCheck(ABC):
         self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
-        """Run the check, unless there are neither tip paths nor edges."""
+        """Run the check, unless there are neither tip paths nor edges to compare."""
         if len(self.curve) or len(self.edges):
             self.check()
 
     @abstractmethod
     def check(self) -> None:
-        """Compare the tip paths with the edges; add findings and figures."""
+        """Compare the tip paths with the edges; add findings and the measured figures of each
+        edge.
+        """
 
     def tool(self, kind: type[ToolKind]) -> ToolKind | None:
-        """Return the tool of the checked station, or None if that tool is not of this kind.
+        """Return the tool of the checked station, or None if that tool is not of the class
+        ``kind``.
 
-        If the station has no tip paths, return the machine's first tool of this kind, or None.
+        If the check has no tip paths, no station is known.  Then return the first tool of the class
+        ``kind`` that is mounted in the machine, or None if there is none.
         """
         stations = self.context.machine.stations
         if len(self.station):
@@ -109,37 +115,53 @@ class StationCheck(ABC):
         work: int = -1,
         line: int = -1,
     ) -> None:
-        """Add a finding with a kind, a message and a measure.
+        """Append a finding to the verdict.
 
-        ``edge`` is the index of the edge that it concerns, -1 for none.  The finding gets the
-        program line of the tip path with index ``work``, or ``line`` if ``work`` is -1.
+        Parameters
+        ----------
+        kind, message
+            Kind of the finding, such as "depth", and its text.
+        edge
+            Index of the edge that the finding concerns, -1 for none.
+        measure
+            Size of the fault, in the unit of the kind: mm or degrees.
+        work, line
+            Index of the tip path whose program line the finding gets.  If ``work`` is -1, the
+            finding gets the program line ``line``, or none if ``line`` is -1 too.
         """
         row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.line[work]) if work >= 0 else line
         self.findings.add(kind, message, measure, edge=row, line=line)
 
     def record_overcut(self, edges: I64, measure: F64) -> None:
-        """Raise the recorded overcut of each edge to ``measure`` (mm) if that is greater."""
+        """Raise the recorded overcut of each edge of ``edges`` to ``measure`` if that is greater.
+
+        ``edges`` are k indices of edges, and ``measure`` is the overcut of each of them, (k,) mm.
+        """
         rows = self.edges.row[edges]
         np.maximum.at(self.figures.overcut, rows, measure)
 
     def match_edges(self) -> Overlaps:
-        """Return the overlaps of the tip paths with the edges, within the tolerance."""
+        """Return the overlaps of the tip paths with the edges.
+
+        An overlap is a stretch of a tip path within the tolerance of an edge.
+        """
         return find_overlaps(self.curve, self.edges.curve, self.low, self.high, self.tolerance)
 
     def check_position(
         self, overlaps: Overlaps, final: Bool | None = None, wide: F64 | None = None
     ) -> None:
-        """Check the distance of the tip paths from the edges, and their depth.
+        """Check the distance of the tip paths from the edges, and the depth of the tip.
 
         Parameters
         ----------
         overlaps
-            Overlaps of the tip paths with the edges.
+            Overlaps of the tip paths with the n edges.
         final
-            Mask of the overlaps whose depth is checked; None for all.
+            Mask of the overlaps whose depth is checked; with None, the depth of all is checked.
         wide : (n,) mm
-            Tolerance of each edge; None for the tolerance of the verdict.
+            Greatest permitted distance from each edge; with None, the tolerance of the
+            verification.
         """
         limit = np.full(len(self.edges), self.tolerance) if wide is None else wide
         best = np.flatnonzero(overlaps.best)
@@ -190,19 +212,20 @@ class StationCheck(ABC):
     def check_heading(
         self, overlaps: Overlaps, reach: F64, turn: float, chorded: Bool | None = None
     ) -> None:
-        """Check the heading of the tool along edges and past their ends.
+        """Check the heading of the tool along edges and past the ends of edges.
 
         Parameters
         ----------
         overlaps
-            Overlaps of the tip paths with the edges.
+            Overlaps of the tip paths with the n edges.
         reach : mm
-            Distance from the tip to the farthest point of the tool, for each tip path.
+            Distance from the tip to the farthest point of the tool, one per tip path.
         turn : degrees
             Rotation after which the tool has the same shape again: 180 or 360.
         chorded : (n,)
-            Mask of the edges that are cut in chords, where the heading is that of the chord; None
-            for no edge.
+            Mask of the edges that the tool follows in chords.  The heading is compared with the
+            direction of the chord there, and elsewhere with the direction of the edge.  None if the
+            tool follows no edge in chords.
         """
         best = np.flatnonzero(overlaps.best)
         work, edge = overlaps.curve[best], overlaps.edge[best]
@@ -250,8 +273,8 @@ class StationCheck(ABC):
         Parameters
         ----------
         off, slack : (k,) degrees
-            Difference between the heading and the planned direction, and the part of it that is
-            ignored.
+            k differences between the heading and the planned direction, and the part of each
+            difference that is permitted because coordinates are rounded.
         reach : (k,) mm
             Distance from the tip to the farthest point of the tool.
         work, edge : (k,)
@@ -278,7 +301,10 @@ class StationCheck(ABC):
     def check_uncut(
         self, overlaps: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
-        """Check that tip paths cover edges between their limits; record the uncut length.
+        """Check that tip paths cover edges completely; record the length of each edge that is not
+        covered.
+
+        An edge must be covered between the points at which the tip may start and must stop.
 
         Parameters
         ----------
@@ -287,10 +313,10 @@ class StationCheck(ABC):
         which
             Indices of the edges to check.
         only
-            Mask of the overlaps that count; None for all.
+            Mask of the overlaps that count as covering an edge; None if all count.
         forward
-            Whether the counted tip paths run from start to end of the edges, for messages; None for
-            either direction.
+            The direction that the message names: True if the counted tip paths run from the start
+            to the end of the edges, False if they run back, None for either direction.
         """
         size = self.size
         wanted = np.zeros(len(self.edges), np.bool_)
@@ -322,10 +348,10 @@ class StationCheck(ABC):
             self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
     def _work_phrase(self, forward: bool | None) -> Message:
-        """Return the phrase for the tool's effect, for messages: cut, creased or grooved.
+        """Return the phrase for the operation in messages, such as "cut", "creased" or "grooved".
 
-        For grooves, ``forward`` adds the end of the edge from which the tool starts, unless it is
-        None.
+        Only the phrase for a groove depends on ``forward``: it names the start of the edge (True),
+        the end of the edge (False), or neither (None) as the point at which the tool starts.
         """
         if self.operation == OperationKind.CREASE:
             return Message("verify.work-creased")
@@ -338,22 +364,23 @@ class StationCheck(ABC):
         )
 
     def edge_gaps(self, overlaps: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
-        """Return the gaps between the stretches of edges that tip paths overlap.
+        """Return the gaps between the stretches of edges that tip paths cover.
 
-        There is one gap before each stretch and one after the last stretch of each edge; many have
-        length 0.  A stretch that overlaps earlier stretches has a gap of negative length before it.
+        There is one gap before each stretch and one after the last stretch of each edge.  Many gaps
+        have length 0.  The length is negative if a stretch overlaps the stretches before it.
 
         Parameters
         ----------
         overlaps, keep
             Overlaps of the tip paths with the edges, and the indices of the overlaps that count.
         wanted
-            Indices of the edges that are searched.
+            Indices of the edges that are searched for gaps.
 
         Returns
         -------
-        Length (mm), index of the edge, start on the edge (mm), and program line of each gap, (k,)
-        each.
+        Four arrays, (k,) each: length of each gap (mm), index of its edge, start of the gap on the
+        edge (mm), and the program line of a stretch next to the gap, -1 for an edge without
+        stretches.
         """
         edge = overlaps.edge[keep].astype(np.int64)
         low, high = overlaps.place[keep].min(axis=1), overlaps.place[keep].max(axis=1)

@@ -1,4 +1,4 @@
-"""The inputs and results that all checks share, and their tolerances."""
+"""The record of inputs, findings and figures that all checks share, and the checks' tolerances."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ PRINT_TURN: Final = 1.5e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeFigures:
-    """Columns of figures in the verdict, in mm; one row for each edge of the dieline."""
+    """Measured lengths of each edge in the verdict, such as deviation and overcut, in mm.
+
+    Each figure is one column; the columns have one row for each edge of the dieline.
+    """
 
     deviation: F64
     overcut: F64
@@ -40,19 +43,26 @@ class EdgeFigures:
     top_overcut: F64
 
     def copy_rows(self, source: I32, target: I32) -> None:
-        """Copy the figures of edges to other edges; both are given as rows of the dieline."""
+        """Copy the figures of the edges ``source`` to the edges ``target``, in place.
+
+        ``source`` and ``target`` are rows of the dieline, (k,) each.
+        """
         for column in (getattr(self, name) for name in self.__slots__):
             column[target] = column[source]
 
     @classmethod
     def zeros(cls, count: int) -> EdgeFigures:
-        """Return a record with ``count`` rows in which all figures are 0."""
+        """Return figures that are all 0, with ``count`` rows, one for each edge of the dieline."""
         return cls(*(np.zeros(count) for _ in range(10)))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CheckContext:
-    """The inputs and results that all checks of one program share."""
+    """The edges, machine, board and tolerance that all checks of one program use, and their
+    results.
+
+    The checks add their findings and the measured figures of the edges to this record.
+    """
 
     edges: Edges  #: all edges on the sheet
     machine: Machine

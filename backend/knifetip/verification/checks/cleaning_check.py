@@ -1,8 +1,9 @@
 """Check that the cleaned edges, which a program is verified against, match the drawn edges.
 
-Each drawn stretch must lie on a cleaned edge with its line type or a line type that replaces it.
-Each cleaned edge must lie on drawn edges.  Only debris may be dropped.  The cleaning stage records
-the cleaned edge of each stretch; the distances are measured here without its functions.
+The cleaning stage divides each drawn edge into stretches, and records the cleaned edge that each
+stretch became.  Each stretch must lie on that cleaned edge, and the cleaned edge must have the
+stretch's line type or a line type that replaces it.  Each cleaned edge must lie on drawn edges.
+Only debris may be dropped.  The distances are measured here without the functions of the stage.
 """
 
 from __future__ import annotations
@@ -54,10 +55,10 @@ _REPLACES: Final[dict[LineType, tuple[LineType, ...]]] = {
 
 
 def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
-    """Return the differences between a cleaned dieline and the drawn edges as findings, at most
-    fifty.
+    """Return a finding for each difference between a cleaned dieline and the drawn edges.
 
-    ``drawn`` is the dieline before cleaning.
+    At most fifty findings are returned.  ``drawn`` is the dieline before cleaning; ``cleaned`` is
+    the dieline after cleaning, with the cleaned edge that each drawn stretch became.
     """
     found: list[Finding] = []
     after, parts = cleaned.dieline, cleaned.stretches
@@ -112,8 +113,8 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
 def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
     """Return one point on each of n lines and arcs, (n, 2) mm.
 
-    ``ends`` is (n, 2, 2) mm and ``bulge`` (n,); ``share`` is the position of each point as a
-    fraction of the length, (n,).
+    ``ends`` are their start and end points, (n, 2, 2) mm, and ``bulge`` their bulges, (n,).
+    ``share`` is the position of each point as a fraction of the length of its line or arc, (n,).
     """
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
@@ -129,21 +130,21 @@ def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
 def _measure_stretches(
     drawn: Dieline, after: Dieline, row: I64, target: I64, begin: F64, end: F64
 ) -> tuple[F64, F64]:
-    """Measure how far drawn stretches lie from their cleaned edges.
+    """Measure the distances of q stretches of drawn edges from the cleaned edges that they became.
 
     Parameters
     ----------
     drawn, after
         Dieline before and after cleaning.
     row, target : (q,)
-        Drawn edge of each stretch, and its cleaned edge.
+        Row in ``drawn`` of each stretch's edge, and row in ``after`` of its cleaned edge.
     begin, end : (q,)
         Start and end of each stretch, as fractions of the drawn edge's length.
 
     Returns
     -------
-    Greatest distance (q,) mm; start and end of each stretch on its cleaned edge, as fractions of
-    that edge's length (q, 2).
+    The greatest distance of each stretch from its cleaned edge, (q,) mm, and the start and end of
+    the stretch on the cleaned edge, as fractions of that edge's length, (q, 2).
     """
     far = np.zeros(len(row))
     along = np.zeros((len(row), 2))
@@ -182,18 +183,19 @@ def _measure_stretches(
 def _check_added_work(
     after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Report cleaned edges that extend beyond drawn stretches by over twice the gap tolerance.
+    """Report each cleaned edge of which more than twice the gap tolerance lies on no drawn stretch.
 
     Parameters
     ----------
     after
         Dieline after cleaning.
     target : (q,)
-        Cleaned edge of each drawn stretch.
+        Row in ``after`` of the cleaned edge of each of q drawn stretches.
     along : (q, 2)
-        Start and end of each stretch as fractions of the cleaned edge.
+        Start and end of each stretch as fractions of the length of its cleaned edge.
     report
-        Function that is called with the drawn edge, the measure (mm) and the message of each fault.
+        Function that is called for each fault with the row of the drawn edge from which the cleaned
+        edge was made, the length of the fault (mm), and a message.
     """
     length = _edge_lengths(after.ends, after.bulge)
     worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))

@@ -26,7 +26,7 @@ from knifetip.verification.tools import OperationKind
 
 
 class CreaseCheck(StationCheck):
-    """Compares the creases that a wheel makes with the crease lines."""
+    """Check that compares the paths of a crease wheel with the creases of the dieline."""
 
     def check(self) -> None:
         wheel = self.tool(CreaseWheel)

@@ -1,8 +1,8 @@
-"""Find the faces that cuts enclose, with small gaps in contours closed.
+"""Find the faces into which cuts divide the sheet, after small gaps in the contours are closed.
 
-Cuts are split where they meet.  If an end of a cut lies within ``GAP_LENGTH`` of another cut, a
-straight link closes the contour there.  The results are the pieces of cuts, the links, and the
-faces on the two sides of each.
+Cuts are split into pieces where they meet.  If an end of a cut is at most ``GAP_LENGTH`` from
+another cut, a straight link from that end to the other cut closes the contour.  The results are the
+pieces of cuts, the links, and the two faces beside each piece and each link.
 """
 
 from __future__ import annotations
@@ -46,9 +46,10 @@ _RAY_OFFSET: Final = 0.317 * JOIN_DISTANCE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutFaces:
-    """The f faces that p pieces enclose; face 0 is outside.
+    """The f faces into which p pieces of cuts and links divide the sheet; face 0 is outside all
+    cuts.
 
-    The pieces are pieces of cuts, followed by links that close gaps.
+    The links close small gaps in contours; their rows follow the rows of the pieces of cuts.
     """
 
     curve: F64  #: (p, 6)
@@ -59,9 +60,9 @@ class CutFaces:
     unique: I64  #: (q,) pieces without duplicates
 
     def locate(self, points: F64) -> I64:
-        """Return the index of the face that contains each point, shape (m,).
+        """Return the index of the face that contains each of m points, shape (m,).
 
-        ``points`` is (m, 2) mm.
+        ``points`` is (m, 2) mm; the index is 0 for a point outside all cuts.
         """
         alone = self.unique
         met, rising = _first_curve_left(points, np.full(len(points), -1), self.curve[alone], alone)
@@ -71,7 +72,7 @@ class CutFaces:
 
 
 def find_cut_faces(cuts: Edges) -> CutFaces:
-    """Return the faces that cuts enclose; small gaps in contours are closed by links."""
+    """Return the faces into which cuts divide the sheet, after links have closed small gaps."""
     links = _gap_links(cuts)
     curve = np.concatenate([cuts.curve, links])
     piece, edge, begin = _split_curves(curve)
@@ -93,11 +94,11 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return straight links, as curves, from dangling ends of cuts to nearby cuts and dangling
-    ends.
+    """Return straight links that close the gaps at dangling ends of cuts, as curves (k, 6).
 
-    Two dangling ends are not linked to each other if a third dangling end is nearer to both than
-    they are to each other.
+    An end of a cut is dangling if it touches no other cut.  Each link leads from a dangling end to
+    a nearby cut or to another dangling end.  Two dangling ends are not linked to each other if a
+    third dangling end is nearer to each of the two than they are to each other.
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
@@ -177,9 +178,10 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
 
 
 def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
-    """Split curves where ends of other curves lie on them, and where curves cross.
+    """Split n curves where the ends of other curves touch them, and where two curves cross.
 
-    Returns the pieces (p, 6), the curve of each piece (p,), and its start on that curve (p,) mm.
+    Returns three arrays: the p pieces as curves (p, 6), the index of the curve of each piece (p,),
+    and the position on that curve at which the piece starts (p,) mm.
     """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
@@ -211,18 +213,19 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
-    """Return the faces on the left and right of each piece, (p, 2), and the number of faces.
+    """Return the index of the faces on the left and right of p pieces, (p, 2), and the number of
+    faces.
 
     Parameters
     ----------
     curve : (p, 6)
-        The pieces, as curves.
+        The pieces of cuts, as curves.
     cycle : (p, 2)
-        Index of the cycle of half-edges on the left and right of each piece.
+        Index of the cycle of half-edges on the left and on the right of each piece.
     outside : (w,)
-        Mask of the cycles that run round the outside of a component.
+        Mask of the w cycles that run round the outside of a connected component of pieces.
     component : (p,)
-        Connected component of each piece.
+        Index of the connected component of each piece.
     """
     count = int(component.max()) + 1
     # The leftmost point of each component, at the side of a circle or at an end.
@@ -251,16 +254,17 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
 def _enclosing_faces(
     order: I64_1, beside: I64_1, outside: Bool_1, component_of: I64_1, face_of: I64_1
 ) -> Any:
-    """Return the face that encloses each connected component of pieces, (c,); 0 if none does.
+    """Return the face that encloses each of c connected components of pieces, (c,); 0 if none does.
 
     Parameters
     ----------
     order : (c,)
-        Components sorted from left to right.
+        Indices of the components, sorted from left to right.
     beside : (c,)
-        The cycle of half-edges to the left of each component, -1 for none.
+        Index of the cycle of half-edges next to the left of each component, -1 for none.
     outside, component_of, face_of : (w,)
-        Whether each cycle runs round the outside of a component, its component, and its face.
+        For each of w cycles: whether it runs round the outside of a component, the index of its
+        component, and the index of its face.
     """
     around = np.zeros(len(order), np.int64)
     for c in order:
@@ -275,20 +279,21 @@ def _enclosing_faces(
 
 
 def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
-    """Find the first curve to the left of each of m points.
+    """Return the first of n curves to the left of each of m points, and whether it runs upwards.
 
     Parameters
     ----------
     points : (m, 2) mm
         The points.
     own : (m,)
-        Owner whose curves are ignored in the search from each point, -1 for none.
+        Number of the group whose curves are ignored in the search from each point, -1 for none.
     curve, owner : (n, 6) and (n,)
-        The curves, and the owner of each, such as its connected component.
+        The curves, and the number of the group of each, such as its connected component.
 
     Returns
     -------
-    Index of the curve (m,), -1 for none, and whether the curve runs upwards there (m,).
+    Index of the curve (m,), -1 for none, and the mask of the points to whose left the curve runs
+    upwards (m,).
     """
     corner, size, shape = grid_layout(curve, 0.0)
     met, rising = _search_left(
@@ -355,9 +360,9 @@ def _search_left(
 
 @kernel(checks_division=True)
 def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
-    """Return the x of a curve's nearest crossing to the left of the point (x, y), or -inf.
+    """Find where a curve crosses the ray from the point (x, y) to the left, nearest to the point.
 
-    Also returns whether the curve runs upwards there.
+    Returns the x of that crossing (mm), -inf for none, and whether the curve runs upwards there.
     """
     best, up = -math.inf, False
     if curve[0] == 0.0:

@@ -1,7 +1,8 @@
-"""Compare all tip paths with all edges, one kind of operation and one station at a time.
+"""Compare the paths of the tools' tips with all edges, for each kind of operation and each station.
 
-Each tip path must lie on an edge of the right line type, between the points at which the tip may
-start and stop.  Each edge must be cut or creased between these points.
+Each tip path must lie on an edge of a line type that the operation makes, between the points at
+which the tip may start and must stop.  Each edge must be cut, creased or grooved between these
+points.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from knifetip.verification.tools import OperationKind, expected_tool
 
 
 def check_edges(context: CheckContext, work: TipPaths) -> None:
-    """Compare all tip paths with all edges; add findings and figures to the context."""
+    """Compare the tip paths ``work`` with all edges; add findings and figures to ``context``."""
     held = {expected_tool(station.tool).through_kind for station in context.machine.stations}
     knives, cutters = OperationKind.CUT in held, OperationKind.MILL in held
     for operation, kinds in WORKED_TYPES.items():
@@ -49,9 +50,10 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the station that cuts or creases the greatest length of each edge, shape (n,).
+    """Return the index of the station that covers the greatest length of each of n edges, (n,).
 
-    An edge without tip paths gets the first station, or -1 if there are no tip paths at all.
+    An edge without tip paths gets the first of the stations that have tip paths, or -1 if there are
+    no tip paths at all.
 
     Parameters
     ----------
@@ -60,7 +62,7 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
     edges
         The n edges.
     tolerance : mm
-        Greatest distance of a tip path from the edge.
+        Greatest distance at which a tip path covers an edge.
     """
     stations = np.unique(work.station[rows])
     if len(stations) < 2:
@@ -78,7 +80,9 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
 
 
 class _MillingStationCheck(StationCheck):
-    """Compares the cuts of a router bit or a laser, which removes a disc, with the edges."""
+    """Check that compares the cuts of a router bit or a laser, which removes a disc, with the
+    edges.
+    """
 
     def check(self) -> None:
         held = self.context.machine.stations[int(self.station[0])] if len(self.station) else None

@@ -1,6 +1,7 @@
 """Check V-grooves: position, depth, flanks, passes, and run-outs past the board's edge.
 
-Figures for each groove are deviation, overcut, uncut length, width, web and flank error.
+The figures recorded for each groove are deviation, overcut, uncut length, width, web (the thickness
+of the board that remains below the groove) and flank error.
 """
 
 from __future__ import annotations
@@ -28,8 +29,9 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class GrooveCheck(StationCheck):
-    """Compares the V-grooves that a V-cutter makes, in one or more passes per direction, with the
-    edges.
+    """Check that compares the V-grooves of a V-cutter with the edges.
+
+    The V-cutter makes a groove in one or more passes in each direction.
     """
 
     def check(self) -> None:
@@ -83,10 +85,11 @@ class GrooveCheck(StationCheck):
             )
 
     def _add_run_outs(self, blade: VCutter) -> Bool:
-        """Lengthen the edges of grooves by their required run-outs past the board's edge.
+        """Lengthen the edges of grooves by their required run-outs past the board's edge, in place.
 
-        The tip must not go farther than required, because there may be an obstacle past the board.
-        Returns the mask of the ends at which a groove leaves the board, shape (n, 2).
+        The tip must not go farther than required, because there may be an obstacle beside the
+        board.  Returns the mask of the start and end of each of n grooves at which the groove
+        leaves the board, shape (n, 2).
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
@@ -109,10 +112,11 @@ class GrooveCheck(StationCheck):
         return boundary
 
     def _deepest_passes(self, overlaps: Overlaps) -> Bool:
-        """Return the mask of the overlaps that belong to the deepest pass on an edge in one
-        direction.
+        """Return the mask of the overlaps of the deepest passes.
 
-        Adds a finding for each pass that is shallower than the pass before it.
+        Each edge has one deepest pass in each direction of travel.  ``overlaps`` are the overlaps
+        of the tip paths with the edges.  Adds a finding for each pass that is shallower than the
+        pass before it on the same edge in the same direction.
         """
         deep = (self.context.board.caliper - self.z)[overlaps.curve]
         pass_key = 2 * overlaps.edge.astype(np.int64) + (
@@ -137,7 +141,10 @@ class GrooveCheck(StationCheck):
         return final
 
     def _check_pass_steps(self) -> None:
-        """Check that each pass goes deeper than the previous pass by at most the board's limit."""
+        """Add a finding for each pass that is too much deeper than the passes before it.
+
+        The greatest permitted step is in the board's record; a step of 0 there permits any depth.
+        """
         step = self.context.board.groove_pass
         if step <= 0.0:
             return
@@ -163,19 +170,19 @@ class GrooveCheck(StationCheck):
     def _check_flanks(self, overlaps: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
         """Check the distance from the edge at which each flank of a groove reaches the top face.
 
-        It should be depth × tan(tilt).  In each pass the blade leans to the right of travel and
-        cuts the flank on that side.
+        The distance should be depth × tan(tilt), with the tilt of the V-cutter.  In each pass the
+        blade leans to the right of its direction of travel, and cuts the flank on that side.
 
         Parameters
         ----------
         overlaps
-            Overlaps of the tip paths with the edges.
+            Overlaps of the tip paths with the n edges.
         final
             Mask of the overlaps of the deepest passes.
         blade
             The V-cutter.
         limit : (n,) mm
-            Tolerance of each edge.
+            Greatest permitted error of the distance, for each edge.
         """
         size = np.abs(np.diff(overlaps.place)[:, 0])
         which = np.flatnonzero(overlaps.best & final & (size > SHORT))
@@ -212,9 +219,9 @@ class GrooveCheck(StationCheck):
             )
 
     def _check_cuts_beside(self, drawn: Edges, blade: VCutter) -> None:
-        """Check that no flank of a groove damages the edge of a cut beside the groove.
+        """Add a finding for each cut beside a groove whose edge a flank of the groove damages.
 
-        ``drawn`` contains the grooves without run-outs.
+        ``drawn`` are the edges of the grooves without run-outs; ``blade`` is the V-cutter.
         """
         cuts = self.context.edges.with_types(LineType.CUT)
         reach = self.context.board.groove_depth * blade.slope

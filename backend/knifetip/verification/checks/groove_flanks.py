@@ -1,8 +1,8 @@
-"""Find cuts so near to a V-groove that a flank of the groove damages their edge.
+"""Find cuts so near to a V-groove that a flank of the groove damages the cut edge of the board.
 
-In the top face a groove is a strip on both sides of its line, as wide as the flanks reach.  A cut
-inside the strip loses its edge.  There are two exceptions: a cut on which the groove ends or over
-which it runs out, and a cut that crosses the groove.
+In the top face a groove is a strip on both sides of its line, bounded by its flanks.  A cut inside
+the strip loses its edge.  There are two exceptions: a cut on which the groove ends or over which it
+runs out, and a cut that crosses the groove.
 """
 
 from __future__ import annotations
@@ -36,19 +36,20 @@ class DamagedCuts:
 
 
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
-    """Return the cuts that lie inside the strips of grooves.
+    """Return the pairs of a groove and a cut inside the groove's strip in the top face.
 
-    If a cut lies within twice the reach of a groove's end, the strip is shortened at that end by
-    twice the reach, or by the run-out if that is longer.
+    The strip covers ``reach`` on both sides of the groove's line.  If a cut is nearer to an end of
+    the groove than twice the reach or than the run-out, whichever is longer, the strip is shortened
+    by that length at that end.
 
     Parameters
     ----------
     grooves, cuts
-        V-grooves and cuts, as drawn.
+        The n V-grooves, and the cuts, as drawn.
     reach : mm
         Distance from a groove's line to its flanks in the top face.
     out : (n, 2) mm
-        Required run-out of each groove past its start and end.
+        Required run-out of each groove past its start and past its end.
     """
     margin = 2.0 * reach
     strip, before = _lengthen(grooves.curve, margin)
@@ -77,18 +78,19 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
 def _nearest_points(
     overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
 ) -> DamagedCuts:
-    """Return the nearest point of the cut for each pair of a groove and a cut inside its strip.
+    """Return the pairs of a groove and a cut, with the point of the cut nearest to the groove's
+    line.
 
     Pairs in which the cut crosses the groove are left out.
 
     Parameters
     ----------
     overlaps
-        Overlaps of ``pieces`` with ``strip``.
+        Stretches of the chords ``pieces`` that are inside the strips of the grooves ``strip``.
     pieces, owner : (p, 6), (p,)
-        Chords of the cuts, and the cut of each chord.
+        p chords of cuts, and the index of the cut of each chord.
     strip, before : (n, 6), (n,)
-        Grooves lengthened at both ends, and the length added at the start of each (mm).
+        n grooves lengthened at both ends, and the length added at the start of each (mm).
     """
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(
@@ -122,9 +124,9 @@ def _nearest_points(
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
-    """Return the least and the greatest value of each of ``count`` groups, (count,) each.
+    """Return the least and the greatest value of each of ``count`` groups of rows, (count,) each.
 
-    ``values`` is (k, j), and ``group`` is the group of each of its k rows, (k,).
+    ``values`` is (k, j), and ``group`` is the index of the group of each of its k rows, (k,).
     """
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, group, values.min(axis=1))
@@ -133,9 +135,9 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 
 
 def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
-    """Return n curves lengthened at both ends, and the length added at each end, (n,) mm.
+    """Return n curves lengthened at both ends, (n, 6), and the length added at each end, (n,) mm.
 
-    The added length is ``extra``, but an arc remains shorter than a full circle.
+    The added length is ``extra`` (mm), or less for an arc that would become a full circle.
     """
     result = curve.copy()
     straight = curve[:, 0] == 0.0
@@ -149,9 +151,9 @@ def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
 
 
 def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
-    """Return chords, (k, 6), that replace the curves with indices ``rows``.
+    """Return k chords, (k, 6), that replace the curves with indices ``rows``.
 
-    Also returns the index of the curve of each chord, (k,).
+    Also returns the index in ``curves`` of the curve that each chord replaces, (k,).
     """
     curve = curves[rows]
     round_ = curve[:, 0] != 0.0

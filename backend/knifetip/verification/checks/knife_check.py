@@ -1,7 +1,7 @@
 """Check the cuts, half-cuts, perforations and bridges that a knife makes.
 
 A slanted blade cuts the top face of the board ahead of its tip by the lead, depth × tan(slant).
-Figures are therefore recorded for the top face and for the bottom face.
+The uncut length is therefore recorded in the bottom face, and the overcut in the top face.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from knifetip.verification.tools import OperationKind
 
 
 class KnifeCheck(StationCheck):
-    """Compares the cuts of a knife, through the board or half-cuts, with the edges."""
+    """Check that compares the cuts of a knife, through the board or half-cuts, with the edges."""
 
     def check(self) -> None:
         if self.operation == OperationKind.CUT:
@@ -56,10 +56,10 @@ class KnifeCheck(StationCheck):
         Parameters
         ----------
         leads : mm
-            Depth of the tip below the top face.  Multiplied by tan(slant), it is the blade's lead.
+            Depth of the tip below the top face.  The blade's lead is this depth times tan(slant).
         runs : mm
-            Depth that, multiplied by tan(slant), is the planned overrun past an end that meets a
-            cut.
+            Depth from which the planned overrun past an end that meets a cut is computed, also by
+            multiplying with tan(slant).
         """
         blade = self.tool(Knife)
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
@@ -99,16 +99,18 @@ class KnifeCheck(StationCheck):
             self._record_faces(overlaps, over, leads * slant, (leads - runs) * slant)
 
     def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:
-        """Record the uncut length in the bottom face and the overcut in the top face.
+        """Record the uncut length of each edge in the bottom face, and its overcut in the top face.
 
         Parameters
         ----------
         overlaps
             Overlaps of the tip paths with the edges.
         over : mm
-            Overrun of each track.
+            Length by which each track runs past the end of its edge.  A track is a chain of tip
+            paths between two lifts.
         top, bottom : mm
-            Length by which the cut extends ahead of the tip at the end of a track, in each face.
+            Length by which the cut extends ahead of the tip at the end of a track, in the top face
+            and in the bottom face.
         """
         last = np.zeros(len(self.curve), np.bool_)
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
@@ -138,7 +140,9 @@ class KnifeCheck(StationCheck):
 
     @property
     def _needs_bridges(self) -> bool:
-        """Whether the check is of cuts and the board's settings require bridges in them."""
+        """True if the check is of cuts through the board and the board's record requires bridges in
+        them.
+        """
         board = self.context.board
         return (
             self.operation == OperationKind.CUT
@@ -147,7 +151,7 @@ class KnifeCheck(StationCheck):
         )
 
     def _paths_with_bridges(self, whole: Edges, paths: EdgePaths) -> Bool:
-        """Return the mask of the closed paths whose parts must be held by bridges, shape (c,).
+        """Return the mask of the closed paths of edges that must have bridges, shape (c,).
 
         ``paths`` are c paths, and ``whole`` are the edges that form them.
         """
@@ -159,11 +163,10 @@ class KnifeCheck(StationCheck):
         return result
 
     def _tracks_along(self, overlaps: Overlaps, some: Bool) -> Bool:
-        """Return the mask of the tracks that follow given edges over more than half of their
-        length.
+        """Return the mask of the tracks of which more than half follows edges of the mask ``some``.
 
-        ``overlaps`` are the overlaps of the tip paths with all edges; ``some`` is the mask of the
-        given edges, (n,).
+        A track is a chain of tip paths between two lifts.  ``overlaps`` are the overlaps of the tip
+        paths with all n edges; ``some`` is a mask of these edges, (n,).
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
@@ -187,15 +190,15 @@ class KnifeCheck(StationCheck):
         Parameters
         ----------
         overlaps
-            Overlaps of the tip paths with the edges of the check.
+            Overlaps of the tip paths with all edges of this check.
         whole, solid
-            Edges that may have bridges, and the index of each in the edges of the check.
+            Edges that may have bridges, and the index of each among all edges of this check.
         paths
             The c paths that the edges ``whole`` form.
         rounds : (c,)
             Mask of the paths that must have bridges.
         lead : mm
-            Length by which the cut in the top face is ahead of the tip.
+            Length by which the blade cuts the top face ahead of its tip.
         """
         board = self.context.board
         place = np.full(len(self.edges), -1, np.int32)
@@ -221,7 +224,12 @@ class KnifeCheck(StationCheck):
             self.add_finding(kind, int(solid[at]), message, measure)
 
     def _remove_leads(self, blade: Knife) -> None:
-        """Remove lead-ins and lead-outs, which run through waste, from the checked tip paths."""
+        """Remove the tip paths of lead-ins and lead-outs from this check, after checking their
+        headings.
+
+        A lead-in or lead-out runs through waste, so it matches no edge.  ``blade`` states its
+        length.
+        """
         if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
             return
         bounds = find_outlines(self.edges.with_types(LineType.CUT))
@@ -264,10 +272,10 @@ class KnifeCheck(StationCheck):
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
     def _check_lead_headings(self, which: I64, blade: Knife) -> None:
-        """Check the heading along lead-ins and lead-outs, because a blade turned across its path
-        tears board.
+        """Check that the blade is parallel to its path on lead-ins and lead-outs.
 
-        ``which`` are the indices of the tip paths of lead-ins and lead-outs.
+        A blade turned across its path tears the board.  ``which`` are the indices of the tip paths
+        of lead-ins and lead-outs.
         """
         off = np.zeros(len(which))
         for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
@@ -279,8 +287,10 @@ class KnifeCheck(StationCheck):
     def _check_perforations(
         self, overlaps: Overlaps, which: I64, dashed: Bool, lead: float
     ) -> None:
-        """Check the lengths of the cuts of perforations, less the blade's lead, and of the gaps
-        between them.
+        """Check the lengths of the cuts of perforations, and the lengths of the gaps between these
+        cuts.
+
+        The planned length of a tip path is the length of the cut less the blade's lead.
 
         Parameters
         ----------
@@ -289,9 +299,10 @@ class KnifeCheck(StationCheck):
         which
             Indices of the perforated edges.
         dashed
-            Mask of the tracks that are dashes of perforations.
+            Mask of the tracks that are cuts of perforations.  A track is a chain of tip paths
+            between two lifts.
         lead : mm
-            Length by which the cut in the top face is ahead of the tip.
+            Length by which the blade cuts the top face ahead of its tip.
         """
         cut, gap = self.context.board.perforation
         perforated = np.zeros(len(self.edges), np.bool_)
