@@ -141,11 +141,12 @@ def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F6
 def check_bridges(
     found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
-    """Yield a tuple for each fault of a bridge: kind of finding, index of an edge, message,
+    """Yield four values for each fault of a bridge: kind of finding, index of an edge, message,
     measure.
 
     The edge is the one that the bridge lies on, or the first edge of a path with too few bridges.
-    The measure is the length (mm) by which the bridge is wrong, 0 for too few bridges.
+    The measure is the length (mm) by which a bridge is wrong, the width of a superfluous bridge, or
+    0 for too few bridges.
 
     Parameters
     ----------

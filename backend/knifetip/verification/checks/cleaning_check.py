@@ -183,7 +183,9 @@ def _measure_stretches(
 def _check_added_work(
     after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Report each cleaned edge of which more than twice the gap tolerance lies on no drawn stretch.
+    """Report each cleaned edge that extends beyond drawn stretches by over twice the gap tolerance.
+
+    A cleaned edge on which no drawn stretch lies is reported too.
 
     Parameters
     ----------

@@ -38,9 +38,9 @@ class DamagedCuts:
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
     """Return the pairs of a groove and a cut inside the groove's strip in the top face.
 
-    The strip covers ``reach`` on both sides of the groove's line.  If a cut is nearer to an end of
-    the groove than twice the reach or than the run-out, whichever is longer, the strip is shortened
-    by that length at that end.
+    The strip covers ``reach`` on both sides of the groove's line.  If a cut meets that line within
+    twice the reach of an end of the groove, or within the run-out if that is longer, then the strip
+    is shortened by that length at that end.
 
     Parameters
     ----------

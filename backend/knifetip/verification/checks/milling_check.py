@@ -5,9 +5,9 @@ follow the offset of the edge by r, except where the offset is nearer than r to 
 is the case in a concave corner or a narrow slot; the length of the edge that the disc cannot touch
 there is recorded as ``unreached``.  Convex corners may be rounded or square.
 
-A cutter that deflects by δx, δy under load is moved that much nearer to the edge.  Its centre is at
-P + ((r - δx) n_x, (r - δy) n_y), with the point P on the edge and the normal n towards the waste.
-Round a convex corner the centre moves on an ellipse.
+A cutter that deflects by δx along X and δy along Y under load is moved that much nearer to the
+edge.  Its centre is at P + ((r - δx) n_x, (r - δy) n_y), with the point P on the edge and the unit
+normal n towards the waste.  Round a convex corner the centre moves on an ellipse.
 
 Source: the radius paper, equations 1-9; the reach into corners is our derivation.
 """
@@ -62,7 +62,7 @@ class CentrePaths:
 def check_milling(
     context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
 ) -> None:
-    """Check that a cutter removes the board beside its cuts, and no other board.
+    """Check that a cutter removes the board along its cuts on their waste side, and no other board.
 
     Parameters
     ----------
@@ -73,9 +73,9 @@ def check_milling(
     centres
         Paths of the cutter's centre.
     station
-        Station of the cutter.
+        Station in which the cutter is mounted.
     slack : mm
-        Gaps and excesses up to this length are ignored.
+        Uncut lengths and other excesses up to this length give no finding.
     """
     tool = expected_tool(station.tool)
     assert tool.disc is not None
@@ -90,7 +90,9 @@ def check_milling(
 
 
 class _MillingCheck:
-    """Compares the paths of one cutter with all cuts that it must make."""
+    """Check that compares the paths of one cutter's centre with all cuts that the cutter must
+    make.
+    """
 
     def __init__(
         self,
@@ -108,7 +110,9 @@ class _MillingCheck:
         self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
     def run(self, planned: float) -> None:
-        """Run the check; ``planned`` is the depth of a cut below the board's top face (mm)."""
+        """Run the check; ``planned`` is the planned depth of the tip below the board's top face
+        (mm).
+        """
         deep = self.context.board.caliper - self.centres.z
         wrong = deep - planned
         if self.tool.step == 0.0:
@@ -131,7 +135,13 @@ class _MillingCheck:
         self._check_stray_work()
 
     def _check_pass_steps(self, deep: F64) -> None:
-        """Check that each pass goes deeper than the previous pass by at most the cutter's step."""
+        """Add a finding for each pass that is deeper than the passes before it by more than one
+        step.
+
+        ``deep`` is the depth of each of the centre's n paths below the board's top face, (n,) mm.
+        The step is the greatest depth of one pass in the cutter's record; 0 there permits any
+        depth.
+        """
         if self.tool.step == 0.0:
             return
         which, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
@@ -162,17 +172,21 @@ class _MillingCheck:
     # -- the edges -------------------------------------------------------------------------------
 
     def _untouched_stretches(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
-        """Return the k stretches of edges that the disc has not touched: edge, start, end (mm),
-        (k,) each.
+        """Return the k stretches of edges that the disc has not touched in a cut through the board.
 
-        Also records deviations of the centre from its expected path.
+        Also records the deviations of the centre from its expected paths.
 
         Parameters
         ----------
         pieces
             Expected paths of the centre.
         through : (n,)
-            Mask of the centre's paths that go through the board.
+            Mask of the centre's n actual paths that go through the board.
+
+        Returns
+        -------
+        Three arrays, (k,) each: index of the edge of each stretch, and the start and the end of the
+        stretch along that edge (mm).
         """
         centres = self.centres.select(through)
         rounds = centres.blend
@@ -215,15 +229,18 @@ class _MillingCheck:
         return uncovered_edges(edge, low, high, self.size)
 
     def _record_untouched(self, pieces: CutterPaths, edge: I64, begin: F64, end: F64) -> None:
-        """Divide untouched stretches into unreachable stretches, bridges and uncut stretches;
-        record them.
+        """Divide untouched stretches of edges into unreachable stretches, bridges and uncut
+        stretches.
+
+        Records their lengths as figures of the edges, and adds a finding for each uncut stretch.
 
         Parameters
         ----------
         pieces
             Expected paths of the centre.
         edge, begin, end : (k,)
-            The stretches, as ``_untouched_stretches`` returns them.
+            Index of the edge of each untouched stretch, and the start and the end of the stretch
+            along that edge (mm).
         """
         blocked_edge, low, high = self._blocked_stretches(pieces)
         # Gaps that remain after the blocked stretches are subtracted.
@@ -266,11 +283,12 @@ class _MillingCheck:
             )
 
     def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
-        """Check the bridges among untouched stretches; return the mask of the stretches that are
-        bridges.
+        """Check the bridges among k untouched stretches; return the mask of the bridges, shape
+        (k,).
 
-        ``edge``, ``begin`` and ``end`` are the edge, start and end (mm) of each stretch.  The width
-        of a bridge is the length of the gap in the centre's path less the disc's diameter.
+        ``edge``, ``begin`` and ``end`` are the index of the edge of each stretch, and the start and
+        the end of the stretch along that edge (mm).  The width of a bridge is the length of the gap
+        in the centre's path less the disc's diameter.
         """
         board = self.context.board
         if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
@@ -300,10 +318,11 @@ class _MillingCheck:
         return is_bridge
 
     def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
-        """Return the stretches of edges beside which the disc would cut another edge or a corner.
+        """Return the stretches of edges that the disc cannot touch without cutting another edge or
+        corner.
 
-        ``pieces`` are the expected paths of the centre.  Returns the edge of each stretch (k,), and
-        its start and end along the edge, (k,) mm each.
+        ``pieces`` are the expected paths of the centre.  Returns three arrays, (k,) each: index of
+        the edge of each stretch, and the start and the end of the stretch along that edge (mm).
         """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
@@ -345,7 +364,9 @@ class _MillingCheck:
     # -- the paths of the centre -----------------------------------------------------------------
 
     def _check_parts(self) -> None:
-        """Check that the disc has not cut into a part; record overcuts."""
+        """Check that the disc has not cut into a part; record how far it has as the overcut of the
+        edge.
+        """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
         widest = float(self.reach.max())
@@ -396,7 +417,10 @@ class _MillingCheck:
         self._record_overcut(at_corner, touched, into)
 
     def _open_cut_mask(self) -> Bool:
-        """Return the mask of the centre's paths that follow an open cut, shape (n,)."""
+        """Return the mask of the centre's n paths that follow an open cut, shape (n,).
+
+        An open cut is a cut that does not separate a part from waste.
+        """
         own = self.edges.curve[~self.bounds.closing]
         overlaps = find_overlaps(
             self.centres.curve, own, np.zeros(len(own)), own[:, 5], self.tolerance
@@ -407,7 +431,10 @@ class _MillingCheck:
         return result
 
     def _check_open_ends(self) -> None:
-        """Check that paths on open cuts stop at the ends of those cuts."""
+        """Check that the centre's paths on open cuts stop at the ends of these cuts.
+
+        An open cut is a cut that does not separate a part from waste.
+        """
         rows = np.flatnonzero(self._open_cut_mask())
         own = self.edges.curve[~self.bounds.closing]
         curve = self.centres.curve[rows]
@@ -446,7 +473,7 @@ class _MillingCheck:
             )
 
     def _check_stray_work(self) -> None:
-        """Check that the cutter does not cut inside a part or far from every edge."""
+        """Add a finding for each path of the cutter inside a part or too far from every edge."""
         centres = self.centres
         first = np.unique(centres.track, return_index=True)[1]
         middle = 0.5 * centres.curve[first, 5]

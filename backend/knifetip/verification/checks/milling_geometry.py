@@ -1,4 +1,4 @@
-"""Distances between the path of a disc and points or edges, in closed form where possible.
+"""Compute distances between the path of a disc and points or edges, in closed form where possible.
 
 If a cutter deflects by different amounts along X and Y, its disc becomes an ellipse.
 """
@@ -14,15 +14,16 @@ from knifetip.verification.curves.intervals import EPSILON
 
 
 def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
-    """Return start and end of the stretch of each curve near a point, (n,) mm each.
+    """Return start and end of the stretch of each of n curves near a point, (n,) mm each.
 
-    The stretch is within ``limit`` mm of the point; start is greater than end if there is none.
-    Only one stretch is returned, although an arc of more than half a turn may have two.
+    The stretch is the part of the curve within ``limit`` of the point.  If there is none, the
+    returned start is greater than the end.  Only one stretch per curve is returned, although an arc
+    of more than half a turn may have two.
 
     Parameters
     ----------
     curve, point : (n, 6), (n, 2) mm
-        Curves, and the point that each is compared with.
+        Curves, and for each curve the point that it is compared with.
     limit : mm
         Greatest distance from the point.
     """
@@ -47,16 +48,19 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
 
 
 def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
-    """Yield positions on curves at which a curve may be nearest to its edge, (n,) mm at a time.
+    """Yield arrays of positions, one on each of n curves, at which the curve may be nearest to its
+    edge.
+
+    Each array is (n,) mm from the start of the curve.
 
     Parameters
     ----------
     curve, edge : (n, 6)
-        Curves, and the edge that each is compared with.
+        Curves, and for each curve the edge that it is compared with.
     along : (n, 2) mm
         Start and end of the stretch of each curve that is searched.
     round_
-        Whether the removed area is a circle; if not, more positions are yielded.
+        True if the disc is a circle.  If it is an ellipse, more positions are yielded.
     """
     low, high = along.T
     yield low
@@ -75,10 +79,10 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 
 
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
-    """Return the position on each curve that is nearest to a point, (n,) mm.
+    """Return the position on each of n curves that is nearest to a point, (n,) mm.
 
-    ``point`` contains one point for each curve.  Distances are measured in units of the disc's
-    half-axes ``reach``, (2,) mm.
+    ``curve`` is (n, 6), and ``point`` contains one point for each curve, (n, 2) mm.  Distances
+    along X and Y are divided by the half-axes ``reach`` of the disc, (2,) mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]
@@ -96,10 +100,16 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
 
 
 def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
-    """Return how far a disc (or ellipse) centred at each point extends past an edge, (n,) mm.
+    """Return how far a disc or ellipse centred at each of n points extends past an edge, (n,) mm.
 
-    The result is negative if the disc does not reach the edge.  ``edge`` contains one edge for each
-    point; ``reach`` are the half-axes of the disc along X and Y, (2,) mm.
+    The result is negative if the disc does not reach the edge.
+
+    Parameters
+    ----------
+    points, edge : (n, 2) mm and (n, 6)
+        Centres of the disc, and the edge that the disc at each centre is compared with.
+    reach : (2,) mm
+        Half-axes of the disc along X and Y.
     """
     to = points - edge[:, 1:3]
     straight = edge[:, 0] == 0.0

@@ -40,9 +40,9 @@ def move_lengths(moves: Moves) -> F64:
 
 
 def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
-    """Return the mask of the moves within the limits of the machine's axes, shape (n,).
+    """Return the mask of the n moves that stay within the limits of the machine's axes, shape (n,).
 
-    Adds a finding for each move that leaves these limits or is outside them.
+    Adds a finding for each move that leaves these limits or continues outside them.
     """
     good = np.ones(len(moves.line), np.bool_)
     # Report the move that leaves the travel, not those that start or stay outside.
@@ -81,10 +81,10 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 
 
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check that moves at constant height have the tool's feed, and other moves its plunge feed.
+    """Check the feed of each move: the tool's feed at constant height, its plunge feed otherwise.
 
     A turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must
-    be the duration of its travel or of its turn, whichever is longer.
+    be the time of its travel at the tool's feed or the time of its turn, whichever is longer.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -127,9 +127,9 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
 
 
 def _resting_tips(moves: Moves, tip: TipPoses, machine: Machine) -> Bool:
-    """Return the mask of the moves in which the tip rests in X and Y, shape (n,).
+    """Return the mask of the n moves during which the tip does not move along X and Y, shape (n,).
 
-    The head of a drag knife moves round its resting tip.
+    The head of a drag knife may move round its resting tip in such a move.
     """
     circles = np.array([expected_tool(station.tool).circles_tip for station in machine.stations])
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
@@ -142,7 +142,7 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
 
 
 def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check the outputs while a tool is in the board.
+    """Check the states of the outputs during each move in which a tool is in the board.
 
     The station of the tool must be lowered and all other stations raised.  The outputs that the
     tool needs must be on, and the spindle must be on if and only if the tool needs it.
@@ -198,9 +198,10 @@ def check_board_moves(
     tolerance: float,
     findings: Findings,
 ) -> None:
-    """Add a finding for each rapid, unknown position, slanted plunge and wide turn in the board.
+    """Check the moves in the board.
 
-    ``tolerance`` is the greatest sideways deviation of a plunge or lift (mm).
+    Adds a finding for each rapid, unknown position, slanted plunge or lift, and too wide turn of C.
+    ``tolerance`` is the greatest sideways deviation of the tip in a plunge or lift (mm).
     """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
@@ -236,7 +237,10 @@ def check_board_moves(
 
 
 def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
-    """Check that a beam is off in rapids, and that the head keeps its height while it is on."""
+    """Check that a laser beam is off in rapids, and that the head keeps its height while it is on.
+
+    ``beam`` is the mask of the n moves whose station carries a laser, (n,).
+    """
     on = beam & tip.inside
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
@@ -261,7 +265,7 @@ def _check_turns(
     Parameters
     ----------
     stay, slanted : (n,)
-        Mask of the feed moves in the board, and mask of the moves among these that change the
+        Mask of the feed moves in the board, and mask of those feed moves that also change the
         height.
     """
     held = [expected_tool(station.tool) for station in machine.stations]

@@ -1,4 +1,4 @@
-"""Check that programs set all outputs before they move, and switch them only at travel height.
+"""Check that programs set all outputs before they move, and switch them only at a safe height.
 
 After a cancelled job a station may be lowered, its tool in the board and the spindle on.  The state
 of every output and of the spindle is therefore unknown until a program line sets it.  Until then
@@ -26,10 +26,10 @@ PRINT_ROUNDING: Final = 5e-5
 
 
 def check_switching(moves: Moves, machine: Machine, board: Board, findings: Findings) -> None:
-    """Check when the program switches outputs and the spindle; add findings.
+    """Check when and at which height the program switches outputs and the spindle; add findings.
 
-    It must set all of them before the first move, switch them at a safe height, and never lower two
-    stations together.
+    The program must set all outputs and the spindle before the first move, switch them at a safe
+    height, and never lower two stations together.
     """
     datum = np.array([station.z for station in machine.stations])
     # While the states are unknown any station may be lowered: clear the board with each.
@@ -41,9 +41,10 @@ def check_switching(moves: Moves, machine: Machine, board: Board, findings: Find
 
 
 def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Findings) -> None:
-    """Check that the program sets each output and the spindle before any move but a lift.
+    """Check that the program sets each output and the spindle before it moves the head.
 
-    ``highest`` is the height at which every station clears the board (mm).
+    Only a straight lift to the height ``highest`` (mm), at which every station clears the board, is
+    permitted before that.
     """
     lift = _is_upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT_ROUNDING)
     things = {
@@ -73,7 +74,7 @@ def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Find
 
 
 def _is_upright(moves: Moves) -> Bool:
-    """Return the mask of the moves that do not change X, Y and C, shape (n,)."""
+    """Return the mask of the n moves that do not change X, Y or C, shape (n,)."""
     start, end = moves.start[:, [0, 1, 3]], moves.end[:, [0, 1, 3]]
     same = (start == end) | (np.isnan(start) & np.isnan(end))
     result: Bool = same.all(axis=1)
@@ -85,14 +86,14 @@ def _check_heights(
 ) -> None:
     """Check the height of the head at each program line that switches an output or the spindle.
 
-    Adds at most one finding for each move.
+    Adds one finding for the first of several lines that switch too low after the same move.
 
     Parameters
     ----------
     highest : mm
-        Height at which every station clears the board.
+        Height of the head at which every station clears the board.
     datum : (stations,) mm
-        Z datum of each station.
+        Offset of each station along Z from the head's reference point.
     """
     switches = moves.switches
     # Before the first move the height is unknown, and no station has moved.

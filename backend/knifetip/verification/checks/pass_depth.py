@@ -1,4 +1,4 @@
-"""Find stretches at which a tool cuts deeper in one pass than it may."""
+"""Find stretches of tip paths at which a tool cuts deeper in one pass than it may."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from knifetip.verification.expectation.edges import angle_between
 def too_deep_spans(
     curve: F64, deep: F64, step: float, near: float, *, one_way: bool = False
 ) -> tuple[I32, F64]:
-    """Return the stretches of tip paths that go more than a step deeper than earlier passes.
+    """Return the stretches of tip paths that are more than a step deeper than all earlier passes.
 
     Parameters
     ----------
     curve : (n, 6)
-        Tip paths in the order of the program.
+        Tip paths in the order of the program, as curves.
     deep : (n,) mm
         Depth of each tip path below the top of the board.
     step : mm
         Greatest permitted depth of one pass.
     near : mm
-        Greatest distance of an earlier pass that counts as a pass over the same line.
+        Greatest distance at which an earlier tip path counts as an earlier pass of the same cut.
     one_way
-        Whether only earlier passes in the same direction count.
+        True if only earlier passes in the same direction count.
 
     Returns
     -------
-    Index of the tip path of each stretch (k,), and the start and end of the stretch along it (k, 2)
-    mm.
+    Index of the tip path of each of k stretches (k,), and the start and end of the stretch along
+    that path (k, 2) mm.
     """
     late = np.flatnonzero(deep > step + DEPTH_TOLERANCE)
     if len(late) == 0:

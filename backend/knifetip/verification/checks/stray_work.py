@@ -1,6 +1,7 @@
 """Find stretches of tip paths that lie on no edge: past an end, beside an edge, or elsewhere.
 
-Each becomes a finding, and an overcut or a deviation of the edge concerned.
+Each stretch gives a finding.  A stretch past an end is also recorded as overcut of the edge, and a
+stretch beside an edge as deviation of the edge.
 """
 
 from __future__ import annotations
@@ -26,14 +27,17 @@ def check_stray_work(
 ) -> None:
     """Add findings for stretches of tip paths on no edge, or outside the limits of their edge.
 
+    The limits of an edge are the points at which the tip may start and must stop.
+
     Parameters
     ----------
     check
-        The check of one station, to which the findings are added.
+        The check of one station, whose tip paths and edges are used and to which the findings are
+        added.
     overlaps
         Overlaps of the tip paths with the edges.
     until : (n,) mm
-        Length of each tip path that is checked; the rest is a planned overrun.
+        Length of each of n tip paths that is checked; the rest is a planned overrun.
     past : mm
         Greatest length of a stretch outside the board that is permitted.
     """
@@ -75,11 +79,12 @@ def _report_stray(
     check
         The check of one station, to which the findings are added.
     which, spans : (k,), (k, 2) mm
-        Tip path of each stretch, and its start and end along that path.
+        Index of the tip path of each of k stretches, and the stretch's start and end along it.
     first, total : (g,), (g,) mm
-        First stretch of each group of consecutive stretches, and the group's length.
+        Index of the first stretch of each of g groups of consecutive stretches, and the total
+        length of the group.
     bad
-        Indices of the groups to report.
+        Indices of the groups that get a finding.
     """
     bad = bad[:MAX_FINDINGS]
     if len(bad) == 0 or check.findings.full:
@@ -130,10 +135,15 @@ def _report_stray(
 
 
 def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F64, Bool]:
-    """Return how much of each overlap of one curve lies in a span (start, end) of that curve.
+    """Return the length of each overlap of one curve that lies in a span of that curve.
 
-    Returns the slice of the curve's overlaps in ``overlaps``, the length of each of them inside the
-    span (mm, negative if outside), and the mask of the overlaps that run along their edge.
+    ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
+
+    Returns
+    -------
+    The slice of ``overlaps`` that contains the k overlaps of the curve; the length of each of them
+    inside the span, (k,) mm, negative if it is outside; and the mask of the overlaps that run along
+    their edge instead of across it, (k,).
     """
     mine = slice(*np.searchsorted(overlaps.curve, [curve, curve + 1]))
     along, place = overlaps.along[mine], overlaps.place[mine]
@@ -143,16 +153,20 @@ def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F
 
 
 def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return an edge that at least half of a span (start, end) of a curve follows, or -1."""
+    """Return the index of an edge that at least half of a span of a curve follows, -1 for none.
+
+    ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
+    """
     mine, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
     return int(overlaps.edge[mine][good[0]]) if len(good) else -1
 
 
 def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]:
-    """Return the nearest edge that runs along a span of a curve, and its distance (mm).
+    """Return the index of the nearest edge along a span of a curve, and its distance (mm).
 
-    Returns -1 and 0 if no edge runs along at least 80 % of the span.
+    Only edges that run along at least 80 % of the span count; without one, return -1 and 0.
+    ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """
     mine, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
@@ -162,7 +176,10 @@ def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]
 
 
 def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return an edge that a curve leaves or reaches at an end of a span (start, end), or -1."""
+    """Return the index of an edge that a curve leaves or reaches at an end of a span, -1 for none.
+
+    ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
+    """
     mine, _, _ = _shared_lengths(overlaps, curve, span)
     along = overlaps.along[mine]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)

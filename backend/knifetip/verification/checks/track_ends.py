@@ -23,9 +23,10 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class _RunStops(NamedTuple):
-    """Points at which k runs leave the board, and which of them are wrong.
+    """Points at which the knife leaves the board after each of k runs, and which of them are wrong.
 
-    A run is a chain of tracks, each of which begins where the previous track ended.
+    A run is a chain of tracks, each of which begins where the previous track ended.  A track is a
+    chain of tip paths between two lifts.
     """
 
     wrong: I64  #: indices of the runs to report
@@ -47,26 +48,30 @@ def check_track_ends(
     lead: float,
     overrun: float,
 ) -> F64:
-    """Check where the knife enters and leaves the board; return the overrun of each track (mm).
+    """Check where the knife enters and leaves the board; return the overrun of each of t tracks,
+    (t,) mm.
 
-    A track that begins where the previous track ended, as at a corner turned above the board,
-    continues its run.  An open run must begin at an end of an edge and stop at a planned stop.  A
-    closed run must stop on its own path, ``overrun`` mm after its start.
+    A track is a chain of tip paths between two lifts.  A run is a chain of tracks, each of which
+    begins where the previous track ended, for example at a corner at which the lifted knife turns.
+    An open run must begin at an end of an edge and stop at a planned stop.  A closed run must stop
+    on its own path, ``overrun`` after its start.
 
     Parameters
     ----------
     check
         The check of the knife's station, to which findings and figures are added.
     whole
-        Cuts and half-cuts, without perforations.
+        Edges that are cuts or half-cuts, without perforations.
     solid
-        Index of each edge of ``whole`` in the edges of the check.
+        Index of each edge of ``whole`` among all edges of the check.
     ends
-        Planned stops at the ends of ``whole``.
-    dashed
-        Mask of the tracks that are dashes of perforations or cuts between bridges.
-    lead, overrun : mm
-        Lead of the blade, and planned overrun past an end that meets a cut.
+        Planned stops of the knife at the ends of the edges ``whole``.
+    dashed : (t,)
+        Mask of the tracks that are cuts of perforations or cuts between bridges.
+    lead : mm
+        Length by which the blade cuts the top face ahead of its tip.
+    overrun : mm
+        Planned overrun of the tip past an end that meets a cut.
     """
     count = len(dashed)
     over = np.zeros(count)
@@ -141,10 +146,11 @@ def check_track_ends(
 
 
 def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: _RunStops) -> None:
-    """Add a finding for each of the runs ``runs.wrong``.
+    """Add a finding for each run of the knife that stops neither at a planned stop nor at its own
+    start.
 
-    Such a run stops neither at a planned stop of ``ends`` nor at its own start.  ``solid`` is the
-    index of each edge of ``ends`` in the edges of the check.
+    The indices of these runs are ``runs.wrong``; ``ends`` contains the planned stops at the ends of
+    edges.  ``solid`` is the index of each of these edges among all edges of the check.
     """
     for k in runs.wrong[:MAX_FINDINGS]:
         work = int(runs.work[k])
@@ -178,10 +184,11 @@ def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: 
 
 
 def overrun_starts(check: StationCheck, over: F64) -> F64:
-    """Return the position along each tip path at which the overrun of its track begins, (n,) mm.
+    """Return the position along each of n tip paths at which the overrun of its track begins, (n,)
+    mm.
 
-    ``over`` is the overrun of each track (mm).  For a path outside the overrun, the position is the
-    path's end.
+    ``over`` is the length of the overrun at the end of each track (mm); a track is a chain of tip
+    paths between two lifts.  For a tip path before the overrun, the position is the path's end.
     """
     until = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
@@ -197,10 +204,10 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
 
 
 def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64) -> F64:
-    """Return one point of each run, at the given distance from the start of the run, (k, 2) mm.
+    """Return one point of each of k runs of the knife, (k, 2) mm.
 
-    ``first`` and ``last`` are the first and last tip path of each run, (k,); ``distance`` is (k,)
-    mm.
+    ``first`` and ``last`` are the indices of the first and last tip path of each run, (k,), and
+    ``distance`` is the distance of the point from the start of the run along the run, (k,) mm.
     """
     at, left = first.copy(), distance
     while True:
@@ -215,16 +222,24 @@ def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64
 def _record_setback(
     check: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
 ) -> None:
-    """Shorten edges by the blade's lead at free ends, and record that length as setback.
+    """Set the limits of edges back by the blade's lead at free ends, and record that length as
+    setback.
+
+    A free end lies inside a panel; the tip stops before it, so that the cut in the top face ends
+    there.
 
     Parameters
     ----------
-    check, whole, solid, ends
-        As for ``check_track_ends``.
+    check
+        The check of the knife's station, whose limits and figures are changed.
+    whole, solid
+        Edges that are cuts or half-cuts, and the index of each among all edges of the check.
+    ends
+        Planned stops of the knife at the ends of the edges ``whole``.
     which
-        Indices of the free ends.
+        Indices of the free ends: 2i is the start and 2i + 1 the end of edge i of ``whole``.
     lead : mm
-        Lead of the blade.
+        Length by which the blade cuts the top face ahead of its tip.
     """
     paths = ends.paths
     path = paths.path[which // 2]

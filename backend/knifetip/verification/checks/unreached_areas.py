@@ -1,4 +1,4 @@
-"""Find the areas of waste that a cutter's disc cannot reach.
+"""Find the areas of waste beside cuts that a cutter's disc cannot reach.
 
 Each area is bounded by a loop of lines and arcs.  The loop follows a stretch of an edge that the
 disc has not touched, with the waste on its left.  At the end of that stretch the disc touches the
@@ -32,16 +32,18 @@ _RIM_TOLERANCE: Final = 0.1
 
 
 def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach: F64) -> Unreached:
-    """Return the areas between untouched stretches and the disc, in sheet coordinates.
+    """Return the areas of waste between untouched stretches of cuts and the disc, in sheet
+    coordinates.
 
     Parameters
     ----------
     bounds
-        Outlines of the cuts.
+        Outlines that the cuts form.
     edge, begin, end : (k,)
-        Cut, start and end (mm) of each stretch that the disc does not touch.
+        Index of the cut of each of k stretches that the disc does not touch, and the start and end
+        of the stretch along the cut (mm).
     reach : (2,) mm
-        Half-axes of the removed disc along X and Y.
+        Half-axes along X and Y of the disc that the cutter removes.
     """
     edges = bounds.edges
     long = bounds.closing[edge] & (end - begin > JOIN_DISTANCE)
@@ -84,17 +86,19 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
 
 
 def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: F64) -> I64:
-    """Return, for each chain of stretches, the chain that starts on the disc at its end, (t,), or
-    -1.
+    """Return, for each of t chains of untouched stretches, the index of the chain that follows it.
+
+    The disc that touches the end of a chain also touches the start of the following chain.  The
+    result is (t,), -1 for a chain that no chain follows.
 
     Parameters
     ----------
     stop, ahead : (t, 2)
-        End of each chain (mm), and its unit direction there.
+        End of each chain (mm), and the unit direction of the chain there.
     inward : (t, 2) mm
         Vector from the end of the chain to the centre of the disc that touches the edge there.
     start : (h, 2) mm
-        Starts of the chains that may follow.
+        Starts of the h chains that may follow; the result contains indices of these.
     reach : (2,) mm
         Half-axes of the disc along X and Y.
     """
@@ -123,10 +127,10 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
 
 @kernel
 def _trace_loops(onward: I64_1) -> Any:
-    """Return the pieces of all closed loops, loop by loop, and the index of each loop's first
-    piece.
+    """Return the indices of the lines and arcs of all closed loops, loop by loop.
 
-    ``onward`` is the piece that follows each piece, -1 for none.
+    Also returns where each loop begins in that array, followed by the array's length.  ``onward``
+    is the index of the line or arc that follows each of n lines and arcs, (n,), -1 for none.
     """
     count = len(onward)
     order = np.empty(count, np.int64)
@@ -153,14 +157,14 @@ def _trace_loops(onward: I64_1) -> Any:
 
 
 def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
-    """Return the loops that enclose more than ``MIN_AREA``, with their areas.
+    """Return the loops that enclose more than ``MIN_AREA``, and the area that each encloses (mm²).
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Lines and arcs of all loops, loop by loop.
+        Start and end points of the lines and arcs of all loops, loop by loop, and their bulges.
     first : (l + 1,)
-        Index of the first line or arc of each loop.
+        Index of the first line or arc of each of l loops, followed by n.
     """
     if len(first) < 2:
         return Unreached()
@@ -180,9 +184,11 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
-    """Return the areas of several cutters as one set, in drawing coordinates.
+    """Return one list of all areas of waste that the cutters of a machine cannot reach.
 
-    ``parts`` are in sheet coordinates; ``placement`` is the offset (x, y) from drawing to sheet.
+    The areas in ``parts``, one record for each cutter, are in sheet coordinates.  The returned
+    areas are in drawing coordinates: the offset ``placement`` (x, y) mm from drawing to sheet is
+    subtracted.  The areas are listed one after the other; areas that overlap are not united.
     """
     if not parts:
         return Unreached()

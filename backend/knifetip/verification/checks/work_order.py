@@ -1,4 +1,4 @@
-"""Check that no tool works on a piece of board that earlier cuts have released.
+"""Check that no tool cuts or creases a piece of board that earlier cuts have released.
 
 ``cut_faces`` divides the sheet into faces.  A piece of a cut is complete at the program line that
 finishes it; until then the two faces beside it are connected.  A face is released from the sheet at
@@ -57,7 +57,7 @@ _PROBES: Final = (0.1, 0.5, 0.9)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _WorkedSpans:
-    """k stretches of cuts that tip paths have cut, sorted by edge and program line."""
+    """k stretches of cuts that the tools have cut, sorted by edge and by program line."""
 
     edge: I64  #: (k,)
     low: F64  #: (k,) mm along the edge
@@ -69,8 +69,10 @@ class _WorkedSpans:
 
 
 def check_work_order(context: CheckContext, work: TipPaths) -> None:
-    """Check that every tip path inside a contour comes before the program line that completes the
+    """Check that tip paths inside a contour come before the program line that completes the
     contour.
+
+    ``work`` are all tip paths of the program; findings are added to ``context``.
     """
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
@@ -91,12 +93,20 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
 def _check_cuts(
     context: CheckContext, cuts: Edges, faces: CutFaces, worked: _WorkedSpans, free: F64
 ) -> None:
-    """Check that no cut is made on loose board.
+    """Add a finding for each cut that is made on loose board.
 
     A stretch of a long cut may lie partly in held and partly in loose board.  It counts as held
-    until the last of its pieces is released.  Pieces shorter than ``GAP_LENGTH`` are ignored if the
-    stretch also lies on a longer one.  ``worked`` are the stretches that are cut; ``free`` is the
-    program line that releases each face of ``faces``.
+    until the last of the cut's pieces under it is released.  Pieces shorter than ``GAP_LENGTH`` are
+    ignored if the stretch also lies on a longer one.
+
+    Parameters
+    ----------
+    cuts, faces
+        All cuts, and the faces into which they divide the sheet.
+    worked
+        Stretches of cuts that the tools have cut.
+    free
+        Program line that releases each face from the sheet, one per face.
     """
     pieces = np.flatnonzero(faces.edge >= 0)
     first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
@@ -126,10 +136,18 @@ def _check_other_edges(
     worked: _WorkedSpans,
     free: F64,
 ) -> None:
-    """Check that no crease, groove, half-cut or perforation is made on loose board.
+    """Add a finding for each crease, groove, half-cut or perforation that is made on loose board.
 
-    ``worked`` are the stretches of cuts, which are skipped here; ``free`` is the program line that
-    releases each face of ``faces``.
+    Parameters
+    ----------
+    cuts, faces
+        All cuts, and the faces into which they divide the sheet.
+    work
+        All tip paths.
+    worked
+        Stretches of cuts that the tools have cut; their tip paths are skipped here.
+    free
+        Program line that releases each face from the sheet, one per face.
     """
     some = work.line > free.min()
     some[worked.path] = False
@@ -178,9 +196,9 @@ def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed
 
 
 def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
-    """Return the stretches of cuts that the tip paths cut.
+    """Return the stretches of the edges ``cuts`` that the tools have cut.
 
-    The tip path of a knife lies on the cut, and the centre path of a cutter beside it.
+    The path of a knife's tip lies on the cut; the path of a cutter's centre lies beside the cut.
     """
     size = cuts.curve[:, 5]
     knife = np.flatnonzero(work.operation == OperationKind.CUT)
@@ -230,19 +248,21 @@ def _completing_lines(
     owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
     line: I64_1, count: int, reach: float,
 ) -> Any:  # fmt: skip
-    """Return the program line that completes each of p pieces, (p,).
+    """Return the program line that completes each of p pieces of cuts and links, (p,).
 
     The line is -1 for a link, and infinite for a piece that is cut incompletely.  A piece that is
-    not cut at all gets 0 if there is a cutter, else infinity.  The rest that a cutter cannot reach,
-    beside an inner corner or on a short piece, does not hold the part.
+    not cut at all gets 0 if there is a cutter, else infinity.  A short length that the disc of a
+    cutter cannot reach, beside an inner corner or on a short piece, does not hold the part.
 
     Parameters
     ----------
     owner, begin, end : (p,)
-        Cut of each piece (-1 for a link), and the piece's start and end along the cut (mm).
-    edge, low, high, line : (k,)
-        Cut, start and end (mm) of each worked stretch, and its program line, -1 if it is not cut
-        through the board.
+        Index of the cut of each piece (-1 for a link), and the piece's start and end on it (mm).
+    edge, low, high : (k,)
+        Index of the cut of each of k stretches that tools have cut, sorted, and the stretch's start
+        and end on it (mm).
+    line : (k,)
+        Program line of each stretch, -1 if the stretch is not cut through the board.
     count
         Number of cuts.
     reach : mm
@@ -278,10 +298,10 @@ def _completing_lines(
 
 @kernel
 def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
-    """Return the mask of the stretches of which at least half was not cut before, shape (k,).
+    """Return the mask of k stretches of cuts of which at least half was not cut before, shape (k,).
 
-    ``edge``, ``low`` and ``high`` are the edge, start and end (mm) of each stretch, sorted by edge
-    and then by program line.
+    ``edge``, ``low`` and ``high`` are the index of the cut of each stretch, and the stretch's start
+    and end on it (mm), sorted by cut and then by program line.
     """
     fresh = np.zeros(len(edge), np.bool_)
     begin = 0
@@ -302,7 +322,8 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 def _held_until(
     edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
 ) -> Any:
-    """Return the program line at which the board under each stretch of a cut becomes loose, (k,).
+    """Return the program line at which the board under each of k stretches of cuts is released,
+    (k,).
 
     A stretch lies on one or more pieces of its cut, and the piece that is released last determines
     the line.  Pieces shorter than ``GAP_LENGTH`` count only if the stretch lies on no longer piece.
@@ -310,11 +331,11 @@ def _held_until(
     Parameters
     ----------
     edge, low, high : (k,)
-        Cut, start and end (mm) of each stretch.
+        Index of the cut of each stretch, and the stretch's start and end on it (mm).
     first
-        Index of the first piece of each cut.
+        Index of the first piece of each cut, followed by the number of pieces.
     begin, end, held : (p,)
-        Start and end of each piece along its cut (mm), and the program line that releases it.
+        Start and end of each of p pieces on its cut (mm), and the program line that releases it.
     """
     until = np.full(len(edge), -1.0)
     for k in range(len(edge)):
@@ -335,18 +356,18 @@ def _held_until(
 
 @kernel
 def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> Any:
-    """Return the program line that releases each face from the sheet, (count,).
+    """Return the program line that releases each of ``count`` faces from the sheet, (count,).
 
-    The line is infinite for a face that remains connected to the outside, face 0.
+    The line is infinite for a face that remains connected to face 0, the outside.
 
     Parameters
     ----------
     order : (p,)
-        Pieces of cuts in descending order of ``complete``.
+        Indices of p pieces of cuts and links, in descending order of ``complete``.
     complete : (p,)
         Program line that completes each piece.
     face : (p, 2)
-        Faces on the two sides of each piece.
+        Indices of the two faces beside each piece.
     count
         Number of faces.
     """
