@@ -1,1 +1,1 @@
-"""Geometry of lines and arcs, in arrays with one row per segment."""
+"""Geometry of lines and arcs, stored in arrays with one row per line or arc."""

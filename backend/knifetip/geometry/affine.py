@@ -1,6 +1,6 @@
 """affine: affine transforms as matrices of six numbers.
 
-(a, b, c, d, e, f):  x' = a x + c y + e,  y' = b x + d y + f
+The matrix (a, b, c, d, e, f) maps the point (x, y) to (a x + c y + e, b x + d y + f).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ IDENTITY: Final[Matrix] = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
 
 def compose(outer: Matrix, inner: Matrix) -> Matrix:
-    """Return the matrix that applies ``inner`` first, then ``outer``."""
+    """Return the matrix of the transform that applies ``inner`` first, then ``outer``."""
     a, b, c, d, e, f = outer
     g, h, i, j, k, m = inner
     return (

@@ -1,8 +1,8 @@
-"""arc: lengths, tangents, points and boxes of segments, which are lines or arcs.
+"""arc: lengths, tangents, points and bounding boxes of segments, which are lines or arcs.
 
-An arc is stored as its chord and a bulge = tan(sweep / 4), positive to the left, 0 for a line.  The
-functions take columns of n segments, lines and arcs mixed: ``start`` and ``end`` (n, 2) mm and
-``bulge`` (n,).
+An arc is stored as its two ends and its bulge, which is tan(sweep / 4), positive to the left, 0 for
+a line.  The functions take columns of n segments, lines and arcs mixed: ``start`` and ``end`` (n,
+2) mm and ``bulge`` (n,).
 """
 
 from __future__ import annotations
@@ -44,7 +44,10 @@ def radius(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def length(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the length of each line or arc, (n,) mm; the squares of coordinates must be finite."""
+    """Return the length of each line or arc, (n,) mm.
+
+    The squares of the coordinates must be finite.
+    """
     # Computed by column, since operations on rows of two numbers are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
     return length_from_chord(np.sqrt(x * x + y * y), bulge)
@@ -68,9 +71,9 @@ def _rotate(vectors: F64, angle: F64) -> F64:
 
 
 def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
-    """Return the tangents at the start and at the end of each segment, (n, 2) each.
+    """Return the tangents at the start and the tangents at the end of n segments, (n, 2) each.
 
-    They point in the direction of travel; each has the length of the chord.
+    A tangent points in the direction of travel and has the length of the segment's chord.
     """
     half = sweep(bulge) / 2.0
     chord = end - start
@@ -78,7 +81,11 @@ def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
 
 
 def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the point of each segment at a fraction (n,) of its length, (n, 2) mm."""
+    """Return one point of each segment, (n, 2) mm.
+
+    ``fraction`` (n,) is the distance of the point from the start along the segment, as a fraction
+    of the segment's length, 0 … 1.
+    """
     theta = sweep(bulge)
     # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
     half = theta / 2.0
@@ -88,15 +95,17 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the tangent of each segment at a fraction (n,) of its length, (n, 2).
+    """Return the tangent at one point of each segment, (n, 2).
 
-    Each tangent has the length of the segment's chord.
+    Each tangent points in the direction of travel and has the length of the segment's chord.
+    ``fraction`` (n,) is the distance of the point from the start along the segment, as a fraction
+    of the segment's length, 0 … 1.
     """
     return _rotate(end - start, sweep(bulge) * (fraction - 0.5))
 
 
 def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
-    """Return the fraction of each segment's length that is nearest to a point, (n,), in 0 … 1.
+    """Return where each segment is nearest to a point, as a fraction of its length, (n,), 0 … 1.
 
     ``point`` has one point for each segment, (n, 2) mm.
     """
@@ -128,10 +137,10 @@ def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
 
 
 def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64, F64]:
-    """Return the parts of segments between two fractions of their lengths.
+    """Return the part of each segment between two fractions of its length.
 
-    The parts go from fraction ``first`` (n,) to fraction ``last`` (n,).  The result is the start
-    (n, 2), end (n, 2) and bulge (n,) of the parts.
+    The part goes from the fraction ``first`` (n,) to the fraction ``last`` (n,), both 0 … 1.  The
+    result is the start (n, 2), end (n, 2) and bulge (n,) of the parts.
     """
     return (
         point_at(start, end, bulge, first),

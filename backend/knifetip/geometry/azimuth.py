@@ -1,9 +1,9 @@
-"""azimuth: directions of vectors as unit vectors and as angles.
+"""azimuth: directions of vectors as unit vectors and as azimuths.
 
-An azimuth is in degrees, counter-clockwise from +x.
+An azimuth is an angle in degrees, counter-clockwise from +x.
 
-Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", 4.1:
-five cases of arctan, which are equal to one arctan2.
+Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", 4.1.  The
+source distinguishes five cases of arctan, which one call of arctan2 combines.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def unit_vectors(vectors: F64) -> F64:
 
 
 def azimuth(vectors: F64) -> F64:
-    """Return the azimuth of each vector, (n,), in [0, 360) degrees, for vectors (n, 2)."""
+    """Return the azimuths of n vectors, (n, 2), in degrees, (n,), at least 0 and below 360."""
     degrees = np.degrees(np.arctan2(vectors[..., 1], vectors[..., 0])) % 360.0
     # Just below the x axis the remainder may round up to 360.0.
     folded: F64 = np.where(degrees >= 360.0, 0.0, degrees)
@@ -50,16 +50,19 @@ def left_normal(vectors: F64) -> F64:
 
 
 def turn_angle(before: F64, after: F64) -> F64:
-    """Return the turn from one azimuth to another, (n,) in (-180, 180] degrees, > 0 to the left."""
+    """Return the turn from each azimuth ``before`` to the azimuth ``after``, (n,) degrees.
+
+    The turn is positive to the left, greater than -180 and at most 180.
+    """
     folded: F64 = 180.0 - (180.0 - (after - before)) % 360.0
     return folded
 
 
 def tan_half_angle(before: F64, after: F64) -> F64:
-    """Return tan of half the angle from one vector to another, (n,), for vectors (n, 2).
+    """Return tan of half the angle from each vector ``before`` to the vector ``after``, (n,).
 
-    It is the bulge of an arc if the vectors are the tangent at its start and its chord, or its
-    chord and the tangent at its end.
+    The vectors have the shape (n, 2).  The result is the bulge of an arc if the vectors are the
+    tangent at the arc's start and its chord, or its chord and the tangent at its end.
     """
     cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     dot = (before * after).sum(axis=1)

@@ -1,4 +1,4 @@
-"""capacity: enlarge arrays to which kernels append rows.
+"""capacity: kernels that enlarge arrays to which other kernels append rows.
 
 There is one kernel for each array type, since a kernel has one signature.
 """

@@ -1,8 +1,8 @@
 """chain: connect edges into paths.
 
 Edges whose ends meet are connected.  If three or more ends meet at a point, two of them are
-connected only if one continues the other straight and neither has a second such partner: ends that
-are left open do less harm than ends that are connected wrongly.
+connected only if one edge continues the other straight, and no third edge continues either of them
+straight: ends that are left open do less harm than ends that are connected wrongly.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ class Chains:
 
         Parameters
         ----------
-        ends : (m, 2, 2) mm
+        ends : (n, 2, 2) mm
             Start and end points of the edges from which the chains were made.
-        bulge : (m,)
+        bulge : (n,)
             Bulges of these edges.
         """
         ordered = ends[self.order]
@@ -53,6 +53,7 @@ def outward_directions(ends: F64, bulge: F64) -> F64:
     ends : (n, 2, 2) mm
         Start and end points of the edges.
     bulge : (n,)
+        Bulges of the edges.
 
     Raises
     ------
@@ -80,19 +81,20 @@ def number_vertices(points: F64, gap: float = JOIN) -> I32:
 def chain(
     ends: F64, bulge: F64, max_turn: float = 180.0, gap: float = JOIN, group: I64 | None = None
 ) -> Chains:
-    """Connect edges whose ends meet into paths.
+    """Return the paths that n edges form if edges whose ends meet are connected.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points and bulges of the edges.
     max_turn : degrees
-        Edges that meet in a sharper corner are not connected: 180 connects all, ``ANGLE`` only
-        smooth joints.
+        Edges that meet at a sharper corner are not connected.  With 180 all edges that meet are
+        connected, with ``ANGLE`` only edges that meet without a corner.
     gap : mm
-        Ends nearer than this are connected.
+        Ends nearer to each other than this meet.
     group : (n,)
-        Edges of different groups are not connected; None for one group.
+        Number of the group of each edge; edges of different groups are not connected.  None if all
+        edges are in one group.
 
     Returns
     -------
@@ -138,7 +140,7 @@ def continues_straight(
     angle : degrees
         Largest turn that counts as straight.
     gap : mm
-        Largest distance of ends that are the same point.
+        Largest distance of two ends that count as one point.
     """
     if len(points) == 0:
         return np.zeros(0, np.bool_)
@@ -161,6 +163,7 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
     Parameters
     ----------
     points : (n, 2) mm
+        The points.
     cell : (n, 2)
         Column and row of the grid cell of each point; cells are ``gap`` mm wide.
     order : (n,)
@@ -247,9 +250,18 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
 
 @kernel
 def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
-    """Return the mask of ends from whose vertex another edge continues straight.
+    """Return the mask of edge ends from whose vertex another edge continues straight, (2n,).
 
-    The arguments are as for ``_link_ends``.
+    Parameters
+    ----------
+    out : (2n, 2)
+        Unit directions from the ends into the edges; end 2i is the start of edge i.
+    by_node : (2n,)
+        The ends, sorted by vertex.
+    bounds : (v + 1,)
+        Position in ``by_node`` of the first end of each vertex; the last entry is 2n.
+    straight
+        Least cosine of a turn that counts as straight.
     """
     found = np.zeros(len(out), np.bool_)
     for node in range(len(bounds) - 1):
@@ -264,7 +276,7 @@ def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: flo
 
 @kernel
 def follow_links(link: I64_1) -> Any:
-    """Return runs of edges that are linked end to end.
+    """Return series of edges that are linked end to end.
 
     Parameters
     ----------
@@ -274,13 +286,13 @@ def follow_links(link: I64_1) -> Any:
     Returns
     -------
     order : (k,)
-        The edges, run after run; runs are in the order of their first edges.
+        The edges, series after series; the series are in the order of their first edges.
     flipped : (k,)
         Whether each edge in ``order`` is traversed backwards.
     first : (r + 1,)
-        Position in ``order`` at which each of the r runs starts; the last entry is k.
+        Position in ``order`` at which each of the r series starts; the last entry is k.
     closed : (r,)
-        Whether each run is closed.
+        Whether the last edge of each series is linked to its first edge.
     """
     count = len(link) // 2
     order = np.empty(count, np.int32)

@@ -21,7 +21,8 @@ Bool: TypeAlias = NDArray[np.bool_]
 def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
     """Return values as a contiguous read-only array of the given type and shape.
 
-    -1 in ``shape`` matches any length.  An empty input gets the shape with 0 for -1.
+    The arguments after ``dtype`` are the shape; -1 matches any length.  An empty input gets the
+    length 0 for -1.
 
     Raises
     ------

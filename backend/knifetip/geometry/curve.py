@@ -97,8 +97,8 @@ def fit_many(
     Parameters
     ----------
     point, tangent
-        Functions from the numbers of curves (m,), 0 … ``count`` - 1, and parameters on them (m,),
-        0 … 1, to points (m, 2) and to derivatives (m, 2) of any length.
+        Functions from the numbers of curves (m,), 0 … ``count`` - 1, and parameters on them (m,), 0
+        … 1, to points (m, 2) and to derivatives (m, 2) of any length.
     count
         Number of curves.
     tolerance : float, mm
@@ -107,9 +107,12 @@ def fit_many(
     Returns
     -------
     start, end : (n, 2) float64, mm
+        Ends of the lines and arcs.
     bulge : (n,) float64, |bulge| ≤ 0.5
+        Bulge of each line or arc.
     which : (n,) int64
-        The curve that each segment belongs to, never decreasing.  A curve without length has none.
+        Number of the curve that each line or arc belongs to, never decreasing.  A curve without
+        length has no line or arc.
 
     Raises
     ------
@@ -131,8 +134,8 @@ def _fit_block(
 ) -> tuple[F64, F64, F64, I64]:
     """Return the segments of the curves ``low`` … ``low + count - 1``, as ``fit_many`` does.
 
-    The curves are joined into one curve and fitted together; the i-th of them has the parameters
-    2i to 2i + 1.
+    These curves are joined into one curve and fitted together.  The parameters 2i to 2i + 1 of the
+    joined curve belong to the curve ``low + i``.
     """
 
     def curve_and_parameter(t: F64) -> tuple[I64, F64]:
@@ -221,8 +224,8 @@ def _merge_collinear(
 ) -> tuple[F64, F64, F64, I64]:
     """Return the segments longer than ``min_length`` mm, with collinear neighbours merged.
 
-    Arguments and results are start (n, 2), end (n, 2), bulge (n,) and the curve ``which`` (n,) of
-    each segment; segments of different curves are not merged.
+    Arguments and results are the start (n, 2), the end (n, 2), the bulge (n,) and the number of the
+    curve, ``which`` (n,), of each segment.  Segments of different curves are not merged.
     """
     # A piece that is a single arc or line has its joint at its end, so its second segment is empty.
     length = np.hypot(*(end - start).T)
@@ -292,7 +295,7 @@ def _biarcs(
     """Return the biarc of each piece of a curve, and whether it is good.
 
     A biarc is good if it is within the tolerance (mm) and its arcs are not too long.  ``first`` and
-    ``last`` (m,) are the parameters of the pieces.
+    ``last`` (m,) are the parameters at which the pieces start and end.
 
     Returns
     -------
@@ -301,6 +304,7 @@ def _biarcs(
     bulge : (m, 2)
         Bulges of the two arcs.
     good : (m,)
+        Whether each biarc is good.
     """
     a, b = point(first), point(last)
     # A piece that ends in a corner has its own direction just before its end.
@@ -344,9 +348,9 @@ def _normalise(vectors: F64) -> F64:
 
 
 def _distances(start: F64, end: F64, bulge: F64, points: F64) -> F64:
-    """Return the distance of each point from its segment, (m, k) mm.
+    """Return the distance of k points from each of m segments, (m, k) mm.
 
-    There are m segments and k ``points`` for each of them, (m, k, 2) mm.
+    ``points`` (m, k, 2) mm has k points for each segment.
     """
     chord = end - start
     length = np.hypot(chord[:, 0], chord[:, 1])

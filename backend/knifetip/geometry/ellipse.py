@@ -14,9 +14,9 @@ from knifetip.geometry.tolerance import CURVE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Ellipse:
-    """Elliptic arc: c + u cos t + v sin t for t from ``first`` to ``last``.
+    """Elliptic arc: the points c + u cos t + v sin t for t from ``first`` to ``last``.
 
-    c is the centre; u and v need not be perpendicular.
+    The point c is the centre; the vectors u and v need not be perpendicular.
     """
 
     centre: F64  #: (2,) centre c (mm)
@@ -36,11 +36,11 @@ class Ellipse:
         return result
 
     def to_segments(self, tolerance: float = CURVE) -> Segments:
-        """Return lines and arcs within a tolerance (mm) of the ellipse: start, end and bulge.
+        """Return lines and arcs within a tolerance (mm) of the ellipse: starts, ends and bulges.
 
-        Circles give exact arcs; otherwise each quarter between the ends of the axes is fitted.  If
-        u and v are parallel, the result consists of lines, which a full ellipse passes forth and
-        back.
+        A circle becomes exact arcs.  Otherwise each quarter between the ends of the axes is
+        approximated.  If u and v are parallel, the result consists of lines, which a full ellipse
+        passes forth and back.
 
         Raises
         ------

@@ -43,7 +43,7 @@ def intersect_pairs(
     other_bulge: F64,
     touch: float = TOUCH,
 ) -> Crossings:
-    """Return the common points of each of n pairs of segments.
+    """Return the common points of each of n pairs of segments, which are lines or arcs.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def intersect_pairs(
     other_start, other_end, other_bulge : (n, 2), (n, 2) mm and (n,)
         Second segment of each pair.
     touch : mm
-        Distance within which segments touch.
+        Largest distance at which two segments count as touching.
     """
     one = np.column_stack([start, end, bulge]).astype(np.float64, copy=False)
     two = np.column_stack([other_start, other_end, other_bulge]).astype(np.float64, copy=False)
@@ -66,9 +66,11 @@ def intersect_pairs(
 def _intersect_pairs(
     one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3
 ) -> None:
-    """Write the common points of each pair of segments to ``found``, their number to ``count``.
+    """Write the common points of n pairs of segments to ``found``, and their numbers to ``count``.
 
-    Pair i consists of the segments in row i of ``one`` and in row i of ``two``.
+    Pair i consists of the segments in row i of ``one`` and in row i of ``two``, which are (x0, y0,
+    x1, y1, bulge).  ``found[i]`` has one row per common point of pair i, and ``count[i]`` is their
+    number.  ``touch`` is the largest distance (mm) at which two segments count as touching.
     """
     for i in range(len(one)):
         count[i] = intersect_rows(one, i, two, i, touch, found[i])
@@ -76,7 +78,10 @@ def _intersect_pairs(
 
 @kernel(allocates=False)
 def circle_of_arc(rows: F64_2, i: int) -> tuple[float, float, float]:
-    """Return the centre x, y and the radius of the arc in row i of (x0, y0, x1, y1, bulge), mm."""
+    """Return the centre x, the centre y and the radius of an arc (mm).
+
+    The arc is row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge.
+    """
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]
     b = rows[i, 4]
@@ -90,9 +95,10 @@ def circle_of_arc(rows: F64_2, i: int) -> tuple[float, float, float]:
 
 @kernel(allocates=False)
 def write_box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
-    """Write a box around the segment in row i to boxes[at]: x min, y min, x max, y max.
+    """Write a box around a segment to row ``at`` of ``boxes``: x min, y min, x max, y max.
 
-    The box of an arc may be larger than necessary.
+    The segment is row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge.  The box of an arc may be
+    larger than necessary.
     """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -125,10 +131,11 @@ def write_box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
 
 @kernel(allocates=False)
 def parameter_of_point(rows: F64_2, i: int, x: float, y: float, touch: float) -> float:
-    """Return the parameter of a point on the segment in row i, 0 … 1; -1 if it is beyond the ends.
+    """Return the parameter of a point on a segment, 0 … 1, or -1 if the point is beyond the ends.
 
-    The point (x, y) is on the line or circle of the segment.  ``touch`` is the distance beyond an
-    end, in mm, up to which the point still counts as the end.
+    The segment is row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge.  The point (x, y) must be on
+    the line or circle of the segment.  ``touch`` is the distance beyond an end, in mm, up to which
+    the point still counts as the end.
     """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
@@ -166,7 +173,10 @@ def parameter_of_point(rows: F64_2, i: int, x: float, y: float, touch: float) ->
 
 @kernel(allocates=False)
 def point_at_parameter(rows: F64_2, i: int, fraction: float) -> tuple[float, float]:
-    """Return the point of the segment in row i at a parameter 0 … 1, a fraction of the length."""
+    """Return x and y of the point of a segment at a parameter, a fraction of its length, 0 … 1.
+
+    The segment is row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge.
+    """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -198,8 +208,8 @@ def _add_point(
 ) -> int:
     """Add the point (x, y) to ``found`` if it is on both segments and not in ``found`` yet.
 
-    The segments are row i of ``one`` and row j of ``two``.  ``count`` is the number of points in
-    ``found``; returns the new number.
+    The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
+    of equal points.  ``count`` is the number of points in ``found``; returns the new number.
     """
     for k in range(count):
         if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
@@ -221,7 +231,8 @@ def _add_point(
 def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
     """Write each end of two segments that is on the other segment to ``found``; return the number.
 
-    The segments are row i of ``one`` and row j of ``two``; ``touch`` is the largest distance (mm).
+    The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
+    of an end from the other segment at which the end still counts as on it.
     """
     count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
     count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
@@ -231,10 +242,11 @@ def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found
 
 @kernel(allocates=False)
 def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of two segments to ``found`` and return their number.
+    """Write the common points of two segments to ``found`` and return the number of the points.
 
     The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row
-    of ``found`` is x, y, and the parameters on the first and on the second segment.
+    of ``found`` is x, y, and the parameters on the first and on the second segment.  ``touch`` is
+    the largest distance (mm) at which two segments count as touching.
     """
     flat = abs(one[i, 4]) < BULGE
     other_flat = abs(two[j, 4]) < BULGE
@@ -266,9 +278,10 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: 
 
 @kernel(allocates=False)
 def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of two lines to ``found`` and return their number.
+    """Write the common points of two lines to ``found`` and return the number of the points.
 
     The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
+    ``touch`` is the largest distance (mm) at which two lines count as touching.
     """
     ax = one[i, 2] - one[i, 0]
     ay = one[i, 3] - one[i, 1]
@@ -313,10 +326,11 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found
 def _intersect_line_arc(
     one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, found: OutF64_2
 ) -> int:
-    """Write the common points of a line and an arc to ``found`` and return their number.
+    """Write the common points of a line and an arc to ``found`` and return the number of points.
 
-    The segments are row i of ``one`` and row j of ``two``; ``flat`` states whether the line is the
-    segment in ``one``.
+    The two segments are row i of ``one`` and row j of ``two``; ``flat`` is True if the line is row
+    i of ``one``, and False if it is row j of ``two``.  ``touch`` is the largest distance (mm) at
+    which the two count as touching.
     """
     if flat:
         x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]

@@ -23,14 +23,18 @@ def core_count() -> int:
 
 
 def chunks(count: int, min_size: int, max_chunks: int | None = None) -> list[tuple[int, int]]:
-    """Split ``range(count)`` into contiguous chunks of equal size, as (first, end) pairs.
+    """Split ``range(count)`` into contiguous chunks of nearly equal size, as (first, end) pairs.
+
+    The number ``end`` itself is not in the chunk.
 
     Parameters
     ----------
+    count
+        Number of items to split.
     min_size
         Smallest size of a chunk that is worth handing to another thread.
     max_chunks
-        Largest number of chunks; by default the number of cores.
+        Largest number of chunks; None stands for the number of cores.
     """
     number = max(1, min(max_chunks or core_count(), count // min_size))
     return list(pairwise(count * chunk // number for chunk in range(number + 1)))
@@ -39,16 +43,19 @@ def chunks(count: int, min_size: int, max_chunks: int | None = None) -> list[tup
 def parallel_pair(
     func: Callable[[], _Result], other: Callable[[], _Other]
 ) -> tuple[_Result, _Other]:
-    """Call two independent functions on two cores, and return the results of both in order."""
+    """Call two functions on two cores, and return the results of ``func`` and of ``other``.
+
+    The functions must not depend on each other.
+    """
     second, first = parallel_map(lambda call: call(), (other, func))
     return cast(tuple[_Result, _Other], (first, second))
 
 
 def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> list[_Result]:
-    """Call a function with each item, on all cores, and return the results in order.
+    """Call a function with each item, on all cores, and return the results in item order.
 
-    The calling thread takes the first item, and every item that no other thread has started.
-    Re-raises the first exception.
+    The calling thread takes the first item, and every item that no other thread has started.  If
+    calls fail, the exception of the first item that failed is raised after all calls.
     """
     futures = [_thread_pool(os.getpid()).submit(func, item) for item in items[1:]]
     results: list[_Result] = []
@@ -65,8 +72,9 @@ def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> li
 
 @lru_cache(maxsize=1)
 def _thread_pool(_process: int) -> ThreadPoolExecutor:
-    """Return a pool of threads for the other cores; it is cached, because starting threads is slow.
+    """Return the pool of threads for all cores but one; the calling thread uses the remaining core.
 
-    Cached by process id: a forked process does not inherit threads.
+    The pool is cached, because starting threads is slow.  The process id is the key of the cache,
+    because a forked process does not inherit threads.
     """
     return ThreadPoolExecutor(max(core_count() - 1, 1), "core")

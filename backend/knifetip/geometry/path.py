@@ -75,9 +75,9 @@ def path_through(xy: F64, bulge: F64) -> Paths:
 
 
 def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
-    """Return paths shortened at both ends.
+    """Return the paths shortened at their starts and ends, and the origin of each segment.
 
-    Also returns the input segment that each returned segment comes from.  A path that is not longer
+    The origin is the input segment that a returned segment comes from.  A path that is not longer
     than the removed lengths has no segments.
 
     Parameters
@@ -108,14 +108,12 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
 
 
 def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
-    """Return some of the paths.
-
-    Also returns the input segment that each returned segment comes from.
+    """Return some of the paths, and the input segment that each returned segment comes from.
 
     Parameters
     ----------
     which : (q,)
-        Numbers of the paths to return, in order; they may repeat.
+        Numbers of the paths to return, in the order of the result; numbers may repeat.
     """
     count = np.diff(paths.first)[which]
     first = np.concatenate([[0], np.cumsum(count)])
@@ -133,7 +131,8 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     Parameters
     ----------
     path, middle : (k,) and (k,) mm
-        Path of each gap, and the distance of the gap's middle along the path; ascending by path.
+        Path of each gap, and the distance of the gap's middle from the start along the path.  Gaps
+        are sorted by path.
     gap : mm
         Length of each gap.
 
@@ -180,16 +179,17 @@ def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
-    """Return the point at a distance along each path.
+    """Return one point of each path, the direction of the path there, and the segment of the point.
 
     Parameters
     ----------
     distance : (p,) mm
-        Distance from the start of each path.
+        Distance of the point from the start, along each path.
 
     Returns
     -------
     xy : (p, 2) mm
+        The points.
     azimuth : (p,) degrees
         Direction of the path at each point.
     segment : (p,)
@@ -208,9 +208,7 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
 
 
 def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, some of them reversed.
-
-    Also returns the input segment that each returned segment comes from.
+    """Return all paths, some of them reversed, and the input segment of each returned segment.
 
     Parameters
     ----------
@@ -236,16 +234,17 @@ def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return the paths, with some closed paths starting in the middle of a segment.
+    """Return all paths, some of them with their start moved to the middle of a segment.
 
     The segment is the longest line of the path, or its longest arc if it has no line, so that the
-    blade enters and leaves at a smooth point.  It is split in two, which become first and last.
-    Also returns the input segment that each returned segment comes from.
+    blade enters and leaves at a smooth point.  The segment is split in two halves, which become the
+    first and the last segment of the path.  Also returns the input segment that each returned
+    segment comes from.
 
     Parameters
     ----------
     which : (p,)
-        Mask of the paths to restart; they must be closed.
+        Mask of the paths whose start is moved; they must be closed.
     """
     owner = paths.path_of
     along = arc.length(paths.start, paths.end, paths.bulge)

@@ -34,8 +34,9 @@ def find_points_on_segments(
     Parameters
     ----------
     points : (m, 2) mm
+        The points.
     own : (m,)
-        Row of the segment that each point belongs to and that is ignored; -1 for none.
+        Number of the segment that each point belongs to, -1 for none; a point may be on it.
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
         Ends and bulges of n segments.
     gap : mm

@@ -1,4 +1,4 @@
-"""run_out: length after which both corners of a tool have passed an edge of the board.
+"""run_out: length by which a track is extended until the whole width of its tool is off the board.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", section 1 (run-out
 and back-up).
@@ -23,9 +23,10 @@ _MAX_ANGLE: Final = 89.0
 def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
     """Return the length by which to extend a track until each corner of its tool is off the board.
 
-    With u the direction of travel, n its left normal, m the outward normal of the edge of the
-    board, c the position of the tip and W the width of the tool, the corners of the tool are at
-    c ± (W/2) n.  Each corner passes a straight edge after::
+    The two corners are the left and the right end of the tool's width.  With u the direction of
+    travel, n its left normal, m the outward normal of the edge of the board, c the position of the
+    tip and W the width of the tool, the corners are at c ± (W/2) n.  Each corner passes a straight
+    edge after::
 
         ∓ (W/2) (n · m) / (u · m)                                 section 1 of the source
 
@@ -34,7 +35,7 @@ def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float 
     Parameters
     ----------
     travel, outward : (n, 2) unit vectors
-        u and m; for the start of a track, give -u.
+        u and m of n ends of tracks; for the start of a track, give -u.
     width : (n,) mm
         W, the width of the tool across the travel.
     short : (n,) mm

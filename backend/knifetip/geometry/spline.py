@@ -48,10 +48,10 @@ class Spline:
         return np.unique(inside)
 
     def _de_boor(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
-        """Return points of a polynomial B-spline, (m, c), at parameters t (m,), by de Boor.
+        """Return the points of a polynomial B-spline at parameters ``t`` (m,), by de Boor, (m, c).
 
-        ``rows`` (k, c) are the control points in c dimensions, ``knots`` (k + degree + 1,) the
-        knots.
+        ``rows`` (k, c) are the control points in c dimensions, and ``knots`` (k + degree + 1,) are
+        the knots.
         """
         count = len(rows)
         span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
@@ -82,7 +82,7 @@ class Spline:
     def tangent(self, t: F64) -> F64:
         """Return the derivatives of the spline by t at parameters t (m,), (m, 2) mm.
 
-        At a corner it is the derivative after the corner.
+        At a corner of the spline it is the derivative after the corner.
         """
         p = self.degree
         rows = self._homogeneous()

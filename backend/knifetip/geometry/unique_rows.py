@@ -18,16 +18,17 @@ _SLOTS: Final = 1024
 
 
 def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
-    """Return the distinct rows of integer columns.
+    """Return the distinct rows of n rows of integers, and the distinct row that each row equals.
 
     Parameters
     ----------
     columns : (n,) or (n, k) integers each
+        One or more arrays that form the rows together, side by side.
 
     Returns
     -------
     first : (d,)
-        First row number of each of the d distinct rows, ascending.
+        Number of the first row that is equal to each of the d distinct rows, ascending.
     kind : (n,)
         Number of the distinct row that each row equals, 0 … d - 1.
     """
@@ -40,14 +41,14 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
 
 @kernel
 def _distinct_rows(table: I64_2) -> Any:
-    """Return the distinct rows of a table of integers, (n, k).
+    """Return the distinct rows of a table of integers, (n, k), and the one that each row equals.
 
     Returns
     -------
     first : (d,)
-        First row number of each of the d distinct rows, ascending.
+        Number of the first row that is equal to each of the d distinct rows, ascending.
     kind : (n,)
-        Number of the distinct row that each row equals.
+        Number of the distinct row that each row equals, 0 … d - 1.
     """
     rows = len(table)
     first = np.empty(rows, np.int64)
@@ -87,7 +88,10 @@ def _equal_rows(table: I64_2, row: int, other: int) -> bool:
 
 @kernel
 def _slot(table: I64_2, row: int, slots: I64_1) -> Any:
-    """Return the slot of a hash table at which the search for a row of ``table`` begins."""
+    """Return the slot of the hash table ``slots`` at which the search for a row begins.
+
+    ``row`` is the number of the row in ``table``.
+    """
     key = np.uint64(0)
     for column in range(table.shape[1]):
         key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)

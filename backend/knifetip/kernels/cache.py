@@ -1,8 +1,8 @@
 """cache: load compiled kernels from disk, without the parts of numba that only a compilation needs.
 
 When numba loads its first kernel, it prepares a whole compiler: it imports its implementations of
-Python's and NumPy's functions, and parses the LLVM code of each kernel in case another kernel
-calls it.  A command that only runs compiled kernels needs neither, and starts faster without.
+Python's and NumPy's functions, and parses the LLVM code of each kernel in case another kernel calls
+it.  A command that only runs compiled kernels needs none of this, and starts faster without it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class _LoadedLibrary(JITCodeLibrary):
 
     @property
     def _shared_module(self) -> Any:
-        """The LLVM code, parsed when a kernel is compiled that calls this one."""
+        """The LLVM code of this kernel, parsed when a kernel that calls this one is compiled."""
         if self._parsed is None and self._bitcode is not None:
             self._parsed = llvm.parse_bitcode(self._bitcode)
         return self._parsed
@@ -36,7 +36,7 @@ class _LoadedLibrary(JITCodeLibrary):
         self._parsed = module
 
     def get_pointer_to_function(self, name: str) -> int:
-        """Return the address of a function of this library."""
+        """Return the memory address of the function ``name`` in this library."""
         return int(self._codegen._engine.get_function_address(name))
 
     @classmethod

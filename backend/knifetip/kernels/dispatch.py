@@ -28,15 +28,15 @@ class Kernel(CPUDispatcher):
     """A function that numba compiles for the signature that its annotations declare."""
 
     def enable_caching(self) -> None:
-        """Store the machine code in a file beside the source."""
+        """Make the kernel store its machine code in a cache file beside the source."""
         del self._cache  # numba's "no cache"; the property below takes its place
 
     @cached_property
     def _cache(self) -> KernelCache:
         """Return the cache files of this kernel.
 
-        Created at first use: numba looks for a folder where it may write, and most kernels of
-        a command are never called.
+        The record is created at first use, because numba then looks for a folder to which it may
+        write, and most kernels of a command are never called.
         """
         return KernelCache(self.py_func)
 
@@ -148,12 +148,15 @@ def kernel(
 
     Parameters
     ----------
+    function
+        The function to compile; None if the decorator is called with options.
     allocates
-        False for a function that creates no array and stores no reference to one; functions that
-        it calls may.  It is compiled without reference counting, which can take longer than the
-        function itself because it synchronises the cores, most of all if named tuples are passed.
+        Must be True for a function that creates an array or stores a reference to one; functions
+        that it calls may do so in either case.  With False it is compiled without reference
+        counting, which can take longer than the function itself because it synchronises the cores,
+        most of all if named tuples are passed.
     checks_division
-        Raise ``ZeroDivisionError`` like Python; otherwise division by 0 returns inf, nan or 0.
+        Whether division by 0 raises ``ZeroDivisionError``; otherwise it returns inf, nan or 0.
     """
     options: dict[str, Any] = {
         "nogil": True,

@@ -46,7 +46,7 @@ class BoxTree(NamedTuple):
 
 @kernel
 def build_tree(boxes: F64_2) -> BoxTree:
-    """Return the tree over n ≥ 1 boxes, (n, 4): x0, y0, x1, y1."""
+    """Return the tree over n ≥ 1 bounding boxes, (n, 4): x min, y min, x max, y max."""
     count = len(boxes)
     remaining = (count + NODE_SIZE - 1) // NODE_SIZE
     total = count + remaining
@@ -109,7 +109,10 @@ def new_stack() -> Any:
 
 @kernel(allocates=False)
 def start_query(tree: BoxTree, stack: OutI64_2) -> int:
-    """Write the root of a tree to a stack; return the stack's depth for ``next_overlap``."""
+    """Write the root of a tree to a stack; return the depth of the stack for ``next_overlap``.
+
+    The depth is the number of nodes on the stack.
+    """
     stack[0, 0] = tree.height
     stack[0, 1] = 0
     return 1

@@ -36,7 +36,7 @@ def group_by_cell(cell: I32_1, cell_count: int, entries: I32_1) -> Any:
     cell_count
         Number of cells.
     entries : (n,)
-        Numbers to group.
+        The entries, which are integers such as edge numbers.
 
     Returns
     -------

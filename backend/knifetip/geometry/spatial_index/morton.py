@@ -1,4 +1,4 @@
-"""Morton codes: positions on a Z-order curve, on which near points follow one another."""
+"""morton: Morton codes, positions on a Z-order curve on which near points follow one another."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def _spread_bits(number: int) -> int:
 
 
 def order_boxes(boxes: F64) -> I64:
-    """Return the rows of n boxes in the Morton order of the middles of the boxes, (n,).
+    """Return the indices of n boxes, sorted by the Morton codes of their middles, (n,).
 
     Parameters
     ----------
     boxes : (n, 4)
-        Least x, least y, greatest x, greatest y.
+        x min, y min, x max, y max of each box.
     """
     order: I64 = np.argsort(_codes_of_boxes(boxes), kind="stable")
     return order
