@@ -1,4 +1,4 @@
-"""grblhal: record of RS274/NGC as grblHAL and grbl 1.1 read it."""
+"""grblhal: the language record of RS274/NGC as grblHAL and grbl 1.1 read it."""
 
 from knifetip.languages.language import Language
 

@@ -59,12 +59,15 @@ class Language:
         return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
-        """Return the settings in ``[controller]`` of a machine's TOML file, validated.
+        """Return the validated settings of a machine, None if the language has no settings.
+
+        ``fields`` is the table ``[controller]`` of the machine's TOML file.
 
         Raises
         ------
         ValueError
-            The table is invalid, the language has no settings, or it cannot drive the machine.
+            The table is invalid, or has fields although the language has no settings, or the
+            language cannot drive the machine.
         """
         if self.settings:
             return self.load_part("settings")(fields, machine)

@@ -1,4 +1,4 @@
-"""linuxcnc: record of RS274/NGC as LinuxCNC reads it."""
+"""linuxcnc: the language record of RS274/NGC as LinuxCNC reads it."""
 
 from knifetip.languages.language import Language
 

@@ -1,7 +1,8 @@
 """registry: find controller languages by name.
 
-Each module of this package with a ``LANGUAGE`` is a language.  Other packages register languages as
-entry points; these are searched only for names that are not found here, since that takes longer.
+Each module of this package that defines ``LANGUAGE`` is a language.  Other packages register
+languages as entry points.  Entry points are searched only for names that this package does not
+define, since the search takes longer.
 """
 
 from __future__ import annotations

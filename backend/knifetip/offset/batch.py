@@ -1,8 +1,8 @@
 """batch: offset large batches of paths on all cores.
 
-Regions are independent, so each core offsets a contiguous run of regions, and the results are
-concatenated.  The result equals the result of one core, bit for bit; of several failures the first
-is returned.
+Regions are independent, so each core offsets a contiguous run of regions, and the offset paths are
+concatenated.  They equal the offset paths that one core computes, bit for bit.  If several regions
+fail, the failure of the first region is returned.
 """
 
 from __future__ import annotations
@@ -26,7 +26,9 @@ _MIN_SEGMENTS: Final = 10_000
 def offset_on_all_cores(
     paths: Paths, member: I32, group_first: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
-    """Return the columns that ``groups.offset_groups`` returns, computed on all cores.
+    """Return the offsets of all groups of paths as columns, and the first failure.
+
+    The columns are those of ``groups.offset_groups``, computed on all cores.
 
     Parameters
     ----------

@@ -1,7 +1,8 @@
 """clearance: test whether a position of the tool's centre is clear of the contours.
 
-A position is clear if no segment of a contour is nearer than the radius and it is not inside the
-transition of another corner.  A tree of boxes over the segments finds the near segments.
+A position is clear if no segment of a contour is nearer than the radius, and if it is not inside
+the area between a corner and its transition of type C or D.  A tree of bounding boxes of the
+segments finds the near segments.
 """
 
 from __future__ import annotations
@@ -23,7 +24,10 @@ DISTANCE_TOLERANCE: Final = 1e-9
 
 @kernel
 def distance_to_row(rows: F64_2, i: int, x: float, y: float) -> float:
-    """Return the distance of a point (x, y) from the segment in row i (mm)."""
+    """Return the distance of a point (x, y) from the segment in row ``i`` of ``rows`` (mm).
+
+    ``rows`` (n, 5) are segments: x0, y0, x1, y1, bulge.
+    """
     x0 = rows[i, 0]
     y0 = rows[i, 1]
     dx = rows[i, 2] - x0
@@ -62,7 +66,7 @@ def _in_transition(
     kind, k
         Type of the corner and parameter k of type D.
     table, before, here
-        Moved segments, and the rows of the segments before and after the corner.
+        ``MovedSegments.table``, and its rows for the segments before and after the corner.
     vx, vy : mm
         Position of the point relative to the corner's vertex.
     signed : mm
@@ -120,14 +124,18 @@ def is_clear(
 
     Parameters
     ----------
+    x, y : mm
+        The point, a position of the tool's centre.
     origin : (n, 5)
         Segments of the contours: x0, y0, x1, y1, bulge.
     tree
-        Tree of boxes over these segments.
+        Tree of the bounding boxes of these segments.
     stack
         Scratch array for the search of the tree.
     signed : mm
         Radius of the tool, positive left of travel.
+    limit : mm
+        The radius, less a tolerance for rounding errors.
     corners
         Corners at the starts of the segments.
     """
@@ -178,10 +186,20 @@ def nearest_segment(
     around: float,
     skip: int,
 ) -> tuple[int, float]:
-    """Return the segment nearest to a point and its distance (mm).
+    """Return the index of the segment nearest to the point (x, y), and its distance (mm).
 
-    ``skip`` is a segment to ignore.  If no other segment is nearer than ``around`` mm, returns
-    ``skip`` and ``around``.
+    If no segment is nearer than ``around`` mm, returns ``skip`` and ``around``.
+
+    Parameters
+    ----------
+    origin : (n, 5)
+        Segments of the contours: x0, y0, x1, y1, bulge.
+    tree, stack
+        Tree of the bounding boxes of these segments, and a scratch array for its search.
+    around : mm
+        Only segments nearer than this are found.
+    skip
+        Index of a segment that is left out.
     """
     best = around
     which = skip

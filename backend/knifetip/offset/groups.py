@@ -1,6 +1,7 @@
-"""groups: offset groups of paths one after the other, and append the results to common columns.
+"""groups: offset groups of paths one after the other, and append the offsets to common columns.
 
-Groups of one closed path are trimmed in one pass; groups that need more are passed to ``region``.
+A group of one closed path is offset by trimming neighbouring segments.  If trimming is not enough,
+and for all other groups, ``region`` computes the offset.
 """
 
 from __future__ import annotations
@@ -69,14 +70,16 @@ def _copy_path(
     chains: OffsetChains,
     count: int,
 ) -> int:
-    """Append a path unchanged, for a tool without radius, and return the next free row.
+    """Append a path unchanged, for a tool without radius, and return the next free row of ``out``.
 
     Parameters
     ----------
+    path
+        Index of the path in ``contours``.
     out, done
-        Segments of the result and their number.
+        Columns for the segments of all offsets, and the number of segments written before.
     chains, count
-        Chains of the result and their number; the path is written as chain ``count``.
+        Columns for the chains of all offsets; the path is written as chain ``count``.
     """
     chains.first[count] = done
     chains.owner[count] = path
@@ -94,14 +97,16 @@ def _copy_path(
 def _copy_region(
     region: RegionOffset, out: OffsetSegments, done: int, chains: OffsetChains, count: int
 ) -> int:
-    """Append the chains of a region in the order of their paths, and return the next free row.
+    """Append the chains of a region to ``out`` and ``chains``; return the next free row of ``out``.
+
+    The chains are appended in the order of their paths.
 
     Parameters
     ----------
     out, done
-        Segments of the result and their number.
+        Columns for the segments of all offsets, and the number of segments written before.
     chains, count
-        Chains of the result and their number.
+        Columns for the chains of all offsets, and the number of chains written before.
     """
     line, tag, bounds = region.line, region.tag, region.bounds
     for c in np.argsort(tag[bounds[: region.chains], 2], kind="mergesort"):
@@ -126,7 +131,8 @@ def offset_groups(
 ) -> Any:
     """Return the offsets of all groups of contours as columns, and the first failure.
 
-    With ``refuse`` a position where the tool does not fit is a failure; otherwise it is left out.
+    With ``refuse``, a position where the tool does not fit is a failure; without it, parts of the
+    offset where the tool does not fit are left out.
 
     Returns
     -------
@@ -137,7 +143,8 @@ def offset_groups(
     unreached : (p,) mm²
         Area beside each input path that the tool cannot reach.
     failure
-        Code of ``raw_segments``, the two segments concerned, and a depth in mm.
+        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
+        depth by which the tool would cut into the contour (mm).
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
     count = len(first) - 1

@@ -164,9 +164,12 @@ def _failure_error(
     Parameters
     ----------
     failure
-        Failure code of ``raw_segments``, two segments and a depth (mm).
+        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
+        depth by which the tool would cut into the contour (mm).
     radius : (p,) mm
         Radius of the tool for each path.
+    paths
+        The input paths.
     """
     code, row, other, depth = failure
     if code == NO_LENGTH:

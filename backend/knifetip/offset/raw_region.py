@@ -1,4 +1,7 @@
-"""raw_region: move the segments of all paths of a region, before its valid pieces are selected."""
+"""raw_region: move the segments of all paths of a region sideways by the radius of the tool.
+
+Afterwards ``region`` splits the moved segments and selects the pieces that belong to the offset.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +46,9 @@ GRID_CELLS: Final = 1 << 15
 def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
     """Return the paths of a region, (c,), in the order of a Z-order curve: near paths are adjacent.
 
-    A tree of boxes over paths in this order is searched fast.
+    A tree of boxes over paths in this order is searched fast.  ``start`` (n, 2) are the start
+    points of all segments, ``first`` is the first segment of each path, and ``member`` are the
+    numbers of the c paths.
     """
     count = len(member)
     if count <= NODE_SIZE:
@@ -123,12 +128,14 @@ def region_corners(
 def _write_trimmed(
     made: OffsetSegments, count: int, closed: bool, raw: RawRows, put: int, m: int
 ) -> int:
-    """Append the segments of a trimmed path to ``raw``, and return the next free row.
+    """Append the segments of a trimmed path to ``raw``, and return the next free row of ``raw``.
 
     Parameters
     ----------
     made, count
         Columns of the trimmed path, and the number of its segments.
+    closed
+        Whether the path is closed.
     put
         First row of ``raw`` to write.
     m
@@ -184,7 +191,7 @@ def write_raw_region(
         A contour segment that has no offset at all, because its arc is too small for the tool, or
         -1.
     code, segment
-        Failure code and the segment that failed.
+        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
     """
     most = 0
     for m in range(len(paths.member)):
@@ -234,8 +241,16 @@ def write_far_side(
 ) -> int:
     """Append the offset on the other side of an open path, and arcs around its ends, to ``raw``.
 
-    These rows split other rows, but do not belong to the result.  The path has the segments
-    low … high - 1.  Returns the next free row.
+    These rows split other rows, but do not belong to the offset.  Returns the next free row.
+
+    Parameters
+    ----------
+    low, high
+        The path has the contour segments low … high - 1.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    put
+        First row of ``raw`` to write.
     """
     count = high - low
     back = Contours(

@@ -50,10 +50,10 @@ def is_closed(contours: Contours, low: int, high: int) -> bool:
 def move_segments(
     contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
 ) -> tuple[int, int]:
-    """Write the moved segments low … high - 1 to ``table`` from row ``at`` on.
+    """Write the moved contour segments low … high - 1 to ``table`` from row ``at`` on.
 
-    ``signed`` is the radius of the tool (mm), positive left of travel.  Returns a failure code and
-    the segment that failed.
+    ``signed`` is the radius of the tool (mm), positive left of travel.  Returns a failure code
+    (``NO_FAILURE``, ``NOT_A_NUMBER`` …) and the contour segment that failed.
     """
     start, end, bulge = contours.start, contours.end, contours.bulge
     for i in range(low, high):
@@ -106,7 +106,8 @@ def remaining_bulge(
     Parameters
     ----------
     table, here
-        Moved segments, and the row of the arc; its start in the table is the start of the part.
+        Moved segments, and the row of the arc in them; the start of the arc in this row is the
+        start of the remaining part.
     dx, dy : mm
         Chord of the remaining part.
     bulge

@@ -38,7 +38,7 @@ class CornerTypes(NamedTuple):
 
 
 class MovedSegments(NamedTuple):
-    """Segments moved to their side by the radius, not yet connected."""
+    """Contour segments that are moved sideways by the tool's radius and not yet connected."""
 
     table: OutF64_2  #: (n, ``raw_segments.COLUMNS``) moved ends, tangents and radii
     joint: OutI64_1  #: (n,) kind of joint at each start, such as ``raw_segments.CONVEX``
@@ -81,7 +81,7 @@ class RegionCorners(NamedTuple):
 
 
 class JoinedPieces(NamedTuple):
-    """The q pieces of split rows, and which piece continues which."""
+    """The q pieces of split rows, with the predecessor and the successor of each piece."""
 
     piece: F64_2  #: (q, 6) x0, y0, x1, y1, and parameters of both ends on the row
     owner: I64_1  #: (q,) row that each piece is part of
@@ -100,7 +100,7 @@ class ResultChains(NamedTuple):
 
 
 class OffsetGroups(NamedTuple):
-    """The p paths ordered by group, and the signed radius of each path."""
+    """The p input paths ordered by group, and the signed radius of the tool for each path."""
 
     member: I32_1  #: (p,) path numbers in the order of their groups
     bounds: I32_1  #: (g + 1,) position in ``member`` at which each group begins
@@ -108,7 +108,7 @@ class OffsetGroups(NamedTuple):
 
 
 class OffsetChains(NamedTuple):
-    """Output columns with capacity for c chains of the result, for p input paths."""
+    """Output columns with capacity for c chains of offset segments, for p input paths."""
 
     first: OutI32_1  #: (c,) first row of each chain
     owner: OutI32_1  #: (c,) input path of each chain

@@ -1,8 +1,8 @@
 """region: offset one region with all its contours, if trimming its paths one by one is not enough.
 
-Every path is offset as if it were alone, all moved segments are split at their intersections,
+Every path is offset as if it were alone.  All moved segments are split at their intersections,
 pieces nearer to a contour than the radius are removed, and the remaining pieces are connected.  The
-result is no path, one path or several.
+offset of a region consists of no path, one path or several paths.
 
 Source: our derivation.
 """
@@ -53,7 +53,10 @@ from knifetip.offset.swept_area import area_under_edge, area_under_path
 
 @kernel
 def _build_tree(rows: F64_2, count: int) -> BoxTree:
-    """Return a tree of boxes over the first ``count`` rows, (n, 5): x0, y0, x1, y1, bulge."""
+    """Return a tree of the bounding boxes of the first ``count`` segments in ``rows``.
+
+    ``rows`` (n, 5) are segments: x0, y0, x1, y1, bulge.
+    """
     boxes = np.empty((count, 4))
     for i in range(count):
         write_box(rows, i, boxes, i)
@@ -62,10 +65,10 @@ def _build_tree(rows: F64_2, count: int) -> BoxTree:
 
 @kernel
 def _failure(code: int, row: int, other: int, depth: float) -> RegionOffset:
-    """Return the result of a region that could not be offset.
+    """Return the ``RegionOffset`` of a region that could not be offset.
 
-    ``code`` is a failure code, ``row`` and ``other`` the segments concerned, ``depth`` a depth in
-    mm.
+    ``code`` is a failure code of ``raw_segments``, ``row`` and ``other`` are the contour segments
+    concerned, and ``depth`` is the depth by which the tool would cut into the contour (mm).
     """
     line = np.empty((0, 5))
     tag = np.empty((0, 4), np.int64)
@@ -158,14 +161,18 @@ def _swept_area(
 ) -> tuple[float, bool, int, float]:
     """Return twice the area between the origin and the edge that a tool leaves beside the chains.
 
+    ``out`` has the segments of the chains, ``chains`` is the number of chains, and ``signed`` is
+    the radius of the tool (mm), positive left of travel.
+
     Returns
     -------
     swept : mm²
         Twice the area.
     overlaps
-        Whether some area is counted twice.
+        Whether a part of the area is counted twice.
     torn, length
-        A chain that is open although its path is closed, or -1, and its length (mm).
+        Index of a chain that is open although its path is closed, and its length (mm).  If there is
+        no such chain, ``torn`` is -1.
     """
     line, tag, bounds, ring = out
     count = len(paths.member)
@@ -221,7 +228,7 @@ def offset_region(
     refuse: bool,
     scratch: Scratch,
 ) -> RegionOffset:
-    """Return the offset of one region with all its contours.
+    """Return the offset of one region with all its contours, or its failure.
 
     Parameters
     ----------
@@ -230,7 +237,9 @@ def offset_region(
     signed : mm
         Radius of the tool, positive left of travel.
     refuse
-        Whether to fail if the tool does not fit.
+        Whether a position where the tool does not fit is a failure.
+    scratch
+        Scratch arrays.
     """
     paths = region_paths(contours, members)
     count = len(paths.member)

@@ -1,8 +1,8 @@
 """self_contact: find segments of an offset path that have a common point.
 
 Segments are compared if their bounding boxes overlap.  The boxes of a short path are compared with
-the same boxes shifted by two, three, … rows, which takes few instructions for many pairs; those of
-a long path are found with a tree.
+the same boxes shifted by two, three, … rows, which takes few instructions for many pairs.  In a
+long path, a tree of the boxes finds the overlaps.
 """
 
 from __future__ import annotations
@@ -53,7 +53,8 @@ class Scratch(NamedTuple):
 def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step: int) -> int:
     """Return how many of the first ``count`` boxes overlap the box ``step`` rows after them.
 
-    ``x0``, ``y0``, ``x1`` and ``y1`` are the columns of the boxes.
+    ``x0``, ``y0``, ``x1`` and ``y1`` are the least and the greatest coordinates of the boxes, which
+    are the bounding boxes of segments.
     """
     ahead_x0 = x0[step : step + count]
     ahead_y0 = y0[step : step + count]
@@ -189,8 +190,8 @@ def path_meets_itself(
 ) -> bool:
     """Return whether two segments of a closed path that are not neighbours have a common point.
 
-    The path has the segments low … high - 1.  ``boxes`` (4, m) is a scratch array with capacity for
-    1.5 times as many boxes.
+    The path has the segments low … high - 1.  ``boxes`` (4, m) is a scratch array for bounding
+    boxes, at least 1.5 times as long as the path has segments.
     """
     start, end, bulge, inserted = segments
     count = high - low
@@ -288,9 +289,9 @@ def _find_contact(
 ) -> tuple[int, int]:
     """Return two of the segments low … high - 1 that have a common point, or -1 and -1.
 
-    Both are counted from ``low`` and at least ``step`` rows apart.  With ``step`` 2 the segments
-    are a closed path, whose first and last segment are neighbours.  ``columns`` (4, m) has the
-    bounding boxes.
+    The returned indices are counted from ``low``; they differ by at least ``step``.  With ``step``
+    2 the segments are a closed path, whose first and last segment are neighbours.  ``columns``
+    (4, m) has the bounding boxes of the segments.
     """
     count = high - low
     boxes = np.empty((count, 4))

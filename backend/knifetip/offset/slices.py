@@ -55,9 +55,9 @@ def find_cuts(
     follow
         Successor of each row, -1 for none.
     real
-        Number of rows that are split; the rows after them only split others.
+        Number of rows that are split; the rows after them are not split, but split other rows.
     tree
-        Tree of boxes over all rows.
+        Tree of the bounding boxes of all rows.
     stack, found
         Scratch arrays.
 
@@ -66,7 +66,7 @@ def find_cuts(
     which : (n,)
         Row of each split point.
     place : (n, 3)
-        Parameter on the row, x and y.
+        Parameter of each split point on its row (0 … 1), and its x and y (mm).
     done
         Number of split points; the arrays may be longer.
     """
@@ -131,20 +131,20 @@ def split_rows(
     Parameters
     ----------
     rows : (m, 5)
-        x0, y0, x1, y1, bulge.
+        Segments: x0, y0, x1, y1, bulge.
     which, place, cuts
         Row, position and number of the split points, as ``find_cuts`` returns them.
 
     Returns
     -------
     piece : (q, 6)
-        x0, y0, x1, y1, and the parameters of both ends on the row.
+        x0, y0, x1 and y1 of each piece, and the parameters of its two ends on the row (0 … 1).
     owner : (q,)
         Row of each piece.
     opening : (real,)
         First piece of each row.
     touched : (real, 2)
-        Whether a row is split at its very start and at its very end.
+        Whether each row is split exactly at its start, and exactly at its end.
     done
         Number of pieces; the arrays may be longer.
     """
@@ -363,10 +363,12 @@ def _finish_chain(
         Segments of all chains, as in ``ResultChains``.
     low, high
         The chain has the segments low … high - 1.
+    closed
+        Whether the chain is closed.
 
     Returns
     -------
-    End of the chain, ``low`` if no segments remain.
+    Index after the last remaining segment of the chain; ``low`` if no segments remain.
     """
     done = low
     for r in range(low, high):

@@ -70,15 +70,16 @@ def area_under_edge(
     signed : mm
         Radius of the tool, positive left of travel.
     from_x, from_y : mm
-        Start of the edge of an open chain.
+        Point at which the edge of an open chain starts.
     corner_arcs, arc_row
         Rows for arcs of the edge around the corners of the chain, and the first free row.
 
     Returns
     -------
     twice : mm²
+        Twice the area.
     x, y : mm
-        End of the edge.
+        Point at which the edge ends.
     arc_row
         Next free row of ``corner_arcs``.
     """

@@ -131,7 +131,8 @@ def _write_transitions(
 ) -> None:
     """Write the transitions at m corners to ``rows`` (x0, y0, x1, y1, bulge).
 
-    Writes the first row of each corner, and the number of rows, to ``first`` (m + 1,).
+    Writes the index of the first row of each corner to ``first`` (m + 1,), and the total number of
+    rows to its last entry.
     """
     for i in range(len(kind)):
         at = first[i]

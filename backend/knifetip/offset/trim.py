@@ -1,7 +1,8 @@
-"""trim: offset a path by trimming moved neighbours to their intersection.
+"""trim: offset a path by trimming neighbouring moved segments to their intersection.
 
-This is enough for most contours.  A moved segment is trimmed if its neighbour crosses it once.  If
-no part of a segment remains, or neighbours cross twice or not at all, ``region`` takes over.
+This is enough for most contours.  A moved segment is trimmed if the next one crosses it once.  If
+no part of a segment remains, or if two neighbouring moved segments at a concave corner cross twice
+or not at all, ``region`` computes the offset instead.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ def _twice_circular_segment(x: float, y: float, radius: float) -> float:
 def _contains_point(
     table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Return whether a moved segment contains a point (x, y) of its line or circle.
+    """Return whether a moved segment contains a point (x, y) that lies on its line or circle.
 
     The segment goes from (sx, sy) to (ex, ey); row ``at`` of ``table`` has its radius.
     """
@@ -95,14 +96,14 @@ def concave_crossing(
     here: int,
     signed: float,
 ) -> tuple[int, float, float, float, float, float]:
-    """Intersect the moved segments at a concave corner, at least one of them an arc.
+    """Intersect the two moved segments at a concave corner, at least one of which is an arc.
 
     Parameters
     ----------
     last, next_
         Contour segments before and after the corner.
     table, before, here
-        Moved segments, and the rows of these two segments.
+        Moved segments, and the rows in which ``last`` and ``next_`` are.
     signed : mm
         Radius of the tool, positive left of travel.
 
@@ -113,10 +114,11 @@ def concave_crossing(
     x, y : mm
         The intersection.
     cosine, sine
-        Cosine and sine of the angle between the contact points of a disc at the intersection.
+        Cosine and sine of the angle, at the centre of a disc at the intersection, between the two
+        points at which the disc touches the contour segments.
     twice : mm²
         Twice the area between corner and contact points that the disc cannot reach, plus twice the
-        area of the disc's sector.
+        area of the disc's sector between the contact points.
     """
     start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]
@@ -212,7 +214,7 @@ def _trim_corners(
     segments: MovedSegments,
     at: int,
 ) -> tuple[int, int, float, float]:
-    """Trim neighbours at concave corners to their intersection, and classify each corner.
+    """Trim the moved segments at concave corners to their intersection, and classify all corners.
 
     Parameters
     ----------
@@ -223,14 +225,16 @@ def _trim_corners(
     signed : mm
         Radius of the tool, positive left of travel.
     segments, at
-        The moved segments, from row ``at`` on.
+        The moved segments, and the row of the path's first segment in them.  The kind of each
+        corner is written to ``segments.joint``.
 
     Returns
     -------
     code, segment
-        Failure code and the segment that failed.
+        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
     twice : mm²
-        Twice the area lost at concave corners, plus twice the area of the disc's sectors there.
+        Twice the area that the tool cannot reach at concave corners, plus twice the area of the
+        disc's sectors between its contact points there.
     angle : radians
         Sum of the angles of these sectors.
     """
@@ -298,10 +302,10 @@ def _trim_corners(
 def _trimmed_bulge(
     contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
 ) -> float:
-    """Return the bulge of the moved contour segment i after trimming, NaN if no part remains.
+    """Return the bulge of the moved contour segment ``i`` after trimming, NaN if no part remains.
 
-    ``begins`` and ``ends`` state whether it is trimmed at its start and at its end; ``here`` is its
-    row in ``segments``.
+    ``begins`` and ``ends`` state whether the segment is trimmed at its start and at its end;
+    ``here`` is the row of the segment in ``segments``.
     """
     table = segments.table
     dx = table[here, EX] - table[here, SX]
@@ -338,7 +342,9 @@ def _write_corner(
     put: int,
     rows: OutF64_2,
 ) -> int:
-    """Write the transition at the start of contour segment i to ``out``; return the next free row.
+    """Write the transition at the start of contour segment ``i`` to ``out``.
+
+    Returns the next free row of ``out``.
 
     Parameters
     ----------
@@ -407,9 +413,13 @@ def trim_path(
     Parameters
     ----------
     low, high
-        The path has the segments low … high - 1.
+        The path has the contour segments low … high - 1.
+    closed
+        Whether the path is closed.
+    signed : mm
+        Radius of the tool, positive left of travel.
     segments, at
-        The moved segments, from row ``at`` on.
+        The moved segments, and the row of the path's first segment in them.
     out, put
         Output columns, written from row ``put`` on.
     rows
@@ -420,9 +430,9 @@ def trim_path(
     put
         Next free row of the output.
     code, segment
-        Failure code and the segment that failed.
+        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
     lost : mm²
-        Area lost at concave corners.
+        Area that the tool cannot reach at concave corners.
     """
     code, row, twice, angle = _trim_corners(contours, low, high, closed, signed, segments, at)
     if code != NO_FAILURE:
@@ -468,23 +478,24 @@ def offset_simple(
     chains: OffsetChains,
     count: int,
 ) -> tuple[int, int, int]:
-    """Offset groups of one closed path each, from ``group`` on, as long as trimming is enough.
+    """Offset groups of one closed path each, from ``group`` on, while trimming is enough.
 
-    It also stops if the output columns lack capacity for another path.
+    The function stops before the first group that needs more than trimming, and before a group for
+    which the output columns lack capacity.
 
     Parameters
     ----------
     out, done
-        Segments of the result and their number.
+        Columns for the segments of all offsets, and the number of segments written before.
     chains, count
-        Chains of the result and their number.
+        Columns for the chains of all offsets, and the number of chains written before.
 
     Returns
     -------
     group
         First group that is not done.
     done, count
-        Number of segments and of chains of the result.
+        Number of segments and number of chains that are written.
     """
     bounds, signed = groups.bounds, groups.signed
     checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)

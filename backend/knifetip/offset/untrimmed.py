@@ -1,7 +1,7 @@
 """untrimmed: the moved segments of a path, mostly untrimmed, for paths that ``trim`` cannot offset.
 
-``region`` splits these segments at their intersections.  Here two neighbours are trimmed to their
-intersection only if both keep about half their length.
+``region`` splits these segments at their intersections.  Here, two neighbouring moved segments are
+trimmed to their intersection only if each of them keeps about half its length.
 """
 
 from __future__ import annotations
@@ -45,16 +45,19 @@ def _trim_point(
     here: int,
     signed: float,
 ) -> tuple[float, float]:
-    """Return the point to which the neighbours at a concave corner are trimmed (mm).
+    """Return the point (x, y) to which the moved segments at a concave corner are trimmed (mm).
 
-    It is NaN if they do not cross once, or if one would lose more than about half its length.
+    The point is NaN if the two moved segments do not cross once, or if one of them would lose more
+    than about half its length.
 
     Parameters
     ----------
     last, next_
         Contour segments before and after the corner.
     table, before, here
-        Moved segments, and the rows of these two segments.
+        Moved segments, and the rows in which ``last`` and ``next_`` are.
+    signed : mm
+        Radius of the tool, positive left of travel.
     """
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
         u1x, u1y = table[before, U2X], table[before, U2Y]
@@ -93,7 +96,9 @@ def _trim_long_neighbours(
     segments: MovedSegments,
     at: int,
 ) -> None:
-    """Classify each corner of a path, and trim neighbours that both keep about half their length.
+    """Classify each corner of a path, and trim neighbouring moved segments to their intersection.
+
+    They are trimmed only if each of them keeps about half its length.
 
     Parameters
     ----------
@@ -104,7 +109,7 @@ def _trim_long_neighbours(
     signed : mm
         Radius of the tool, positive left of travel.
     segments, at
-        The moved segments, from row ``at`` on.
+        The moved segments, and the row of the path's first segment in them.
     """
     start, table, joint = contours.start, segments.table, segments.joint
     count = high - low
@@ -159,23 +164,27 @@ def raw_offset(
 ) -> int:
     """Write the moved segments and transitions of a path to ``raw``, for ``region`` to split.
 
-    Neighbours are trimmed only if both keep about half their length.  Arcs of which no part remains
-    are omitted.
+    Neighbouring segments are trimmed only if each of them keeps about half its length.  Arcs of
+    which no part remains are omitted.
 
     Parameters
     ----------
     low, high
-        The path has the segments low … high - 1.
+        The path has the contour segments low … high - 1.
+    closed
+        Whether the path is closed.
+    signed : mm
+        Radius of the tool, positive left of travel.
     segments, at
-        The moved segments, from row ``at`` on.
+        The moved segments, and the row of the path's first segment in them.
     raw, put
-        Rows to write, and the first of them.
+        Output rows, and the index of the first row to write.
     member
         Number of the path in the region, or -1.
 
     Returns
     -------
-    The next free row.
+    The next free row of ``raw``.
     """
     _trim_long_neighbours(contours, low, high, closed, signed, segments, at)
     start, bulge, (table, joint), (rows, info) = contours.start, contours.bulge, segments, raw

@@ -20,7 +20,7 @@ MAX_FEED: Final = 1e8
 
 
 def describe_row(toolpath: Toolpath, row: int) -> Message:
-    """Return a message that names a row of a toolpath, its motion and its edge, if it has one."""
+    """Return a message that names a row of a toolpath, the row's motion and, if any, its edge."""
     edge = int(toolpath.source[row])
     motion = int(toolpath.motion[row])
     name = Motion(motion).name if motion in set(Motion) else f"motion {motion}"
@@ -35,14 +35,18 @@ def check_toolpath(toolpath: Toolpath) -> None:
     Raises
     ------
     ProgramError
-        The toolpath is empty, or a row has a number that is not finite or out of range, an unknown
-        motion, no feed, or an arc that is a rapid or longer than half a turn.
+        The toolpath is empty; or a row has a number that is not finite or out of range, an unknown
+        motion, no feed although it is no rapid, a feed that is too fast, an arc in a rapid, or an
+        arc of more than half a turn.
     """
     if len(toolpath) == 0:
         raise ProgramError("toolpath.empty")
 
     def refuse(wrong: Bool, code: str, **measures: float) -> None:
-        """Raise ``ProgramError`` for the first row in the mask ``wrong``, if there is one."""
+        """Raise ``ProgramError`` for the first row in the mask ``wrong``, if there is one.
+
+        ``code`` is the code of the error message.
+        """
         if wrong.any():
             row = int(np.argmax(wrong))
             edge = int(toolpath.source[row])

@@ -9,7 +9,7 @@ from knifetip.geometry.columns import F64, I64
 
 
 def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
-    """Split moves into equal pieces.
+    """Split each of n moves into pieces of equal length.
 
     Parameters
     ----------

@@ -21,6 +21,8 @@ class Emitter(Protocol):
         """Return the program of a checked toolpath.
 
         The same input gives the same bytes: a program contains no dates and no host names.
+        ``tolerance`` is the greatest deviation of the tip from the path (mm); ``notes`` are the
+        comments at the top of the program.
 
         Raises
         ------

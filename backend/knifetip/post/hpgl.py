@@ -126,8 +126,8 @@ def _select_pen(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
 def _speed_changes(speed: I64) -> Bool:
     """Return the mask of moves before which the speed must be set, (n,).
 
-    These are moves with the tool down whose speed differs from the previous move with the tool
-    down.
+    These are moves with the tool down whose speed differs from the speed of the previous move with
+    the tool down.  ``speed`` (n,) is the speed of each move in cm/s, 0 with the tool up.
     """
     working = np.flatnonzero(speed)
     result = np.zeros(len(speed), np.bool_)
@@ -211,8 +211,8 @@ def _plotter_moves(
 def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
     """Return the pen of every row of a toolpath, (n,) indices into the pens of the plotter.
 
-    A pass in the board has the pen for its kind of work.  The rapids before a pass have the same
-    pen, so that the tool is changed before the head travels there.
+    The rows of a pass in the board have the pen for the kind of work of the pass.  The rapids
+    before a pass have the same pen, so that the tool is changed before the head travels there.
     """
     rapid = toolpath.motion == Motion.RAPID
     new = np.concatenate([[False], rapid[1:] & ~rapid[:-1]])
@@ -234,7 +234,7 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
 
 
 def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
-    """Return the index of the pen for a station and its kind of work.
+    """Return the index of the pen for a station and a kind of work.
 
     ``key`` is twice the number of the station, plus 1 for through cuts.
 
@@ -254,16 +254,16 @@ def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
 
 
 def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[bytes, I32]:
-    """Return the program lines of some moves, and the toolpath row of each line.
+    """Return the program lines of selected moves, and the toolpath row of each program line.
 
-    Lines that set the speed have row -1.
+    Program lines that set the speed have row -1.
 
     Parameters
     ----------
     rows
-        Numbers of the moves.
+        Indices of the selected moves in ``moves``.
     with_speed
-        Mask of the moves before which the speed is set by a line of its own.
+        Mask of the selected moves before which a separate program line sets the speed.
     """
     shown = moves.kind[rows] != _NONE
     rows, with_speed = rows[shown], with_speed[shown]
@@ -288,7 +288,7 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 def _text_columns(text: bytes, where: Bool) -> Characters:
     """Return a text repeated in the rows of a mask, as columns of characters, (n, k) bytes.
 
-    ``where`` (n,) is the mask; all other rows are 0.
+    ``where`` (n,) is the mask; rows outside it are 0.
     """
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

@@ -1,4 +1,4 @@
-"""hpgl: record of Hewlett-Packard's plotter language, for flat cutters with pen-like tools."""
+"""hpgl: the language record of Hewlett-Packard's plotter language, for flat cutters with pens."""
 
 from knifetip.languages.language import Language
 

@@ -21,7 +21,7 @@ CM_PER_SECOND: Final = 600.0
 
 
 class PenWork(StrEnum):
-    """Kind of work that a pen does in the board."""
+    """Operation that a pen makes in the board: cut, half-cut or crease."""
 
     CUT = "cut"  #: through the board
     HALF_CUT = "half-cut"
@@ -44,7 +44,7 @@ class Device:
 
 @dataclass(frozen=True, slots=True)
 class Pen:
-    """A tool of the device as HPGL selects it, for one kind of work."""
+    """One pen number of an HPGL device: a tool in a station, used for one kind of operation."""
 
     number: int  #: argument of SP
     station: int  #: number of the machine's station
@@ -61,7 +61,9 @@ class Plotter:
 
 
 def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
-    """Return the HPGL settings in ``[controller]`` of a machine's TOML file.
+    """Return the HPGL settings of a machine, read from its TOML file.
+
+    ``fields`` is the table ``[controller]`` of the file.
 
     Raises
     ------
@@ -96,15 +98,16 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
 
 @cache
 def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
-    """Return the fields of the shipped devices, by the name of the device."""
+    """Return the settings of the HPGL devices that knifetip ships, by the name of the device."""
     text = (resources.files(__package__) / "devices.toml").read_text("utf-8")
     return tomllib.loads(text)
 
 
 def _read_device(value: Any, machine: Machine) -> Device:
-    """Return the device that a machine's settings name, or describe as a table of fields.
+    """Return the HPGL device that ``value``, a field of a machine's TOML file, names or describes.
 
-    Raises ``ValueError`` if there is no such device or a field is invalid.
+    ``value`` is the name of a shipped device, or a table with the fields of a device.  Raises
+    ``ValueError`` if there is no such device or a field is invalid.
     """
     if not isinstance(value, Mapping):
         if value not in _shipped_devices():
@@ -133,7 +136,10 @@ def _read_device(value: Any, machine: Machine) -> Device:
 
 
 def _read_range(value: Any, name: str) -> tuple[int, int] | None:
-    """Return the least and greatest value of a device's setting, None if the setting is absent."""
+    """Return the least and greatest value of a device's setting, None if the setting is absent.
+
+    ``value`` is the setting, a pair of numbers or None; ``name`` is its name, for errors.
+    """
     if value is None:
         return None
     least, greatest = int(value[0]), int(value[1])
@@ -194,7 +200,7 @@ def _check_station(station: Station, device: Device) -> None:
 
 
 def _check_pen(pen: Pen, machine: Machine) -> None:
-    """Raise ``ValueError`` if the station of a pen does not exist or cannot do the pen's work."""
+    """Raise ``ValueError`` if a pen's station does not exist or cannot make the pen's operation."""
     try:
         tool = machine.station(pen.station).tool
     except KeyError:

@@ -25,7 +25,10 @@ class DiscTool(Tool):
 
         @property
         def lead(self) -> float:
-            """Length of the straight lead-in (mm); for 0, ``set_up`` gives 1.5 times ``radius``."""
+            """Length of the straight lead-in (mm), or 0 for the default length.
+
+            For 0, ``set_up`` returns the default length, 1.5 times ``radius``.
+            """
 
         @property
         def approach(self) -> float:
@@ -41,7 +44,7 @@ class DiscTool(Tool):
 
     @property
     def set_up(self) -> float:
-        """Length of the straight lead-in (mm): ``lead``, or 1.5 times ``radius`` for lead 0."""
+        """Length of the straight lead-in (mm): ``lead``, or 1.5 times ``radius`` if that is 0."""
         return self.lead or 1.5 * self.radius
 
     @property

@@ -24,12 +24,14 @@ def switch_beam(
 ) -> tuple[bytes, I32]:
     """Return program text with lines that switch the beam, and the toolpath row of each line.
 
+    The added lines have row -1.
+
     Parameters
     ----------
     text
-        Lines of the moves of one station.
+        Program lines of the moves of one station.
     source : (n,)
-        Row of the toolpath for each line of the text, -1 for none.
+        Row of the toolpath for each line of ``text``, -1 for none.
     tool
         Laser or plasma torch, with its power and pierce time.
     height : mm
@@ -56,5 +58,5 @@ def switch_beam(
 
 
 def _encode(lines: list[str]) -> bytes:
-    """Return lines as ASCII bytes, each with a newline."""
+    """Return program lines as ASCII bytes, with a newline after each line."""
     return "".join(f"{line}\n" for line in lines).encode("ascii")

@@ -104,14 +104,16 @@ def format_lines(
     All rows belong to one station.  The first line has words for all axes: with a new datum from
     the tool table, an axis without a word would keep its *joint* position, which is another
     position of the tool.  A move that rounds to zero length and turn gets no line; an arc too large
-    for the controller gets several.  Lines that belong to no row have -1.
+    for the controller gets several lines.  Lines that belong to no row have row -1.
 
     Parameters
     ----------
     datum : (4,) float64, mm and degrees
-        Added to the numbers; zeros if the controller's tool table adds it.
+        Added to the X, Y, Z and C of the program; zeros if the controller's tool table adds it.
     machine : Machine
         Gives the velocities and accelerations of the axes.
+    dialect : Dialect
+        Variant of RS274/NGC that the controller reads.
     blending : float, mm
         Greatest deviation that the controller may make between two moves.
 
@@ -138,7 +140,8 @@ def _convert_arcs(
 ) -> _Moves:
     """Return the moves of rows ``first … last - 1``, with arcs that the controller can follow.
 
-    Flat and tiny arcs become lines, too large arcs become chords.
+    Flat and tiny arcs become lines, too large arcs become chords.  ``datum`` (4,) is added to the
+    X, Y, Z and C of all poses (mm and degrees).
     """
     pose = toolpath.pose[first : last + 1] + datum
     bulge = np.array(toolpath.bulge[first:last])
@@ -164,9 +167,10 @@ def _convert_arcs(
 def _compose_words(
     moves: _Moves, machine: Machine, dialect: Dialect, blending: float
 ) -> _LineWords:
-    """Return the G-code words of the lines of moves.
+    """Return the G-code words of the program lines of moves.
 
-    Moves that round to zero length and turn get no line.
+    Moves that round to zero length and turn get no line.  ``blending`` is the greatest deviation
+    that the controller may make between two moves (mm).
     """
     scale = 10.0**dialect.decimals
     units = np.rint(moves.pose * scale).astype(np.int64)
@@ -229,9 +233,9 @@ def _exact_stops(
 
     If C starts or stops turning between two moves, LinuxCNC's planner overlaps the moves for the
     time that the slower axis needs to change its speed, whatever the P of G64 is.  If the moves
-    bend differently, the corner is cut.  With v the greater speed of the two moves, a and α the
-    accelerations of X, Y and of C, κ the turn of C per mm, and t the time of the change, the tip
-    leaves the path by up to::
+    have different curvature, LinuxCNC cuts the corner between them.  With v the greater speed of
+    the two moves, a and α the accelerations of X, Y and of C, κ the turn of C per mm, Δκ its change
+    between the moves, and t the time of the change, the tip leaves the path by up to::
 
         Δκ (v t)² / 2        t = max(v / a, v Δκ / α)
 
@@ -248,6 +252,8 @@ def _exact_stops(
         Time of each move; ignored for rapids.
     rapid : (n,)
         Mask of the rapids.
+    machine
+        Gives the accelerations of the axes.
     blending : float, mm
         Largest deviation that is acceptable without a stop.
     """
@@ -269,7 +275,10 @@ def _exact_stops(
 
 
 def _feed_units(feed: F64) -> I64:
-    """Return feeds, rounded to six significant digits, (n,) in units of 10^-FEED_DECIMALS."""
+    """Return feeds as integers in units of 10^-FEED_DECIMALS, (n,).
+
+    They are rounded to six significant digits.
+    """
     safe = np.maximum(feed, 1e-3)
     decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
     whole = np.rint(safe * 10.0**decimals).astype(np.int64)
@@ -278,14 +287,15 @@ def _feed_units(feed: F64) -> I64:
 
 
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
-    """Return the mask of lines that need an F word, (n,).
+    """Return the mask of program lines that need an F word, (n,).
 
-    In G93 every line needs one, and so does the first line after returning to G94.
+    In G93 (inverse time) every line needs an F word, and so does the first line after returning to
+    G94.
 
     Parameters
     ----------
     feed : (n,)
-        Feed of each line, in units of its last decimal.
+        Feed of each line, in units of its last decimal place.
     inverse, rapid : (n,)
         Masks of the lines in G93 and of the rapids.
     """
@@ -299,7 +309,7 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
 
 
 def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
-    """Return the text of the lines in a slice of the words.
+    """Return the text of the program lines ``rows``, a slice of ``words``.
 
     Raises
     ------
@@ -353,7 +363,19 @@ def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
 def _word_columns(
     letter: str, values: I64, where: Bool, decimals: int, *, brief: bool = False
 ) -> Iterator[Characters]:
-    """Yield the columns of one word in the rows of a mask: a space, its letter and its number."""
+    """Yield the columns of one G-code word: a space, its letter and its number.
+
+    Parameters
+    ----------
+    values : (n,)
+        Number of the word in each program line, in units of its last decimal place.
+    where : (n,)
+        Mask of the program lines that have the word.
+    decimals
+        Number of decimals.
+    brief
+        Whether to leave out zeros at the end of the decimals.
+    """
     if not where.any():
         return
     head = np.frombuffer(f" {letter}".encode(), np.uint8)
