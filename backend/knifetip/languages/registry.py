@@ -33,7 +33,7 @@ def find_language(name: str) -> Language:
     Raises
     ------
     LibraryError
-        No language has the name.
+        No language has the name, or another package registers an invalid record for the name.
     """
     if name in _own_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
@@ -48,14 +48,15 @@ def find_language(name: str) -> Language:
 
 
 def with_language(machine: Machine, name: str) -> Machine:
-    """Return a copy of a machine with another controller language.
+    """Return a copy of a machine whose controller language is replaced by the language ``name``.
 
-    An empty name returns the machine unchanged.
+    If the name is empty, or names the language of the machine, the machine is returned unchanged.
 
     Raises
     ------
     LibraryError
-        No language has the name, or the language needs settings that the machine's file lacks.
+        No language has the name, or the language cannot drive the machine, for example because it
+        needs settings.
     """
     if name in ("", machine.dialect):
         return machine

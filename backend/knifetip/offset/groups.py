@@ -29,7 +29,10 @@ from knifetip.offset.trim import offset_simple
 
 @kernel
 def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
-    """Return ``out`` with capacity for ``wanted`` rows; its first ``used`` rows are kept."""
+    """Return ``out``, or a larger copy, with capacity for ``wanted`` rows.
+
+    The first ``used`` rows are kept.
+    """
     if wanted <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
     size = 2 * wanted
@@ -48,7 +51,10 @@ def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegm
 
 @kernel
 def _reserve_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
-    """Return ``chains`` with capacity for ``wanted`` chains; all rows that it has are kept."""
+    """Return ``chains``, or a larger copy, with capacity for ``wanted`` chains.
+
+    All rows of ``chains`` are kept.
+    """
     size = len(chains.owner)
     if wanted <= size:
         return OffsetChains(chains.first, chains.owner, chains.unreached)

@@ -97,8 +97,8 @@ def region_corners(
 ) -> RegionCorners:
     """Return the corners of a region, and write its contour segments to two arrays.
 
-    ``source`` (n,) gets the number of each contour segment, ``origin`` (n, 5) its x0, y0, x1, y1
-    and bulge.  The moved segments in the result are allocated but not computed.
+    ``source`` (n,) gets the index of each contour segment, ``origin`` (n, 5) its x0, y0, x1, y1
+    and bulge.  The arrays for moved segments in the returned corners are allocated but not filled.
     """
     total = len(source)
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))

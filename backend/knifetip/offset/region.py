@@ -99,18 +99,27 @@ def _select_pieces(
     ----------
     raw, follow
         The rows of which the pieces are parts, and the successor of each row.
-    pieces, touched, count
-        The pieces, whether each row is split at its very start and end, and the number of pieces.
+    pieces, count
+        The pieces, and the number of pieces.
+    touched
+        Whether each row is split exactly at its start, and exactly at its end.
     source, origin
-        Numbers and coordinates of the region's contour segments.
+        Indices and coordinates of the region's contour segments.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    refuse
+        Whether to find the position where the tool fits worst.
     lost
         A contour segment that has no offset, or -1.
+    stack
+        Scratch array for the search of a tree.
 
     Returns
     -------
     row, other, depth
-        With ``refuse``, the segment where the tool fits worst, the segment that the tool is too
-        close to there, and the missing distance (mm); -1, -1 and 0 if the tool fits everywhere.
+        With ``refuse``, the contour segment where the tool fits worst, the contour segment that the
+        tool is too close to there, and the missing distance (mm); -1, -1 and 0 if the tool fits
+        everywhere.
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE
@@ -315,7 +324,16 @@ def unreached_area(
     """Return the area of a region that the tool cannot reach (mm²).
 
     The offset of the region is offset back by the radius; the area is between the contours and this
-    second offset.
+    second offset.  If the second offset fails, the area in ``region`` is returned.
+
+    Parameters
+    ----------
+    members
+        Numbers of the paths of the region.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    region
+        The offset of the region.
     """
     rows = region.bounds[region.chains]
     back = Contours(

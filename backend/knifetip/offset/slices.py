@@ -282,7 +282,7 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 def link_chains(
     raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
-    """Connect valid pieces into chains, write the chains to ``out`` and return their number.
+    """Connect valid pieces into chains, write the chains to ``out`` and return how many there are.
 
     Parameters
     ----------

@@ -189,8 +189,9 @@ def _place_on_contour(
 def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
     """Return the positions of bridges that remain if superfluous bridges are removed (mm).
 
-    A bridge is superfluous if its neighbours are not more than ``spacing`` mm apart.  ``middle``
-    are the positions along a contour of ``length`` mm, ascending.
+    A bridge is superfluous if the bridges before and after it are not more than ``spacing`` mm
+    apart.  At least two bridges remain.  ``middle`` are the positions of the bridges along a closed
+    contour of ``length`` mm, ascending.
     """
     while len(middle) > _FEWEST:
         around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
@@ -210,9 +211,9 @@ def _free_ranges(
     Parameters
     ----------
     path
-        Index of the path.
+        Index of the path in ``paths``.
     gap : mm
-        Length of the path that a bridge takes.
+        Length of the bridge along the path.
     reachable
         Stretches of the segments that the tool can reach.
     arcs_too

@@ -85,15 +85,16 @@ def _choose_links(
 ) -> Any:  # fmt: skip
     """Return the mask of the candidates that become links, (k,).
 
-    A candidate is a point to which a dangling end may be linked.  The relative neighbours among the
-    dangling ends are chosen, and for each dangling end the nearest point of another cut.
+    A candidate is a point to which a dangling end may be linked.  Each dangling end is linked to
+    its relative neighbours among the dangling ends, and to the nearest point of another cut.
 
     Parameters
     ----------
     tips, first : (t,) and (t + 1,)
-        Dangling ends, and the index of the first candidate of each.
+        Dangling ends, and the index of the first candidate of each dangling end.
     row, share, target, to_end : (k,), (k,), (k, 2) mm and (k,)
-        Edge of each candidate, parameter on it (0 … 1), point, and whether it is a dangling end.
+        Edge on which each candidate lies, its parameter on that edge (0 … 1), its position, and
+        whether it is a dangling end.
     points, length : (2n, 2) and (n,) mm
         Ends and lengths of all edges.
     node, by_node, begin
@@ -177,7 +178,7 @@ def _far_along_chain(
     back: Bool_1,
     length: F64_1,
 ) -> bool:
-    """Return whether a point is far enough from a dangling end along their common chain.
+    """Return whether a point is far enough from a dangling end along the chain on which both lie.
 
     The path along the chain must be at least ``_CHAIN_FACTOR`` times as long as the gap.  A point
     of another chain is always far enough.
@@ -191,8 +192,9 @@ def _far_along_chain(
     number
         Number of the dangling end.
     seen, along_chain, back : (n,)
-        Dangling end from which each edge was reached last, distance along the chain to the edge
-        (mm), and whether the chain runs from the edge's end to its start.
+        For each edge: the number of the dangling end from which the edge was reached last, the
+        distance along the chain from that end to the edge (mm), and whether the chain runs from the
+        edge's end to its start.
     length : (n,) mm
         Length of each edge.
     """

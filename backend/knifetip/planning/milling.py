@@ -40,14 +40,15 @@ def plan_milling(
     rows: I32,
     setup: Setup,
 ) -> list[Operation]:
-    """Return the operations that mill the given cuts, layer by layer from the innermost.
+    """Return the operations that mill the given cuts, layer by layer from the innermost layer.
 
     Every contour is chained separately, so that two contours may touch at a point.
 
     Parameters
     ----------
     corners
-        Type of all corners; ``apply_choices`` sets the types of single corners.
+        Corner type for all corners of the contours; ``apply_choices`` sets the types of single
+        corners later.
     rows : (m,)
         Rows of the cuts in the dieline.
 

@@ -1,8 +1,9 @@
 """reachable: find the stretches of a contour's segments that the tool can reach.
 
 A knife reaches every point of a contour.  A disc does not reach into inner corners, slots and necks
-that are narrower than itself.  It reaches the stretches whose offset curve, at the distance of its
-radius, ``offset.offset_paths`` keeps.
+that are narrower than itself.  ``offset.offset_paths`` computes the path of the disc's centre, at
+the distance of the radius, without these positions.  The disc reaches the stretches beside this
+path.
 """
 
 from __future__ import annotations
@@ -27,15 +28,15 @@ class ReachableStretches(NamedTuple):
 
 
 def all_reachable(paths: Paths) -> ReachableStretches:
-    """Return one stretch for each segment, over its entire length."""
+    """Return one stretch for each segment of the paths, over the entire length of the segment."""
     size = arc.length(paths.start, paths.end, paths.bulge)
     return ReachableStretches(np.arange(len(size)), np.zeros(len(size)), size)
 
 
 def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
-    """Return the stretches of paths that a disc reaches from their left.
+    """Return the stretches of paths that a disc on the left of the paths can touch.
 
-    The closed paths bound one region.  If the paths have no offset curve, all segments are returned
+    The closed paths bound one region.  If the paths cannot be offset, all segments are returned
     entirely, because compensation reports the error later.
 
     Parameters

@@ -115,7 +115,7 @@ def _format_comment(note: str) -> str:
 def _select_pen(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
     """Return the program lines that select a pen, its force, and the speed of its first moves.
 
-    ``speed`` (n,) are the speeds of the moves in cm/s, 0 with the tool up.
+    ``speed`` (n,) is the speed of each move that the pen makes, in cm/s, 0 with the tool up.
     """
     force = [f"FS{pen.force};"] if plotter.device.force else []
     working = speed[speed > 0]

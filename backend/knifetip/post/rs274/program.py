@@ -116,7 +116,10 @@ def _blending(tolerance: float) -> float:
 def _header(
     machine: Machine, dialect: Dialect, blending: float, notes: Sequence[str]
 ) -> Iterator[str]:
-    """Yield the lines before the first station: notes, modes, and the steps to a safe state."""
+    """Yield the program lines before the first station: notes, modes, and steps to a safe state.
+
+    ``blending`` is the deviation that the controller may add by rounding corners (mm).
+    """
     for note in notes:
         if comment := gcode.format_comment(note):
             yield comment
@@ -133,7 +136,10 @@ def _header(
 
 
 def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
-    """Yield the lines that release all outputs and stop the spindle, after the head has lifted."""
+    """Yield the program lines that release all outputs of the machine and stop the spindle.
+
+    The head has lifted before these lines.
+    """
     if dialect.eager_outputs:
         yield WAIT_FOR_REST
     for output in machine.outputs:
@@ -144,7 +150,7 @@ def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
 def _station_change(
     previous: Station | None, station: Station, machine: Machine, dialect: Dialect
 ) -> Iterator[str]:
-    """Yield the lines that release the previous station, if any, and prepare the next station."""
+    """Yield the program lines that release the previous station, if any, and prepare the next."""
     if dialect.comments:
         yield gcode.format_comment(f"station {station.number} {station.name}")
     if previous is not None:
@@ -170,7 +176,7 @@ def _station_change(
 
 
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
-    """Yield the lines after the last station: lift, release all outputs, end the program."""
+    """Yield the program lines after the last station: lift, release all outputs, end program."""
     up = machine.travel_z + _datum(station, dialect)[2]
     yield f"G0 Z{gcode.format_number(up)}"
     yield from _release_outputs(machine, dialect)
@@ -179,7 +185,7 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
 
 
 def _datum(station: Station, dialect: Dialect) -> F64:
-    """Return the datum that the numbers of a program include, (4,) mm and degrees.
+    """Return the datum of a station that the program adds to its positions, (4,) mm and degrees.
 
     It is zero if the controller's tool table contains the datum.
     """
