@@ -1,1 +1,1 @@
-"""Store and compile jobs: drawings, jobs, profiles, events, worker processes and transitions."""
+"""Storage of drawings, jobs, profiles and events; transitions and compiles of jobs."""

@@ -34,7 +34,7 @@ class Changes:
                 self._callbacks.remove(callback)
 
     def notify(self) -> None:
-        """Call all subscribed callbacks, which must return immediately and not raise."""
+        """Call all subscribed callbacks; a callback must return immediately and raise nothing."""
         with self._lock:
             callbacks = list(self._callbacks)
         for callback in callbacks:

@@ -30,10 +30,10 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class CompileQueue(Protocol):
-    """A queue of jobs to compile."""
+    """Interface of a queue of received jobs that passes each job to a compile function."""
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each job to compile, on threads of the queue."""
+        """Begin to call ``compile`` with each received job, on threads of the queue."""
 
     def stop(self) -> None:
         """Take no further jobs, and return when all calls of ``compile`` have ended."""
@@ -44,15 +44,18 @@ class TableQueue:
 
     Parameters
     ----------
+    store
+        Store that contains the jobs.
     worker
-        Name under which jobs are taken.
+        Name of the worker that becomes the owner of each job taken.
     at_once
         Number of jobs that are compiled at the same time.
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Returns the fraction (0 … 1) of the kernels for a machine that are compiled.  Below 1, the
-        jobs of the machine stay ``received`` while jobs of other machines are compiled.
+        Function that returns, for the name of a machine, the fraction (0 … 1) of its kernels that
+        have machine code.  Below 1, the jobs of that machine stay ``received`` while jobs of other
+        machines are compiled.
     """
 
     def __init__(
@@ -75,7 +78,7 @@ class TableQueue:
         self._threads: list[threading.Thread] = []
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each job to compile, on ``at_once`` threads."""
+        """Begin to call ``compile`` with each received job, on ``at_once`` threads."""
         for number in range(self._at_once):
             thread = threading.Thread(
                 target=self._take_jobs, args=(compile,), name=f"compile-{number + 1}", daemon=True
@@ -84,7 +87,10 @@ class TableQueue:
             self._threads.append(thread)
 
     def _take_jobs(self, compile: Compile) -> None:
-        """Compile received jobs until stopped, the oldest job with compiled kernels first."""
+        """Call ``compile`` with one received job after another until the queue is stopped.
+
+        Jobs of machines whose kernels have no machine code yet are not taken.
+        """
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
                 self._received.clear()
@@ -101,7 +107,11 @@ class TableQueue:
                 self._received.wait(_READY_POLL if self._unready else self._poll)
 
     def _next_job(self) -> Job | None:
-        """Take the oldest job whose kernels are compiled; None if there is none."""
+        """Take the oldest received job whose kernels have machine code; None if there is none.
+
+        If the kernels of a machine were missing for ``_PATIENCE`` s, its jobs get a message about
+        it.
+        """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
         unready = [machine for machine in machines if compiled[machine] < 1.0]
@@ -133,8 +143,10 @@ def queue_of(
 
     Parameters
     ----------
+    store
+        Store that contains the jobs.
     worker
-        Name under which jobs are taken.
+        Name of the worker that becomes the owner of each job taken.
     at_once
         Number of jobs that are compiled at the same time.
     poll
@@ -142,7 +154,8 @@ def queue_of(
     compiles
         False in a process that receives jobs and does not compile them.
     fraction_compiled
-        Returns the fraction (0 … 1) of the kernels for a machine that are compiled.
+        Function that returns, for the name of a machine, the fraction (0 … 1) of its kernels that
+        have machine code.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.

@@ -1,4 +1,4 @@
-"""The result of a compile as it is stored."""
+"""Defines the stored result of the compile of a job."""
 
 from __future__ import annotations
 

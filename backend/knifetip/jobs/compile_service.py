@@ -42,7 +42,7 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 def _kernels_for(machine: str) -> tuple[str, ...]:
-    """Return the groups of kernels that a compile for a machine of the library needs."""
+    """Return the names of the kernel groups that a compile for a machine of the library needs."""
     engines = {kind_of(station.tool).engine for station in load.machine(machine).stations}
     return ("drawings", "jobs", "offsets") if Engine.RADIUS in engines else ("drawings", "jobs")
 
@@ -65,7 +65,7 @@ class CompileService:
     _threads: list[threading.Thread] = field(default_factory=list)
 
     def start(self) -> None:
-        """Start the threads; the store must be migrated."""
+        """Start the threads; the database of the store must have the current schema."""
         self.name = self.name or socket.gethostname()
         if self.compiles:
             self.store.compiles.recover(self.name)
@@ -85,7 +85,7 @@ class CompileService:
             self._queue.start(self.compile)
 
     def fraction_compiled(self, machine: str) -> float:
-        """Return the fraction (0 … 1) of the kernels for a machine that are compiled.
+        """Return the fraction (0 … 1) of the kernels for a machine that have machine code.
 
         Returns 1 only if a compile for the machine can begin.
         """
@@ -123,7 +123,13 @@ class CompileService:
             self._stopping.wait(_SWEEP if leased else _REST)
 
     def compile(self, job: Job) -> None:
-        """Compile a job that ``CompileStore.begin`` returned; store the result or the refusal."""
+        """Compile a job, and store the result, or the reason for which the job is refused.
+
+        Parameters
+        ----------
+        job
+            A job that ``CompileStore.begin`` returned.
+        """
         id, epoch = job.id, job.epoch
         renewed = time.monotonic()
         last: Stage | None = None

@@ -32,26 +32,26 @@ class CompileStore:
         self._transitions = transitions
 
     def received_jobs(self) -> list[tuple[str, int]]:
-        """Return the id and the attempt of each job that waits for a compile."""
+        """Return the id and the number of the attempt of each job that waits for a compile."""
         query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
         with self._db.reading() as session:
             return [(id, attempt) for id, attempt in session.execute(query)]
 
     def received_machines(self) -> list[str]:
-        """Return the machines of the jobs that wait for a compile, each once."""
+        """Return the names of the machines of the jobs that wait for a compile, each name once."""
         query = sa.select(Job.machine).where(Job.state == State.RECEIVED).distinct()
         with self._db.reading() as session:
             return list(session.scalars(query))
 
     def report_waiting(self, machine: str, progress: float) -> None:
-        """Store in each received job of a machine that the job waits for kernels to be compiled.
+        """Store in each received job of a machine that the job waits until kernels are compiled.
 
-        The first report of a job also writes an event.
+        The first such report about a job also writes an event.
 
         Parameters
         ----------
         progress
-            Fraction (0 … 1) of the kernels for the machine that are compiled.
+            Fraction (0 … 1) of the kernels for the machine that have machine code.
         """
         message = Message("job.awaits-kernels", machine=machine)
         waiting = sa.and_(Job.state == State.RECEIVED, Job.machine == machine)
@@ -83,9 +83,9 @@ class CompileStore:
         worker
             Name of the worker that becomes the owner of the job.
         only
-            Id and attempt of the one job that may be taken; any job if None.
+            Id and number of the attempt of the only job that may be taken; None for any job.
         without
-            Machines whose jobs are not taken.
+            Names of the machines whose jobs are not taken.
         """
         query = _NEXT.where(Job.machine.not_in(without))
         if only is not None:
@@ -125,7 +125,17 @@ class CompileStore:
                 self.take_back(session, row)
 
     def take_back(self, session: Session, row: Job) -> None:
-        """Return a job of a silent worker to the queue; refuse it after ``ATTEMPTS`` attempts."""
+        """Return a job to the queue after the lease of its worker has expired.
+
+        After ``ATTEMPTS`` attempts the job is refused instead.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job, in the state ``compiling``.
+        """
         if row.attempt < ATTEMPTS:
             self._transitions.move(
                 session,
@@ -152,7 +162,14 @@ class CompileStore:
         )
 
     def report_progress(self, id: str, epoch: int, stage: Stage, progress: float) -> bool:
-        """Store the progress of a compile (0 … 1) and renew the lease of its job.
+        """Store the progress of a compile, and renew the lease of its job.
+
+        Parameters
+        ----------
+        epoch
+            Epoch of the job when the worker took it.
+        stage, progress
+            Present stage of the compile, and fraction done (0 … 1).
 
         Returns
         -------
@@ -220,16 +237,18 @@ class CompileStore:
         source: Sequence[str] = (),
         questions: Sequence[dict[str, Any]] = (),
     ) -> None:
-        """Refuse a job that could not be compiled.
+        """Move a job that could not be compiled to ``refused``.
 
         Parameters
         ----------
+        epoch
+            Epoch of the job when the worker took it.
         message
-            Why the job is refused.
+            Reason for which the job is refused.
         source
-            Handles of the entities that the message concerns.
+            Handles of the entities of the drawing that the message concerns.
         questions
-            Decisions that the user must make before the job can be compiled.
+            Questions that the user must answer before the job can be compiled, as JSON data.
         """
         with self._db.writing() as session:
             self._transitions.move(
@@ -248,7 +267,7 @@ class CompileStore:
             )
 
     def give_back(self, id: str, epoch: int) -> None:
-        """Return a job whose compile was cancelled to the queue."""
+        """Return a job to the queue after its compile was cancelled."""
         with self._db.writing() as session:
             attempt = self._transitions.lock(session, id).attempt
             self._transitions.move(

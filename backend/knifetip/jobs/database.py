@@ -55,7 +55,10 @@ def _check(url: str) -> None:
 
 
 def dialect_url(url: str) -> str:
-    """Return a database URL with the installed driver, which is psycopg for PostgreSQL."""
+    """Return a database URL that names the driver for PostgreSQL, psycopg.
+
+    URLs of other databases are returned unchanged.
+    """
     for scheme in ("postgresql://", "postgres://"):
         if url.startswith(scheme):
             return "postgresql+psycopg://" + url.removeprefix(scheme)
@@ -78,7 +81,7 @@ class Database:
         self._writer = self._engine.execution_options(writes=True)
 
     def migrate(self) -> None:
-        """Create the tables or migrate them to the current schema."""
+        """Create the tables, or migrate existing tables to the current schema."""
         settings = Config()
         settings.set_main_option("script_location", str(_MIGRATIONS).replace("%", "%%"))
         with self._writer.begin() as connection:
@@ -93,16 +96,21 @@ class Database:
 
     @contextmanager
     def reading(self) -> Iterator[Session]:
-        """Return a context with a read-only transaction."""
+        """Return a context with a session that only reads, in one transaction."""
         with Session(self._engine, expire_on_commit=False) as session:
             yield session
 
     @contextmanager
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
-        """Return a context with a transaction that writes.
+        """Return a context with a session that writes, in one transaction.
 
-        Urgent transactions begin before other waiting transactions of this process.  If the
-        transaction has written events, ``changes`` is notified after it.
+        If the transaction has written events, the subscribers of ``changes`` are called after it.
+
+        Parameters
+        ----------
+        urgent
+            Whether the transaction begins before all waiting transactions of this process that are
+            not urgent.
         """
         with (
             self._turns.turn(urgent),
@@ -121,6 +129,12 @@ class Database:
 
         Parameters
         ----------
+        table
+            ``Drawing`` or ``Job``.
+        id
+            Id of the drawing or the job.
+        column
+            Name of the column.
         word
             ``drawing`` or ``job``, for error messages.
 
@@ -141,7 +155,7 @@ class Database:
         return bytes(found[0])
 
     def alive(self) -> bool:
-        """Return whether the database answers."""
+        """Return whether the database answers a query."""
         with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
 
@@ -152,5 +166,5 @@ def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
 
 
 def short(id: str) -> str:
-    """Return an id, quoted and cut to a length that fits into an error."""
+    """Return an id for an error message: quoted, and shortened if it is long."""
     return repr(id if len(id) <= 40 else id[:40] + "…")

@@ -108,7 +108,7 @@ class DrawingStore:
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing with the named large columns, all of the same revision."""
+        """Return a drawing with the large columns named ``columns``, all of the same revision."""
         large = [undefer(getattr(Drawing, column)) for column in columns]
         with self._db.reading() as session:
             row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
@@ -117,11 +117,23 @@ class DrawingStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return a large column of a drawing: content, overrides, edges or import_report."""
+        """Return a large column of a drawing.
+
+        Parameters
+        ----------
+        column
+            ``content``, ``overrides``, ``edges`` or ``import_report``.
+        """
         return self._db.large_column(Drawing, id, column, "drawing")
 
     def recent(self, before: int | None, limit: int) -> list[Drawing]:
-        """Return drawings older than the one with serial ``before``, newest first."""
+        """Return at most ``limit`` drawings, newest first.
+
+        Parameters
+        ----------
+        before
+            Return only drawings with a smaller serial number; None for all.
+        """
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
         if before is not None:
             query = query.where(Drawing.serial < before)
@@ -129,21 +141,23 @@ class DrawingStore:
             return list(session.scalars(query))
 
     def change(self, id: str, version: int, event: Message, **changes: Any) -> Drawing:
-        """Change a drawing if its version is still ``version``; return it with its import report.
+        """Change columns of a drawing; return the drawing with its import report.
 
         Parameters
         ----------
+        version
+            Version of the drawing on which the change is based.
         event
-            What changes, for the log of events.
+            Description of the change, for the log of events.
         changes
-            New values of columns, by name.
+            New values of columns, by name of the column.
 
         Raises
         ------
         NoSuchJob
             The drawing was deleted since it was read.
         StaleRevision
-            The drawing was changed since it was read.
+            The drawing has another version, because it was changed since it was read.
         """
         with self._db.writing() as session:
             changed = rows(
@@ -164,7 +178,7 @@ class DrawingStore:
             ).one()
 
     def delete(self, id: str) -> None:
-        """Delete a drawing that no job was made from.
+        """Delete a drawing from which no job was made.
 
         Raises
         ------

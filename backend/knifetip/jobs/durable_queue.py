@@ -23,12 +23,15 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class DurableQueue:
-    """A queue of compiles in DBOS.  A process can have only one, because DBOS is one per process.
+    """A queue of compiles in DBOS.  A process can have only one such queue.
 
     Parameters
     ----------
+    store
+        Store that contains the jobs.
     worker
-        Name under which jobs are taken; must not change at a restart.
+        Name of the worker that becomes the owner of each job taken; it must be the same after a
+        restart.
     at_once
         Number of jobs that are compiled at the same time; 0 in a process that does not compile.
     """
@@ -43,7 +46,7 @@ class DurableQueue:
         self._compile: Compile = lambda _job: None
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each job to compile."""
+        """Begin to call ``compile`` with each received job."""
         global _running
         if _running is not None:
             raise RuntimeError("A process can run one DurableQueue. Stop the other one first.")
@@ -72,9 +75,10 @@ class DurableQueue:
         self._submitting.start()
 
     def _submit(self) -> None:
-        """Submit received jobs to the queue of DBOS until stopped.
+        """Submit received jobs to the queue of DBOS until this queue is stopped.
 
-        Jobs of this process are submitted at once, jobs of other processes after ``_POLL``.
+        Jobs that this process received are submitted at once, other jobs within about ``_POLL``
+        seconds.
         """
         submitted: set[tuple[str, int]] = set()
         with self._store.changes.subscribed(self._received.set):
@@ -94,7 +98,7 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job if it is still ``received`` and has the same attempt."""
+        """Compile a job, if it is still ``received`` and its attempt still has this number."""
         job = self._store.compiles.begin(self._worker, (id, attempt))
         if job is not None:
             self._compile(job)
@@ -118,7 +122,10 @@ _running: DurableQueue | None = None
 
 @DBOS.workflow(name="compile")
 def compile_job(job: str, attempt: int) -> None:
-    """Compile a job.  DBOS repeats this workflow if the process that executed it has died."""
+    """Compile a job, given by its id and the number of the attempt, as a workflow of DBOS.
+
+    DBOS repeats this workflow if the process that executed it has died.
+    """
     _compile(job, attempt)
 
 

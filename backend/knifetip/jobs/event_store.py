@@ -16,7 +16,7 @@ class EventStore:
         self._db = database
 
     def of_job(self, id: str) -> list[Event]:
-        """Return the events of a job, oldest first."""
+        """Return the events of the job with an id, oldest first."""
         with self._db.reading() as session:
             if session.scalar(sa.select(Job.id).where(Job.id == id)) is None:
                 raise unknown_job_error(id)

@@ -36,7 +36,7 @@ _TURN = (Job.priority.desc(), Job.queued, Job.serial)
 
 @dataclass(frozen=True, slots=True)
 class GatewayReport:
-    """Report of a gateway on the progress of a job."""
+    """Progress of a job, as its gateway reports it in a heartbeat."""
 
     line: int  #: executed lines of the current copy
     copies_done: int = 0  #: copies completed since this claim
@@ -48,7 +48,10 @@ class GatewayReport:
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """State of the queue of a machine: its first job, and the job ahead of it on the machine."""
+    """State of the queue of a machine: the next job to be claimed, and the job before it.
+
+    The job before it is on the table, or is claimed and waits for a confirmation.
+    """
 
     first: str  #: next job to be claimed; empty if none
     ahead: str  #: job on the table, or claimed and not confirmed; empty if none
@@ -64,14 +67,20 @@ class GatewayStore:
         self._transitions = transitions
 
     def record_contact(self, machine: str, name: str) -> None:
-        """Store the present time as the time of the gateway's last request."""
+        """Store the present time as the time of the last request of a gateway.
+
+        Parameters
+        ----------
+        machine, name
+            Name of the machine, and name of its gateway.
+        """
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
     def connected_machines(self, within: float) -> set[str]:
-        """Return the machines whose gateway is connected.
+        """Return the names of the machines whose gateway is connected.
 
-        A gateway is connected if it asked for a job in the last ``within`` seconds, or has a valid
+        A gateway is connected if it requested a job in the last ``within`` seconds, or has a valid
         lease of a job.
         """
         now = self._db.clock()
@@ -83,7 +92,10 @@ class GatewayStore:
             return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
 
     def jobs_on_tables(self) -> dict[str, str]:
-        """Return the id of the job on the table of each machine, by machine."""
+        """Return the id of the job on the table of each machine, by name of the machine.
+
+        Machines without a job on their table are omitted.
+        """
         query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
         with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
@@ -93,6 +105,8 @@ class GatewayStore:
 
         Parameters
         ----------
+        machines
+            Names of the machines.
         within
             Seconds without a request after which a gateway counts as absent.
         """
@@ -117,16 +131,22 @@ class GatewayStore:
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Assign the next queued job of a machine to a gateway; return None if there is none.
 
-        With ``manual`` the job stays ``queued``: the gateway sends nothing to the machine until the
-        answer to a heartbeat is ``start``.  A gateway that claims again while it waits gets
-        the same job under a new epoch, and the operator must confirm again.  Without ``manual`` the
-        state ``running`` is committed before this method returns, so before any byte is sent to the
-        controller.
+        Parameters
+        ----------
+        machine, gateway
+            Name of the machine, and name of its gateway.
+        manual
+            Whether the operator must confirm the sheet.  If True, the job stays ``queued``, and the
+            gateway sends nothing to the machine until a heartbeat is answered with ``start``; if
+            the gateway claims again meanwhile, it gets the same job under a new epoch, and the
+            operator must confirm again.  If False, the state ``running`` is committed before this
+            method returns, and so before anything is sent to the controller.
 
         Raises
         ------
         MachineBusy
-            Another job is on the table of this machine, or another gateway waits with one.
+            Another job is on the table of this machine, or another gateway has claimed a job of
+            this machine and waits.
         """
         waiting = sa.select(Job).where(Job.machine == machine, CLAIMED)
         with self._db.reading() as session:
@@ -183,14 +203,21 @@ class GatewayStore:
         )
 
     def heartbeat(self, id: str, epoch: int, report: GatewayReport) -> str:
-        """Store a gateway's report, renew its lease and return the next command.
+        """Store the report of a gateway, renew its lease and return the next command for it.
+
+        Parameters
+        ----------
+        id, epoch
+            Id of the job, and epoch under which the gateway claimed it.
+        report
+            Progress of the job.
 
         Returns
         -------
         str
             ``wait`` or ``start`` if the gateway waits for the operator's confirmation, otherwise
-            ``continue``, ``hold`` or ``resume``; ``cancel`` in both cases.  ``running`` is
-            committed before ``start`` is returned.
+            ``continue``, ``hold`` or ``resume``; in both cases it can also be ``cancel``.  The
+            state ``running`` is committed before ``start`` is returned.
 
         Raises
         ------
@@ -210,7 +237,7 @@ class GatewayStore:
     def _answer_waiting(self, session: Session, row: Job) -> str:
         """Return the command for a gateway that has not sent anything to the machine yet.
 
-        Starts the job, or holds it before its start, if the operator has confirmed it.
+        If the operator has confirmed the job, this method starts it, or holds it before its start.
         """
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
@@ -237,7 +264,7 @@ class GatewayStore:
     def _start(self, session: Session, row: Job, **changes: Any) -> Job:
         """Move a claimed job to ``running`` and return it.
 
-        The job is confirmed, or its gateway runs it already.
+        The caller has checked that the operator confirmed the job, or that its gateway runs it.
         """
         confirmed = row.confirmation == Confirmation.GIVEN
         event = Message("job.started" if confirmed else "job.started-unconfirmed")
@@ -398,7 +425,17 @@ class GatewayStore:
         self._gateway_moves(session, row, goal, event, **ended)
 
     def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
-        """Return a claimed job that was never started to its former position in the queue."""
+        """Return a claimed job that was never started to its former position in the queue.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        actor, cause
+            Actor that returns the job, and reason for it, for the log of events.
+        """
         self._change(
             session,
             row,
@@ -415,7 +452,13 @@ class GatewayStore:
         self._transitions.write_event(session, "job", row.id, State.QUEUED, actor, event)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
-        """Change columns of a row that is locked by this transaction."""
+        """Set columns of a job that is locked by the transaction of the caller.
+
+        Parameters
+        ----------
+        changes
+            New values of columns, by name of the column.
+        """
         statement = sa.update(Job).where(Job.id == row.id, Job.epoch == row.epoch)
         statement = statement.execution_options(synchronize_session=False)
         if not rows(session, statement.values(**changes)):
@@ -441,7 +484,7 @@ def _next_queued(machine: str) -> sa.Select[Job]:
 
 
 def is_claimed(row: Job) -> bool:
-    """Return whether a gateway has claimed the job and waits for the operator's confirmation."""
+    """Return whether a gateway has claimed a job and the job is not started yet."""
     return row.state == State.QUEUED and row.confirmation != Confirmation.NONE
 
 

@@ -1,4 +1,4 @@
-"""Grace period for gateways after this process could not receive their heartbeats."""
+"""Grace period in which no gateway counts as silent, because this process missed heartbeats."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from knifetip.jobs.transitions import LEASE
 class Grace:
     """Decides whether a gateway without a valid lease counts as silent.
 
-    A process that has just started, was suspended, or whose clock was set has missed heartbeats;
-    for the duration of one lease after that, no gateway counts as silent.
+    A process has missed heartbeats if it has just started, was suspended, or had its clock set.
+    For the duration of one lease after that, no gateway counts as silent.
     """
 
     def __init__(self) -> None:
@@ -18,7 +18,7 @@ class Grace:
     def is_over(self, now: float) -> bool:
         """Return whether this process has run without a pause for longer than a lease.
 
-        Must be called several times in the duration of a lease.
+        This method must be called several times in the duration of a lease, to detect pauses.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Convert between an Interpretation and the columns of a drawing or a job."""
+"""Functions that convert between an ``Interpretation`` and the columns of a drawing or a job."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
 
 
 def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
-    """Return the columns of a drawing that store its interpretation."""
+    """Return the columns of a drawing that store an interpretation, by name of the column."""
     return {
         "unit_given": interpretation.unit,
         "profile": interpretation.profile,
@@ -38,7 +38,7 @@ def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
 
 
 def job_columns(interpretation: Interpretation) -> dict[str, Any]:
-    """Return the columns of a job that store its interpretation."""
+    """Return the columns of a job that store an interpretation, by name of the column."""
     corners = interpretation.corners
     return {
         **drawing_columns(interpretation),

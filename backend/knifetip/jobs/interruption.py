@@ -14,7 +14,7 @@ from knifetip.messages import Message
 
 @dataclass(frozen=True, slots=True)
 class Interruption:
-    """Position of an interrupted job in its program, and the message about it."""
+    """Line and copy at which an interrupted job stopped, and the message about the interruption."""
 
     line: int  #: executed lines of the interrupted copy
     copies_done: int
@@ -24,7 +24,7 @@ class Interruption:
 def interruption(
     row: Job, cause: Message, line: int | None = None, copies_done: int | None = None
 ) -> Interruption:
-    """Return the position at which a job stopped, with the message for the operator.
+    """Return the line and the copy at which a job stopped, with the message for the operator.
 
     Parameters
     ----------
@@ -33,7 +33,8 @@ def interruption(
     cause
         Cause of the interruption, from the gateway or from the lease sweep.
     line, copies_done
-        Last values reported by the gateway; by default those of the job.
+        Number of executed lines and of completed copies that the gateway reported last; None for
+        the stored values of the job.
     """
     at = row.line if line is None else min(line, row.lines)
     done = row.copies_done if copies_done is None else min(copies_done, row.copies)

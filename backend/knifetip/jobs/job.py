@@ -50,7 +50,7 @@ class Who(StrEnum):
 
 
 class Actor(NamedTuple):
-    """Cause of a transition, with the name of the operator, worker or gateway if it is known."""
+    """Person or process that causes a transition of a job, with its name if it is known."""
 
     kind: Who
     name: str = ""
@@ -64,7 +64,10 @@ OPERATOR, CLOCK = Actor(Who.OPERATOR), Actor(Who.CLOCK)
 
 
 class Confirmation(StrEnum):
-    """What the operator must confirm before the machine may move, under the current claim."""
+    """Whether the operator has confirmed, or must confirm, that the machine may move.
+
+    A confirmation is valid only for the present claim of the job.
+    """
 
     NONE = ""  #: nothing: the job is not claimed, or its machine has automatic feed
     AWAITED = "awaited"  #: claimed; table, board and tools must be confirmed
@@ -98,7 +101,7 @@ class Action(StrEnum):
 
 
 class Transition(NamedTuple):
-    """One row of the transition table."""
+    """A permitted transition of a job: states before and after, action, and permitted actors."""
 
     source: State
     action: Action
@@ -151,7 +154,7 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, who: Who) -> tuple[State, ...]:
-    """Return the states in which an actor of the kind ``who`` may perform an action."""
+    """Return the states of a job in which an actor of the kind ``who`` may perform an action."""
     return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
 
 
@@ -161,7 +164,7 @@ def target(action: Action) -> State:
 
 
 def action_between(source: State, goal: State) -> Action:
-    """Return the action that moves a job from one state to another.
+    """Return the action that moves a job from the state ``source`` to the state ``goal``.
 
     Raises
     ------

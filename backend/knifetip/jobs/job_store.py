@@ -37,7 +37,7 @@ from knifetip.model.interpretation import Interpretation
 
 @dataclass(frozen=True, slots=True)
 class JobOrder:
-    """What an operator orders: the machine, the board and the number of copies of a drawing."""
+    """Order of an operator: the machine, the board and the number of copies of a drawing."""
 
     machine: str
     board: str
@@ -187,7 +187,7 @@ class JobStore:
             return list(session.scalars(query))
 
     def release(self, id: str) -> Job:
-        """Queue a ready job."""
+        """Move a ready job to the queue of its machine, and return it."""
         with self._db.writing() as session:
             self._transitions.move(
                 session,
@@ -229,7 +229,7 @@ class JobStore:
         return self.get(id)
 
     def scrap(self, id: str) -> Job:
-        """Scrap an interrupted job and free its table."""
+        """Scrap an interrupted job, free the table of its machine, and return the job."""
         with self._db.writing() as session:
             self._transitions.move(
                 session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
@@ -237,7 +237,10 @@ class JobStore:
         return self.get(id)
 
     def declare_finished(self, id: str) -> Job:
-        """Move an interrupted job to ``done``: an operator has found all its sheets complete."""
+        """Move an interrupted job to ``done`` and return it.
+
+        An operator calls this after finding that all sheets of the job are complete.
+        """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             self._transitions.move(
@@ -326,15 +329,24 @@ class JobStore:
                 )
 
     def hold(self, id: str) -> Job:
-        """Request a hold; the job becomes ``held`` when the machine has stopped."""
+        """Request the gateway of a job to hold the machine; return the job.
+
+        The job becomes ``held`` when the machine has stopped.
+        """
         return self._request(id, OperatorAction.HOLD)
 
     def resume(self, id: str) -> Job:
-        """Request to resume; between two copies this confirms the new sheet."""
+        """Request the gateway of a held job to resume it; return the job.
+
+        Between two copies, the request confirms that a new sheet is on the table.
+        """
         return self._request(id, OperatorAction.RESUME)
 
     def cancel(self, id: str) -> Job:
-        """Cancel a job: immediately before it runs, through its gateway while it runs."""
+        """Cancel a job and return it.
+
+        A running or held job is cancelled later by its gateway, any other job at once.
+        """
         with self._db.writing() as session:
             state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
             if state not in LEASED:
@@ -352,7 +364,7 @@ class JobStore:
         return self._request(id, OperatorAction.CANCEL)
 
     def _request(self, id: str, action: OperatorAction) -> Job:
-        """Record a request for the gateway of a job on a table."""
+        """Record an action that the gateway of a job on a table must perform; return the job."""
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             if action not in allowed_actions(row, self._db.clock()):
@@ -374,7 +386,7 @@ class JobStore:
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
-    """Return the error for a request that a job does not allow."""
+    """Return the error for an action that a job does not allow in its present state."""
     if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
         return WrongState("job.not-confirmed", job=row.id)
     if row.requested_action == OperatorAction.CANCEL:

@@ -1,4 +1,4 @@
-"""Ends the leases of workers and gateways that have sent no report in time."""
+"""Ends the leases of workers and gateways that did not renew their lease in time."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class LeaseSweep:
         self._gateways = gateways
 
     def run(self, *, gateways: bool = True) -> bool:
-        """Move all jobs whose lease has expired to the state in which they can continue.
+        """Move each job whose lease has expired to the state from which it can continue.
 
         A job on a table becomes ``interrupted``, never ``queued``.  A claimed job that has not been
         started returns to the queue.  A job that was being compiled is compiled again.

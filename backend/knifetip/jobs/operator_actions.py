@@ -1,4 +1,4 @@
-"""Defines the actions of operators, and finds those that a job allows in its present state."""
+"""The actions of operators on jobs, and which of them a job allows in its present state."""
 
 from __future__ import annotations
 
@@ -26,15 +26,17 @@ _REQUESTED = frozenset({Action.HOLD, Action.RESUME, Action.CANCEL})
 
 
 def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
-    """Return the actions that an operator may perform or request.
+    """Return the actions on a job that an operator may perform or request now.
 
-    Every other action is refused, except that an action that was accepted may be repeated without
-    effect.
+    All other actions are refused.  An exception is an accepted action: it may be repeated, and then
+    has no effect.
 
     Parameters
     ----------
+    row
+        The job.
     now
-        Seconds since 1970.
+        Present time (seconds since 1970).
     """
     state = State(row.state)
     allowed = {
@@ -56,9 +58,14 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
 
 
 def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
-    """Adapt the allowed actions to the action that the operator has requested already.
+    """Add and remove allowed actions if the operator has already requested an action.
 
-    Writes into ``allowed``.
+    Parameters
+    ----------
+    row, state
+        The job and its state.
+    allowed
+        Allowed actions; changed in place.
     """
     if row.requested_action == OperatorAction.CANCEL:
         allowed -= {OperatorAction.HOLD, OperatorAction.RESUME}
@@ -79,6 +86,13 @@ def awaits_confirmation(row: Job, now: float) -> bool:
 
     Returns False if the job is being cancelled, and if the lease of the gateway that claimed the
     job has expired.
+
+    Parameters
+    ----------
+    row
+        The job.
+    now
+        Present time (seconds since 1970).
     """
     return (
         row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET)
@@ -90,6 +104,6 @@ def awaits_confirmation(row: Job, now: float) -> bool:
 def is_fully_executed(row: Job) -> bool:
     """Return whether an interrupted job was executed to the last line of its last copy.
 
-    To cut it again would waste a board.
+    Such a job must not be queued again, because that would waste a board.
     """
     return row.state == State.INTERRUPTED and 0 < row.lines == row.line

@@ -42,16 +42,16 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class TaskCancelled(Exception):
-    """The caller cancelled the task, or the pool was closed."""
+    """Raised when the caller of a task cancelled it, or when the pool was closed."""
 
 
 class TaskFailed(Exception):
-    """The task raised an unexpected exception; its traceback is in the log."""
+    """Raised when a task raised an unexpected exception, whose traceback is in the log."""
 
 
 @dataclass(slots=True)
 class _Worker:
-    """One process and the pipe to it."""
+    """One worker process, and the pipe on which it receives tasks and sends results."""
 
     process: BaseProcess
     pipe: Connection
@@ -64,12 +64,14 @@ class _Worker:
 
 
 class ProcessPool:
-    """At most ``size`` worker processes, each started on first use.
+    """A pool of worker processes, each of which is started when it is first needed.
 
     Parameters
     ----------
+    size
+        Greatest number of worker processes.
     memory
-        Greatest address space of a worker (bytes).
+        Greatest address space of a worker process (bytes).
     """
 
     def __init__(self, size: int = 2, memory: int = MEMORY) -> None:
@@ -94,11 +96,13 @@ class ProcessPool:
 
         Parameters
         ----------
+        task
+            Function of an importable module; it calls ``progress(stage, fraction)``.
         limit
-            Seconds after which the worker is killed.
+            Seconds after which the worker process is killed.
         watch
-            Called with each stage and fraction, and with the last ones again every second.
-            Returns False to cancel the task.
+            Called with each stage and fraction that the task reports, and with the last report
+            again at least once per second.  It returns False to cancel the task.
 
         Raises
         ------
@@ -147,9 +151,26 @@ class ProcessPool:
     def _receive(
         self, worker: _Worker, deadline: float, limit: float, watch: Watch
     ) -> tuple[str, Any]:
-        """Return kind and value of a worker's answer; pass its progress reports to ``watch``.
+        """Wait for the result of a task; pass the progress reports of the task to ``watch``.
 
-        The kind is ``result`` or ``error``.
+        Parameters
+        ----------
+        deadline
+            Time at which to stop waiting (s, monotonic clock).
+        limit
+            Time allowed for the task (s), for the error message.
+
+        Returns
+        -------
+        kind, value
+            ``result`` and the result, or ``error`` and a ``KnifetipError`` or a traceback.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The deadline has passed.
+        TaskCancelled
+            ``watch`` returned False.
         """
         stage, fraction = Stage.READ, 0.0
         while True:
@@ -177,7 +198,7 @@ class ProcessPool:
         return _Worker(process, parent_end)
 
     def trim(self, idle: float = IDLE) -> None:
-        """End workers that were idle for ``idle`` seconds, except the worker used last."""
+        """End worker processes without a task for ``idle`` seconds, except the one used last."""
         with self._lock:
             # The worker that was used last is the first to be used again.
             before = time.monotonic() - idle
@@ -187,7 +208,7 @@ class ProcessPool:
             worker.kill()
 
     def close(self) -> None:
-        """Kill all workers; their tasks end with ``TaskCancelled``."""
+        """Kill all worker processes; running calls of ``run`` raise ``TaskCancelled``."""
         with self._lock:
             self._closed = True
             idle, self._idle = self._idle, []
@@ -199,7 +220,13 @@ class ProcessPool:
 
 
 def _serve_tasks(pipe: Connection, memory: int) -> None:
-    """Execute tasks from the pipe in a worker process until the pipe closes."""
+    """Execute the tasks that arrive on a pipe until the pipe closes; called in a worker process.
+
+    Parameters
+    ----------
+    memory
+        Greatest address space of this process (bytes).
+    """
     # Ctrl-C is sent to the whole process group; the server decides when its workers end.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     hard = resource.getrlimit(resource.RLIMIT_AS)[1]

@@ -34,19 +34,21 @@ class ProfileStore:
     def save(
         self, name: str, title: str, text: str, version: int | None, *, anyway: bool = False
     ) -> Profile:
-        """Create a profile, or replace one whose version is still ``version``.
+        """Create or replace a classification profile, and return it.
 
         Parameters
         ----------
+        name, title, text
+            Name, title and TOML text of the profile.
         version
-            Version on which the change is based; None to create a profile.
+            Version of the stored profile on which the change is based; None to create a profile.
         anyway
-            Replace any version.
+            Whether to replace the stored profile whatever version it has.
 
         Raises
         ------
         StaleVersion
-            The profile was changed in between.
+            The stored profile has another version.
         WrongState
             The profile exists already, or there are too many profiles.
         NoSuchJob
@@ -85,6 +87,11 @@ class ProfileStore:
 
     def delete(self, name: str, version: int | None = None) -> None:
         """Delete a profile; drawings and jobs keep the rules with which they were made.
+
+        Parameters
+        ----------
+        version
+            Version that the profile must have; None for any version.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""Preview the effect of a profile on a drawing, and propose rules from the user's corrections."""
+"""Previews of a profile on a drawing, and proposals of rules from the user's corrections."""
 
 from __future__ import annotations
 
@@ -23,14 +23,22 @@ _MOST = 12
 def preview(
     progress: Progress, content: bytes, interpretation: Interpretation, text: str
 ) -> dict[str, Any]:
-    """Return the effect of the profile in ``text`` on a drawing that has another profile.
+    """Return the effect that another classification profile would have on a drawing.
+
+    Parameters
+    ----------
+    content, interpretation
+        File of the drawing, and its present interpretation with its profile and overrides.
+    text
+        TOML text of the other profile.
 
     Returns
     -------
     dict
-        ``rules``: each rule as in ``rule_json``, whether it is inherited, and the number and total
-        length of the edges that it matches; ``open``: number of edges that no rule matches;
-        ``changes``: edges that would get another line type.
+        ``rules``: for each rule of the other profile, the fields of ``rule_json``, whether the rule
+        is inherited (``inherited``), and number (``edges``) and total length (``length``) of the
+        edges that it matches; ``open``: number of edges that no rule matches; ``changes``: edges
+        that would get another line type, as in ``_changes``.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -68,19 +76,24 @@ def preview(
 def learn(
     progress: Progress, content: bytes, interpretation: Interpretation
 ) -> list[dict[str, Any]]:
-    """Return proposed rules that explain the user's corrections.
+    """Return proposed rules that give edges the line types which the user has set as corrections.
 
     Corrections that no rule explains without contradiction get rules by layer and colour.  Each
-    rule is listed with the other edges it would change: if the user set ten red lines of a layer to
-    crease, an eleventh may have been overlooked.
+    proposed rule is listed with the other edges that it would change: if the user set ten red lines
+    of a layer to crease, an eleventh may have been overlooked.
+
+    Parameters
+    ----------
+    content, interpretation
+        File of the drawing, and its interpretation with the corrections as overrides.
 
     Returns
     -------
     list of dict
-        ``rule``: as in ``rule_json``; ``explains``: corrected edges to which the rule gives the
-        line type that the user has set; ``sure``: whether the rule changes only edges that have no
-        line type yet; ``changes``: other edges it would change, as in ``preview``.  Sure rules
-        come first.
+        ``rule``: the rule as in ``rule_json``; ``explains``: indices of the corrected edges to
+        which the rule gives the line type that the user has set; ``sure``: whether the rule changes
+        only edges that have no line type yet; ``changes``: other edges that the rule would change,
+        as in ``_changes``.  Sure rules come first.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -122,7 +135,15 @@ def learn(
 
 
 def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[LineRule]:
-    """Return a rule for each pair of layer and colour whose corrections all agree."""
+    """Return one rule per pair of layer and colour, if all corrections of the pair agree.
+
+    Parameters
+    ----------
+    overrides
+        Line type that the user has set for each edge, or ``NO_OVERRIDE``.
+    rows
+        Indices of the corrected edges.
+    """
     wanted: dict[tuple[str, int, int], set[int]] = {}
     for row in rows:
         key = (
@@ -158,7 +179,18 @@ def rule_json(rule: LineRule) -> dict[str, Any]:
 
 
 def _changes(before: U8, after: U8) -> list[dict[str, Any]]:
-    """Return the edges whose line type differs, grouped by line type before and after."""
+    """Return the edges whose line type differs, grouped by line type before and after.
+
+    Parameters
+    ----------
+    before, after
+        Line types of the edges, shape (n,).
+
+    Returns
+    -------
+    list of dict
+        ``before`` and ``after``: names of the line types; ``edges``: indices of the edges.
+    """
     rows = np.flatnonzero(before != after)
     pairs, pair = np.unique(
         np.stack([before[rows], after[rows]], axis=1), axis=0, return_inverse=True

@@ -20,7 +20,7 @@ from knifetip.presentation.edges import restore_drawing
 
 @dataclass(frozen=True, slots=True)
 class StoredDrawing:
-    """A file with its stored reading."""
+    """The file of a drawing, with its stored edges and the interpretation used for them."""
 
     content: bytes  #: the file
     edges: bytes  #: packed ``EdgeTable`` of the drawing
@@ -28,10 +28,18 @@ class StoredDrawing:
 
 
 def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
-    """Return drawing and dieline for an interpretation, from the reading or from the file.
+    """Return the drawing and its dieline for an interpretation.
 
-    The reading is used if it has the same profile and a known and equal unit, and if no override
-    was removed: the reading does not contain the line type under an override.
+    They are restored from the stored edges if the stored interpretation has the same profile and an
+    equal, known unit, and if no override was removed; otherwise the file is read again.  A removed
+    override makes this necessary because the line type under an override is not stored.
+
+    Parameters
+    ----------
+    stored
+        File, stored edges and stored interpretation of the drawing.
+    wanted
+        Interpretation of the returned drawing.
 
     Raises
     ------
@@ -70,7 +78,15 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
 
 
 def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
-    """Return the overrides that a reading lacks, (n,); None if the reading cannot be used."""
+    """Return the overrides to add to a stored drawing, (n,) with one per edge.
+
+    Returns None if the stored drawing cannot be used for the wanted interpretation.
+
+    Parameters
+    ----------
+    stored, wanted
+        Interpretation of the stored drawing, and interpretation that is needed.
+    """
     if (stored.unit, stored.profile, stored.rules) != (wanted.unit, wanted.profile, wanted.rules):
         return None
     before, after = (np.frombuffer(one.overrides, np.uint8) for one in (stored, wanted))

@@ -54,7 +54,7 @@ class Store:
         self.database.migrate()
 
     def alive(self) -> bool:
-        """Return whether the database answers."""
+        """Return whether the database answers a query."""
         return self.database.alive()
 
     def close(self) -> None:

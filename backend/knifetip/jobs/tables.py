@@ -39,7 +39,7 @@ class Profile(Base):
 
 
 class Drawing(Base):
-    """A file that was read and classified."""
+    """A stored drawing: its file, its interpretation, and the data that were read from it."""
 
     __tablename__ = "drawing"
 

@@ -58,15 +58,18 @@ def read(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> Reading:
-    """Read and classify a drawing for the store and the page.
+    """Return a drawing, read and classified, in the form in which the store keeps it.
 
     Parameters
     ----------
+    content
+        File of the drawing.
     interpretation
-        Its overrides belong to an earlier reading of the same file, if there is one.
+        Unit, profile and overrides; the overrides belong to an earlier reading of the same file.
     handles : (n,)
-        Handles of the edges of that earlier reading.  Overrides are carried over by row if the
-        handles are the same, else by handle if all edges of the handle have the same override.
+        Handles of the edges of that earlier reading; None if there was none.  Overrides are carried
+        over by index of the edge if the handles are equal, else by handle if all edges with the
+        handle have the same override.
     """
     from knifetip import pipeline
 
@@ -113,7 +116,7 @@ def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
 
 
 def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
-    """Return the report on the cleaning of a drawing.
+    """Return a report on the edges that cleaning a drawing changes, as JSON data.
 
     Parameters
     ----------
@@ -137,7 +140,14 @@ def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
 def open_questions(
     progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
-    """Return the questions that the user must answer before a compile for a machine.
+    """Return the questions that the user must answer before a compile, as JSON data.
+
+    Parameters
+    ----------
+    stored, wanted
+        The stored drawing, and the interpretation with which it is compiled.
+    machine
+        Name of the machine.
 
     Raises
     ------
@@ -190,12 +200,16 @@ def compile(
 
 
 def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
-    """Return the result of a compile as it is stored.
+    """Return the program, tool path, verdict and tools of a compile in the stored form.
 
     Parameters
     ----------
+    made
+        The compiled program.
     handles : (n,)
-        Handles of the drawing's edges.
+        Handles of the edges of the drawing.
+    table
+        Machine of the program.
     """
     verdict = made.verdict
     findings = findings_json(verdict, handles)
@@ -228,15 +242,23 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
 
 
 def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
-    """Return the modules of some groups that contain kernels to be compiled."""
+    """Return the modules of some kernel groups that contain kernels without machine code.
+
+    Parameters
+    ----------
+    groups
+        Names of the groups, from ``warming.GROUPS``.
+    """
     return missing_parts(*groups)
 
 
 def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
-    """Compile the kernels of a module in a process with low priority.
+    """Compile the kernels of a module in this process, at low priority.
 
     Parameters
     ----------
+    module
+        Name of the module.
     niceness
         Least niceness of the process (see ``nice``).
     """

@@ -39,18 +39,24 @@ class Transitions:
         new_epoch: int | None = None,
         **changes: Any,
     ) -> None:
-        """Perform an action on a job if the actor may do so in its state, and write the event.
+        """Perform an action on a job and write the event, if the actor may do so in its state.
 
         Parameters
         ----------
+        session
+            Session with the transaction of the caller.
+        id
+            Id of the job.
+        action, actor
+            The action, and the person or process that performs it.
         event
-            What happened, for the log of events.
+            Description of the transition, for the log of events.
         epoch
-            Epoch that the job must have.
+            Epoch that the job must have; None for any.
         new_epoch
-            New epoch of the job; by default it keeps its own.
+            New epoch of the job; None to keep its epoch.
         changes
-            Columns to change besides the state.
+            New values of further columns, by name of the column.
 
         Raises
         ------
@@ -93,7 +99,19 @@ class Transitions:
         actor: Actor,
         message: Message,
     ) -> None:
-        """Write an event of a job or a drawing."""
+        """Write an event about a job or a drawing to the log of events.
+
+        Parameters
+        ----------
+        kind, subject
+            ``job`` or ``drawing``, and its id.
+        state
+            State of the job after the event; for a drawing ``read``, ``changed`` or ``deleted``.
+        actor
+            Person or process that caused the event.
+        message
+            Description of the event.
+        """
         session.info["changed"] = True
         session.add(
             Event(
@@ -107,7 +125,7 @@ class Transitions:
         )
 
     def lock(self, session: Session, id: str) -> Job:
-        """Return a job, locked until the transaction ends.
+        """Return the job with an id, locked for other writers until the transaction ends.
 
         Raises
         ------
@@ -126,29 +144,43 @@ class Transitions:
 
 
 def advice(state: str, message: Message | None) -> Message:
-    """Return what an operator can do about a job: the hint of its message, or of its state."""
+    """Return a message about what an operator can do with a job.
+
+    It is the hint of the message of the job if there is one, else a hint for the state of the job.
+    """
     if message is not None and hint(message):
         return Message("advice.of-reason", reason=message)
     return ADVICE[State(state)]
 
 
 def unknown_job_error(id: str) -> NoSuchJob:
-    """Return the error for an unknown job."""
+    """Return the error that no job has this id."""
     return NoSuchJob("job.unknown", job=short(id))
 
 
 def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpoch:
-    """Return the error for a worker or gateway that no longer owns a job."""
+    """Return the error for a worker or gateway that no longer owns a job.
+
+    Parameters
+    ----------
+    current, epoch
+        Present epoch of the job, and epoch that the worker or gateway has sent.
+    """
     return StaleEpoch("job.stale-epoch", job=id, state=state, current=current, epoch=epoch)
 
 
 def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return the row that was created under an Idempotency-Key.
+    """Return ``row``, a drawing or job that was stored with an Idempotency-Key, if it matches.
+
+    Parameters
+    ----------
+    key, fingerprint
+        Idempotency-Key and hash of the present request.
 
     Raises
     ------
     KeyReused
-        The key was used for another request.
+        The row was stored by a request with another fingerprint.
     """
     if row.fingerprint != fingerprint:
         raise KeyReused("request.key-reused", key=short(key))

@@ -21,7 +21,13 @@ class Turns:
 
     @contextmanager
     def turn(self, urgent: bool) -> Iterator[None]:
-        """Return a context that waits for the lock, holds it and releases it."""
+        """Return a context that waits for the lock, holds it in its body, and then releases it.
+
+        Parameters
+        ----------
+        urgent
+            Whether this thread gets the lock before waiting threads that are not urgent.
+        """
         with self._changed:
             self._urgent += urgent
             try:
@@ -41,5 +47,5 @@ class NoTurns:
     """Replacement of ``Turns`` for databases that permit several writers at a time."""
 
     def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002
-        """Return a context that does not wait."""
+        """Return a context that neither waits nor locks."""
         return nullcontext()

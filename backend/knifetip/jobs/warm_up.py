@@ -35,7 +35,7 @@ _log = logging.getLogger("knifetip.jobs")
 
 @dataclass(frozen=True, slots=True)
 class WarmUpProgress:
-    """Progress of a warm-up."""
+    """Progress of a warm-up: numbers of kernels, and whether the warm-up is finished."""
 
     finished: bool
     compiled: int = 0  #: kernels
@@ -43,12 +43,12 @@ class WarmUpProgress:
 
 
 class WarmUp:
-    """Compiles missing kernels once; callers can wait for groups of kernels.
+    """Compiles all kernels without machine code once; callers can wait for groups of kernels.
 
     Parameters
     ----------
     groups
-        Names of ``warming.GROUPS`` to compile, in order.
+        Names of the groups to compile, from ``warming.GROUPS``, in order.
     niceness
         Niceness of the compiling processes (see ``nice``).
     on_progress
@@ -76,7 +76,7 @@ class WarmUp:
 
     @property
     def progress(self) -> WarmUpProgress:
-        """Number of kernels compiled so far, and number of kernels that had to be compiled."""
+        """Numbers of kernels to compile in this warm-up, and of kernels compiled so far."""
         with self._changed:
             return self._progress()
 
@@ -86,18 +86,24 @@ class WarmUp:
         return WarmUpProgress(not self._running, compiled, sum(one.kernels for one in parts))
 
     def start(self, pool: ProcessPool) -> None:
-        """Begin to compile missing kernels on a thread of the warm-up.
+        """Begin to compile the kernels without machine code, on a thread of the warm-up.
 
         Parameters
         ----------
         pool
-            Pool whose worker finds the missing kernels; that worker can then read drawings at once.
+            Pool of processes.  One of its workers finds the kernels to compile, and can then read
+            drawings without delay.
         """
         self._running = True
         threading.Thread(target=self.run, args=(pool,), name="warm-up", daemon=True).start()
 
     def run(self, pool: ProcessPool) -> bool:
-        """Compile missing kernels on the calling thread; ``pool`` as for ``start``.
+        """Compile the kernels without machine code, and return when this is done.
+
+        Parameters
+        ----------
+        pool
+            Pool of processes, one of whose workers finds the kernels to compile.
 
         Returns
         -------
@@ -174,13 +180,15 @@ class WarmUp:
         self._on_progress(self.progress)
 
     def wait(self, *groups: str, watch: Watch = lambda _stage, _fraction: True) -> None:
-        """Return when the kernels of the given groups are compiled.
+        """Return when the kernels of some groups are compiled.
 
         Parameters
         ----------
+        groups
+            Names of the groups, from ``warming.GROUPS``.
         watch
-            Called while it waits, with the stage ``PREPARE`` and the fraction of kernels compiled.
-            Returns False to stop waiting.
+            Called repeatedly during the wait, with the stage ``PREPARE`` and the fraction of the
+            kernels that are compiled.  It returns False to stop the wait.
 
         Raises
         ------
@@ -199,10 +207,15 @@ class WarmUp:
                 raise TaskCancelled
 
     def fraction_compiled(self, *groups: str) -> float:
-        """Return the fraction (0 … 1) of the missing kernels of some groups that are compiled.
+        """Return the fraction (0 … 1) that is compiled of the kernels of some groups.
 
-        Returns 1 only if no caller has to wait for these groups: all their kernels are compiled, or
-        no warm-up is running.
+        Only kernels without machine code at the start of the warm-up are counted.  Returns 1 only
+        if all of them are compiled, or if no warm-up is running, so that no caller has to wait.
+
+        Parameters
+        ----------
+        groups
+            Names of the groups, from ``warming.GROUPS``.
         """
         with self._changed:
             if self._is_ready(groups):
