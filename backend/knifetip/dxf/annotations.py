@@ -1,8 +1,9 @@
 """annotations: the texts and dimensions of a drawing, as written in the file.
 
-The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  Both
-readers take texts from the bytes and not from ezdxf, because texts are evidence for the unit and
-must not be repaired.  Texts in blocks are left out, even if an INSERT places the block.
+The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  The
+fast reader and the ezdxf reader take texts from the bytes of the file and not from ezdxf, because
+texts are evidence for the unit and must not be repaired.  Texts in blocks are left out, even if an
+INSERT places the block.
 """
 
 from __future__ import annotations
@@ -49,10 +50,12 @@ def annotation(
 
     Parameters
     ----------
+    kind, layer
+        Kind of the entity, such as MTEXT, and name of its layer.
     text
-        Text as written, with formatting codes.
+        Text as written in the file, with formatting codes.
     lengths
-        One value for each group code in ``LENGTHS``, NaN if not in the file.
+        Value of each of the group codes ``LENGTHS`` of the entity, NaN if not in the file.
     type_
         Type of a dimension, the value of its group code 70; not used for texts.
     """
@@ -86,19 +89,24 @@ def annotation(
 
 
 def has_formatting(kind: str, text: str) -> bool:
-    """Return whether a text may contain formatting codes, or is too long to be read completely."""
+    """Return whether ``text`` may contain formatting codes, or is too long to be read completely.
+
+    ``kind`` is the kind of the entity, such as MTEXT.
+    """
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
 
 
 def plain_annotations(
     kinds: Sequence[str], layers: Sequence[str], texts: Sequence[str], lengths: F64
 ) -> list[Annotation]:
-    """Return the annotations for n texts without formatting codes.
+    """Return the annotations for n text entities whose texts have no formatting codes.
 
     Parameters
     ----------
+    kinds, layers, texts
+        Kind, layer name and text of each entity.
     lengths : (n, 6)
-        One value for each group code in ``LENGTHS`` and text, NaN if not in the file.
+        Value of each of the group codes ``LENGTHS`` of each entity, NaN if not in the file.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
@@ -109,7 +117,10 @@ def plain_annotations(
 def annotation_of_tags(
     kind: str, layer: str, tags: Iterable[tuple[int, Any]], encoding: str
 ) -> Annotation:
-    """Return the annotation for a text or dimension entity, given its tags (group code, value)."""
+    """Return the annotation for a text or dimension entity, given its tags (group code, value).
+
+    ``encoding`` is the character encoding of values that are bytes.
+    """
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
     type_ = 0
@@ -135,7 +146,10 @@ def annotation_of_tags(
 
 
 def annotation_of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
-    """Return the annotation for a text or dimension entity, given its bytes in the file."""
+    """Return the annotation for a text or dimension entity, given its bytes in the file.
+
+    ``data`` contains the lines of all tags of the entity, and ``encoding`` is their encoding.
+    """
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])
     return annotation_of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)

@@ -1,7 +1,7 @@
 """attributes: layer, colour and linetype of entities, with BYLAYER and BYBLOCK resolved.
 
-A layer that the file uses but does not define has colour 7 and linetype Continuous, and is on and
-thawed.
+A layer that an entity uses, but that is not in the layer table of the file, has colour 7 and
+linetype Continuous, and is on and not frozen.
 """
 
 from __future__ import annotations
@@ -38,14 +38,16 @@ _SHEET = Style("0", 7, -1, "Continuous")
 
 
 def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
-    """Return the layer for a row of the layer table, given its values as written.
+    """Return the layer for a row of the layer table, given the values of the row as written.
 
     Parameters
     ----------
     colour
         Colour index; negative if the layer is off.
+    true_colour
+        True colour 0xRRGGBB, None if the row has none.
     flags
-        Value of group code 70; bit 1 is set if the layer is frozen.
+        Value of group code 70; its lowest bit is set if the layer is frozen.
     plot
         0 if the layer is not plotted.
     """
@@ -63,7 +65,7 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
 
 
 def layers_of(document: Document) -> dict[str, Layer]:
-    """Return the layers of an ezdxf document by their names in lower case."""
+    """Return the layers of an ezdxf document as a dictionary by name in lower case."""
     return {
         unescape(str(layer.dxf.get("name", ""))).lower(): layer_of(
             int(layer.dxf.get("color", 7)),
@@ -77,7 +79,7 @@ def layers_of(document: Document) -> dict[str, Layer]:
 
 
 class Styles:
-    """Resolves the styles (layer, colour, linetype) of the entities of one file."""
+    """Finds the style (layer, colour, linetype) of each entity of one file."""
 
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
@@ -108,21 +110,21 @@ class Styles:
         linetype: str,
         insert_style: Style | None = None,
     ) -> Style:
-        """Return the style of an entity from its own attributes and those that it inherits.
+        """Return the style of an entity from its own attributes, its layer and its INSERT.
 
         Parameters
         ----------
         name
-            Name of the layer.
+            Name of the layer of the entity.
         written
-            Colour index as written; 256 (BYLAYER) if not given.
+            Colour index of the entity as written; 256 (BYLAYER) if the entity has none.
         true
-            True colour 0xRRGGBB; None if not given.
+            True colour 0xRRGGBB of the entity; None if the entity has none.
         linetype
-            Name of the linetype; "BYLAYER" if not given.
+            Name of the linetype of the entity; "BYLAYER" if the entity has none.
         insert_style
-            Style of the INSERT that places the entity, used for BYBLOCK, and as the layer of
-            entities on layer 0.
+            Style of the INSERT that places the entity, None in model space.  An entity in a block
+            takes attributes BYBLOCK from it, and also its layer if the entity is on layer 0.
         """
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":

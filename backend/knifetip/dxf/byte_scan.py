@@ -29,9 +29,10 @@ _FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64
 
 @inline_kernel
 def code_at(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the group code on the line at ``at``, and the position of the next line.
+    """Return the group code on the line that starts at byte ``at``, and the start of the next line.
 
-    The code is negative if the line is not a group code.
+    ``size`` is the number of bytes of the file.  The code is negative if the line does not contain
+    a group code.
     """
     if at + _THREE < size and data[at + _THREE] == 10:
         first, second, third = data[at], data[at + ONE], data[at + ONE + ONE]
@@ -67,7 +68,10 @@ def eight_at(data: U8_1, at: U64) -> Any:
 
 @inline_kernel
 def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the position of the next CR or LF from ``at`` on, ``size`` if there is none."""
+    """Return the position of the first CR or LF from byte ``at`` on, or ``size`` if there is none.
+
+    ``size`` is the number of bytes to search.
+    """
     while at + _EIGHT <= size:
         word = eight_at(data, at)
         # The lowest byte that is not 0 marks the first character below 16.
@@ -87,7 +91,7 @@ def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
 
 @inline_kernel
 def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
-    """Return whether ``count`` bytes from ``data[low]`` and from ``other[first]`` are equal."""
+    """Return whether ``count`` bytes from ``data[low]`` on equal those from ``other[first]`` on."""
     here, there = np.uint64(low), np.uint64(first)
     left = np.uint64(count)
     if here + left + _EIGHT <= np.uint64(len(data)) and there + left + _EIGHT <= np.uint64(
@@ -109,7 +113,7 @@ def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
 
 @inline_kernel
 def hashed(data: U8_1, low: int, high: int) -> Any:
-    """Return a hash of the bytes from ``low`` to ``high``."""
+    """Return a hash of the bytes ``data[low:high]``."""
     at, end = np.uint64(low), np.uint64(high)
     key = end - at
     while at < end:

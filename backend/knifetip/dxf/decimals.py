@@ -39,7 +39,7 @@ _MOST: Final = 290
 
 
 def _powers() -> Any:
-    """Return the first 128 bits of 10^q for q from ``_LEAST`` to ``_MOST``, (581, 2) uint64."""
+    """Return the first 128 bits of 10^q, for q from ``_LEAST`` to ``_MOST``, (581, 2) uint64."""
     table = np.empty((_MOST - _LEAST + 1, 2), np.uint64)
     for row, q in enumerate(range(_LEAST, _MOST + 1)):
         if q >= 0:
@@ -76,7 +76,10 @@ def _product(a: U64, b: U64) -> Any:
 
 @kernel
 def _rounded(w: U64, q: int) -> tuple[float, int]:
-    """Return w · 10^q for w > 0, rounded to a double, and ``EXACT`` or ``UNSURE``."""
+    """Return w · 10^q, for w > 0, rounded to a double, and whether the rounding is certain.
+
+    The second value is ``EXACT`` if the rounding is certain, otherwise ``UNSURE``.
+    """
     if q < _LEAST or q > _MOST:
         return 0.0, UNSURE
     one = np.uint64(1)
@@ -114,7 +117,10 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
 
 @inline_kernel
 def _eight(data: U8_1, at: U64) -> Any:
-    """Return the value of the eight digits at ``at``, ``_NOT`` if they are not all digits."""
+    """Return the integer that the eight bytes from ``data[at]`` on represent as decimal digits.
+
+    ``_NOT`` if one of these bytes is not a digit.
+    """
     word = eight_at(data, at)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
     # A digit is 3 in its upper half, also when 6 is added.
@@ -131,9 +137,10 @@ def _eight(data: U8_1, at: U64) -> Any:
 
 @inline_kernel
 def _exponent(data: U8_1, at: U64, end: U64) -> Any:
-    """Parse the exponent of a number after the letter E.
+    """Parse the decimal exponent that follows the letter E of a number.
 
-    Returns the exponent, limited to ±100,000, the position after it, and whether it has a digit.
+    Returns the exponent, limited to ±100,000, the position after it, and whether it has any digit.
+    Parsing starts at ``data[at]`` and stops before ``data[end]``.
     """
     negative = False
     if at < end and (data[at] == 45 or data[at] == 43):

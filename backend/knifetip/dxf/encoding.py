@@ -1,4 +1,4 @@
-"""encoding: the character encoding of a DXF file, and characters that are escaped in its texts."""
+"""encoding: find the character encoding of a DXF file, and decode escaped characters of texts."""
 
 from __future__ import annotations
 
@@ -24,9 +24,16 @@ def unescape(name: str) -> str:
 def encoding_of(data: bytes, variables: dict[str, str]) -> str:
     """Return Python's name of the character encoding of the texts in a DXF file.
 
-    ``variables`` are the header variables.  From R2007 on the encoding is UTF-8.  In older files
-    the header names a code page, but many programs write UTF-8 and name the code page ANSI_1252 or
-    none.  Bytes of older files are therefore decoded as UTF-8 if they are valid UTF-8.
+    From version R2007 on the encoding is UTF-8.  In older files a header variable names a code
+    page, but many programs write UTF-8 and name the code page ANSI_1252 or none.  The texts of such
+    a file are therefore decoded as UTF-8 if they are valid UTF-8.
+
+    Parameters
+    ----------
+    data
+        Content of the file.
+    variables
+        Values of the header variables by name, such as $ACADVER.
     """
     if variables.get("$ACADVER", "") >= "AC1021" or data.isascii():
         return "utf-8"

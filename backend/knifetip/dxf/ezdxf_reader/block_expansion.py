@@ -1,10 +1,10 @@
-"""block_expansion: expand the blocks of a drawing at the INSERTs that place them.
+"""block_expansion: replace each INSERT of a drawing by the entities of the block that it places.
 
-The result is the rows of the import report in file order, and the shapes with their placements.
-The fast reader and the ezdxf reader use this module; each provides entities as ``SourceEntity``.
-The entities are counted before anything is expanded, because a few nested arrays can produce an
-astronomical number of lines.  An entity that an INSERT repeats in rows and columns has one row in
-the import report and one placement per repetition.
+The result is the rows of the import report in file order, and the shapes of the entities with their
+placements.  The fast reader and the ezdxf reader use this module; each of them implements
+``SourceEntity``.  The entities are counted before any block is expanded, because a few nested
+arrays can produce an astronomical number of lines.  An entity that an INSERT repeats in rows and
+columns has one row in the import report and one placement per repetition.
 """
 
 from __future__ import annotations
@@ -37,7 +37,10 @@ IN_PAPER_SPACE: Final = Message("import.paper-space")
 
 
 class Placed(NamedTuple):
-    """A shape with k placements; placement i moves each point p to ``linear[i] @ p + shift[i]``."""
+    """The shape of an entity with its k placements in model space.
+
+    Placement i moves each point p of the shape to ``linear[i] @ p + shift[i]``.
+    """
 
     row: int  #: row of the shape in the import report
     shape: Shape
@@ -47,7 +50,7 @@ class Placed(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """Placement of a block by an INSERT entity."""
+    """Placement of a block by an INSERT entity: block name, position, scale and repetition."""
 
     block: str
     mirror: bool
@@ -60,7 +63,7 @@ class Reference(NamedTuple):
 
 
 class SourceEntity(Protocol):
-    """Interface of an entity, implemented by the fast reader and the ezdxf reader."""
+    """Interface of a DXF entity, implemented by the fast reader and by the ezdxf reader."""
 
     @property
     def hidden(self) -> bool:
@@ -97,12 +100,16 @@ class SourceEntity(Protocol):
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the block that an INSERT places, by name in lower case, and how often."""
+        """Return the name, in lower case, of this INSERT's block, and how often it is placed."""
         ...
 
 
 class Entry(NamedTuple):
-    """An entity as the prescan counted it, its handle in the import report, and its content."""
+    """An entity of model space or of a block, to be added to the import report.
+
+    It consists of the entity as the prescan counted it, its handle in the import report, and the
+    entity as the fast reader or ezdxf read it, None if ezdxf did not read it.
+    """
 
     counted: PrescannedEntity
     handle: str
@@ -111,7 +118,10 @@ class Entry(NamedTuple):
 
 @dataclass(eq=False)
 class Block:
-    """A block definition; ``entries`` are created when the block is expanded for the first time."""
+    """A block definition with its entities.
+
+    The list ``entries`` is created when the block is expanded for the first time.
+    """
 
     name: str
     base: F64  #: (2,) base point
@@ -126,23 +136,26 @@ class Block:
 
 
 def no_geometry_reason(kind: str) -> Message:
-    """Return the reason for dropping entities of a kind that has no geometry to cut."""
+    """Return the reason for dropping an entity of kind ``kind``, which has no geometry to cut."""
     return REASONS.get(kind) or Message("import.not-a-line", kind=kind)
 
 
 def insert_note(name: str) -> Message:
-    """Return the note in the import report for an INSERT that places a block."""
+    """Return the note in the import report for an INSERT that places the block named ``name``."""
     return Message("import.places-block", block=name)
 
 
 def unused_block_reason(name: str, number: int) -> Message:
-    """Return the reason for dropping a block of ``number`` entities that no INSERT places."""
+    """Return the reason for dropping a block that no INSERT places.
+
+    ``name`` is the name of the block, and ``number`` the number of its entities.
+    """
     code = "import.picture-block" if name.startswith("*") else "import.unused-block"
     return Message(code, block=name, entities=number)
 
 
 class BlockExpansion:
-    """Expands the blocks of one file.
+    """Expands the blocks of one file, and collects rows of the import report and placed shapes.
 
     Parameters
     ----------
@@ -150,7 +163,7 @@ class BlockExpansion:
         Block definitions by their names in lower case.
     on_sheet
         For each INSERT in model space: name in lower case of the block that it places, and how
-        often it places the block.
+        many times it places the block.
 
     Raises
     ------
@@ -175,9 +188,15 @@ class BlockExpansion:
         self._recursive = self._count(on_sheet)
 
     def _count(self, references: Iterable[tuple[str, int]]) -> frozenset[str]:
-        """Count the entities after expansion; return the names of blocks that contain themselves.
+        """Check the number of entities after expansion; return the names of recursive blocks.
 
-        ``references`` are the blocks that INSERTs in model space place, and how often.
+        A recursive block contains itself, directly or through other blocks.
+
+        Parameters
+        ----------
+        references
+            For each INSERT in model space: name in lower case of the block that it places, and
+            how many times it places the block.
 
         Raises
         ------
@@ -229,7 +248,10 @@ class BlockExpansion:
         return recursive
 
     def sheet_entity(self, entry: Entry) -> None:
-        """Add an entity of model space, with its blocks expanded if it is an INSERT."""
+        """Add an entity of model space to the import report and to the placed shapes.
+
+        An INSERT is followed by the entities of the block that it places.
+        """
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 
     def _entry(
@@ -275,7 +297,17 @@ class BlockExpansion:
     def _add_dropped(
         self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: Message
     ) -> None:
-        """Add a row to the import report for an entity that is dropped, with its bounding box."""
+        """Add a row to the import report for an entity that is dropped, with its bounding box.
+
+        Parameters
+        ----------
+        counted, handle
+            The entity as the prescan counted it, and its handle in the import report.
+        here
+            Linear maps (k, 2, 2) and translations (k, 2) of the placements of the entity.
+        why
+            Reason for dropping the entity.
+        """
         row = self.sheet.row(handle, counted.kind, counted.layer, why)
         if counted.box is not None:
             box = counted.box
@@ -335,7 +367,11 @@ class BlockExpansion:
 
 
 def _product(outer: F64, inner: F64) -> F64:
-    """Return all products of an outer and an inner linear map, (k, 2, 2), inner maps first."""
+    """Return k linear maps that each apply the map ``inner`` first and then one map of ``outer``.
+
+    The maps are matrices: ``outer`` and the returned array have the shape (k, 2, 2), ``inner`` has
+    the shape (2, 2).
+    """
     columns = moved(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
@@ -343,16 +379,17 @@ def _product(outer: F64, inner: F64) -> F64:
 def _topological_order(
     below: dict[str, set[str]], above: dict[str, set[str]]
 ) -> tuple[list[str], set[str]]:
-    """Return the names of blocks, each after all blocks that it places, and the remaining names.
+    """Return the block names in topological order, and the names of blocks that have no such order.
 
-    The remaining blocks are those in cycles, and those that place a block in a cycle.
+    In this order each block follows all blocks that it places.  Blocks without such an order place
+    themselves, directly or through other blocks, or place such a block.
 
     Parameters
     ----------
     below
-        Names of the blocks that each block places.
+        For each block name: names of the blocks that this block places.
     above
-        Names of the blocks that place each block.
+        For each block name: names of the blocks that place this block.
     """
     waiting = {name: len(found) for name, found in below.items()}
     ready = [name for name, number in waiting.items() if number == 0]

@@ -1,7 +1,7 @@
 """document: load the bytes of a DXF file as an ezdxf document, repaired if necessary.
 
-The file is loaded in several attempts until one succeeds: unchanged; recovered by ezdxf; with
-subclass markers added; and with only the complete tags of entities that have geometry.
+The file is loaded in several attempts until one succeeds: unchanged; repaired by ezdxf's recovery
+mode; with subclass markers added; and without entities that have no geometry to cut.
 """
 
 from __future__ import annotations
@@ -29,6 +29,13 @@ logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
     """Return the ezdxf document of a DXF file, from the first attempt that succeeds.
 
+    Parameters
+    ----------
+    data
+        Content of the file.
+    counted
+        The prescan of the file, which decides what attempts are made.
+
     Raises
     ------
     NotADrawing
@@ -48,7 +55,11 @@ def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
 
 
 def _attempts(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
-    """Yield functions that load the document, ordered by how much they change the file."""
+    """Yield functions that try to load the document of a DXF file.
+
+    The first function changes the content ``data`` least, the last function most.  ``counted`` is
+    the prescan of the file.
+    """
     if data.startswith(BINARY):
         yield lambda: Document.load(binary_tags_loader(data, errors="replace"))
         with suppress(Exception):

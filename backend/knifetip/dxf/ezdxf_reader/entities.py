@@ -54,7 +54,10 @@ class Drawn:
 
 
 class Undrawable(Exception):
-    """Raised for an entity without geometry to cut; ``message`` is the reason for the report."""
+    """Raised for an entity without geometry to cut.
+
+    ``message`` is the reason in the import report.
+    """
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -123,7 +126,7 @@ REASONS: Final[dict[str, Message]] = {
 
 
 def drawn(entity: DXFGraphic) -> Drawn:
-    """Return the shape of an entity whose kind is in ``READ``.
+    """Return the shape of an ezdxf entity whose kind is in ``READ``.
 
     Raises
     ------
@@ -134,7 +137,9 @@ def drawn(entity: DXFGraphic) -> Drawn:
 
 
 def flat(heights: Iterable[float]) -> list[Message]:
-    """Return the notes for a shape whose points have the given z coordinates; none if all are 0.
+    """Return the notes for the import report on the z coordinates of the points of a shape.
+
+    No notes if all z coordinates ``heights`` are 0.
 
     Raises
     ------
@@ -188,7 +193,15 @@ def _line(entity: DXFGraphic) -> Drawn:
 
 
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
-    """Return an arc as segments of at most 180 degrees; ``first`` and ``sweep`` are in degrees."""
+    """Return an arc or a circle as segments of at most 180 degrees.
+
+    Parameters
+    ----------
+    first, sweep
+        Start angle and sweep (degrees).
+    mirror
+        Whether the x coordinates are negated.
+    """
     if not radius > 0.0:
         raise Undrawable(Message("import.bad-radius", radius=radius))
     rows = round_count(sweep)
@@ -221,7 +234,19 @@ def _circle(entity: DXFGraphic) -> Drawn:
 
 
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
-    """Return the segments of a polyline with n vertices; long arcs become two segments."""
+    """Return the segments of a polyline; an arc of more than 180 degrees becomes two segments.
+
+    Parameters
+    ----------
+    xy : (n, 2)
+        Vertices of the polyline.
+    bulge : (n,)
+        Bulge of the segment that starts at each vertex.
+    closed
+        Whether the last vertex is connected to the first vertex.
+    mirror
+        Whether the x coordinates are negated.
+    """
     if len(xy) < 2:
         raise Undrawable(Message("import.few-vertices", vertices=len(xy)))
     vertex = np.column_stack([xy, bulge])

@@ -1,4 +1,4 @@
-"""expand: expand the blocks of an ezdxf document.
+"""expand: replace the INSERTs of an ezdxf document by the entities of their blocks.
 
 The result is a ``ReportWriter`` with rows in file order, and the shapes with their placements.
 """
@@ -33,7 +33,9 @@ _Pair = tuple[PrescannedEntity, str, DXFEntity | None]
 def expand(
     document: Document, prescan: Prescan, limits: Limits
 ) -> tuple[ReportWriter, list[Placed]]:
-    """Return the rows of the import report and the placed shapes of a document.
+    """Return the import report and the placed shapes of an ezdxf document.
+
+    ``prescan`` contains the entities and blocks of the file as written.
 
     Raises
     ------
@@ -67,7 +69,10 @@ def expand(
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return for each INSERT the block that it places, by name in lower case, and how often."""
+    """Return the name, in lower case, of the block of each INSERT, and how often it is placed.
+
+    ``pairs`` contains prescanned entities with their ezdxf entities, also other than INSERTs.
+    """
     return [
         EzdxfEntity(entity).repeats()
         for counted, _, entity in pairs
@@ -85,10 +90,16 @@ def _entries(pairs: Iterable[_Pair]) -> list[Entry]:
 def _match(
     counted: list[PrescannedEntity], entities: list[DXFEntity], *, paper: bool
 ) -> list[_Pair]:
-    """Return pairs of prescanned and ezdxf entities, matched by handle or by order within a kind.
+    """Return each prescanned entity with its handle and the ezdxf entity that corresponds to it.
+
+    Entities correspond if their kinds and handles are equal.  Entities without such a partner are
+    paired in file order with entities of their kind.  The ezdxf entity is None if there is none;
+    entities that only ezdxf contains are appended.
 
     Parameters
     ----------
+    counted, entities
+        Prescanned entities, and ezdxf entities.
     paper
         Whether ``entities`` include entities in paper space.
     """

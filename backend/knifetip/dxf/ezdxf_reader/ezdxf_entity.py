@@ -25,7 +25,7 @@ from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
 
 
 class EzdxfEntity:
-    """An ezdxf entity with the interface ``block_expansion.SourceEntity``."""
+    """An entity read with ezdxf that implements the interface ``block_expansion.SourceEntity``."""
 
     def __init__(self, entity: Any) -> None:
         self._entity = entity
@@ -55,7 +55,7 @@ class EzdxfEntity:
         )
 
     def repeats(self) -> tuple[str, int]:
-        """Return the block that an INSERT places, by name in lower case, and how often."""
+        """Return the name, in lower case, of this INSERT's block, and how often it is placed."""
         columns, rows = _cells(self._entity)
         return _block_name(self._entity).lower(), columns * rows
 
@@ -76,7 +76,10 @@ def _clipped(insert: Any) -> bool:
 
 
 class EntityReader:
-    """Reads single entities from bytes with ezdxf, as entities of a file of a given DXF version."""
+    """Reads single entities of a file with ezdxf, given the bytes of the entity.
+
+    ``version`` and ``encoding`` are the DXF version and the character encoding of the file.
+    """
 
     def __init__(self, version: str, encoding: str) -> None:
         self._document = Document()
@@ -86,13 +89,13 @@ class EntityReader:
         self._encoding = encoding
 
     def read(self, data: bytes) -> EzdxfEntity:
-        """Return the entity at the start of the bytes; a polyline is followed by its vertices.
+        """Return the entity whose tags are in ``data``; a polyline is followed by its vertices.
 
         Raises
         ------
         Exception
-            Any exception of ezdxf, if the entity is damaged, or if ezdxf can read it only by
-            recovering the whole file.
+            The entity is damaged, or ezdxf can read it only by recovering the whole file.  Any
+            exception of ezdxf may be raised.
         """
         # ezdxf looks for a z coordinate after each point, so at least one more tag must follow.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))

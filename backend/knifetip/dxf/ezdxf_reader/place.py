@@ -1,8 +1,8 @@
 """place: convert placed shapes to columns of lines and arcs in file order.
 
-A placement that rotates, mirrors or scales evenly keeps lines and arcs.  Uneven scaling makes an
-arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that differ
-only by a translation.
+A placement that rotates, mirrors or scales equally in x and y keeps lines and arcs.  Unequal scales
+make an arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that
+differ only by a translation.
 
 The tolerance of the approximation is ``tolerance.CURVE`` mm.  While the unit is unknown it is
 1 / 250,000 of the diagonal of the drawing, which is at most 0.01 mm in every unit in which the
@@ -42,16 +42,19 @@ def columns(
     limits: Limits,
     others: F64 | None = None,
 ) -> Columns:
-    """Return all placed shapes as segments; a shape that cannot be placed is marked as dropped.
+    """Return all placements of all shapes as lines and arcs (segments), in file order.
+
+    A shape that cannot be placed is left out and marked as dropped in the import report.
 
     Parameters
     ----------
     sheet
-        The import report, which gets the reasons of dropped shapes.
+        The import report; reasons for dropping shapes, and notes, are added to it.
     scale
         Millimetres per file unit, 0 while the unit is unknown.
     others : (m, 2, 2), optional
-        Ends of segments that are already placed (file units).
+        Ends of other segments of the drawing (file units), which count towards the limit of
+        segments and the size of the drawing.
 
     Returns
     -------
@@ -117,10 +120,10 @@ def columns(
 
 
 def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
-    """Return the columns with new style indices, and the list of used styles without repetition.
+    """Return the segments with renumbered styles, and the list of the styles that they use.
 
-    The indices of ``found`` refer to ``styles``, the new indices to the returned list, which is
-    ordered by first use.
+    The column ``style`` of ``found`` contains indices into ``styles``.  In the returned segments it
+    contains indices into the returned list, which contains each used style once.
     """
     first, number = unique_rows(found.style)
     used = [styles[style] for style in found.style[first].tolist()]
@@ -128,13 +131,13 @@ def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
 
 
 def refuse_after(until: float, limits: Limits) -> None:
-    """Raise DrawingTooLarge if the monotonic clock is past ``until``."""
+    """Raise DrawingTooLarge if ``time.monotonic()`` is later than ``until`` (seconds)."""
     if time.monotonic() > until:
         raise DrawingTooLarge("reading.too-slow", seconds=limits.seconds, format="drawing")
 
 
 def refuse_beyond(total: int, limits: Limits) -> None:
-    """Raise DrawingTooLarge if ``total`` segments are more than the limits allow."""
+    """Raise DrawingTooLarge if the number of segments ``total`` is more than the limits allow."""
     if total > limits.segments:
         raise DrawingTooLarge("reading.too-many-segments", limit=limits.segments, format="drawing")
 
@@ -144,9 +147,9 @@ def _box(ends: F64) -> tuple[F64, F64]:
 
 
 def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
-    """Return the tolerance of approximation for a drawing of unknown unit, in file units.
+    """Return the tolerance for approximating curves in a drawing of unknown unit, in file units.
 
-    ``boxes`` are the lower and upper corners of the bounding boxes of all shapes.
+    ``boxes`` contains the lower and the upper corner of the bounding box of each shape.
     """
     if not boxes:
         return CURVE
@@ -157,7 +160,7 @@ def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
 
 
 def _bounds(placed: Placed) -> tuple[F64, F64]:
-    """Return the lower and upper corner of a box that contains all placements of a shape."""
+    """Return the lower and the upper corner of a box round all placements of a shape, (2,) each."""
     shape = placed.shape
     if isinstance(shape, Lines) and not shape.bulge.any():
         low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
@@ -178,7 +181,7 @@ def _bounds(placed: Placed) -> tuple[F64, F64]:
 
 
 def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
-    """Return ends (n, 2, 2) and bulges (n,) of all placements of a shape.
+    """Return ends (n, 2, 2) and bulges (n,) of the segments of all placements of a shape.
 
     None if a placement changes arcs to ellipses, or if the shape is an ellipse or a spline.
     """
@@ -200,7 +203,10 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
-    """Approximate all placements of a shape by arcs; return ends (n, 2, 2) and bulges (n,)."""
+    """Return ends (n, 2, 2) and bulges (n,) of lines and arcs that approximate a placed shape.
+
+    All placements of the shape are included.  ``tolerance`` is in file units.
+    """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     ends_of: list[F64] = []
     bulge_of: list[F64] = []
@@ -214,7 +220,10 @@ def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
 
 
 def _fit(shape: Shape, linear: F64, tolerance: float) -> Segments:
-    """Return a shape, transformed by a linear map, as lines and arcs within the tolerance."""
+    """Return lines and arcs that approximate the shape after the linear map ``linear``, (2, 2).
+
+    ``tolerance`` is the largest distance between them and the transformed shape (file units).
+    """
     if isinstance(shape, Ellipse):
         return Ellipse(
             linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last

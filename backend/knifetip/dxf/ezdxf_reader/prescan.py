@@ -48,7 +48,7 @@ class PrescannedBlock:
 
 @dataclass(slots=True)
 class Prescan:
-    """Header variables, entities and blocks of a file, and what is unusual about the file."""
+    """Header variables, entities and blocks as written in a file, and its structural defects."""
 
     sections: set[str] = field(default_factory=set)  #: names of the sections of the file
     variables: dict[str, str] = field(default_factory=dict)  #: first values by $NAME
@@ -141,10 +141,16 @@ def prescan(data: bytes) -> Prescan:
 
 
 def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any]) -> int:
-    """Return the index into ``starts`` of the first entity after an entity and its vertices.
+    """Return the index into ``starts`` of the entity that follows an entity and its vertices.
 
-    ``starts`` contains the first row of each entity in ``values``, and ``number`` is the index of
-    the entity.
+    Parameters
+    ----------
+    kind, number
+        Kind of the entity, and its index in ``starts``.
+    starts
+        Index into ``values`` of the first tag of each entity.
+    values
+        Values of all tags of the file.
     """
     number += 1
     if kind == "POLYLINE":
@@ -154,7 +160,7 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
 
 
 def _unpack_layouts(found: Prescan) -> None:
-    """Move the entities in blocks *Model_Space and *Paper_Space to the entities of the prescan."""
+    """Move entities of the blocks *Model_Space and *Paper_Space to the list ``found.entities``."""
     for name in [
         name for name in found.blocks if name.startswith(("*model_space", "*paper_space"))
     ]:
@@ -198,7 +204,15 @@ def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
 
 
 def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], found: Prescan) -> None:
-    """Collect the header variables in ``found``; a repeated variable keeps its first value."""
+    """Write the header variables into ``found.variables``; of repeated variables, the first value.
+
+    Parameters
+    ----------
+    codes, values
+        Group codes and values of all tags of the file.
+    starts
+        Indices of the tags with group code 0.
+    """
     for number, row in enumerate(starts):
         after = starts[number + 1] if number + 1 < len(starts) else len(codes)
         if row + 1 >= after or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
@@ -211,7 +225,10 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
 
 
 def header_of(section: bytes) -> dict[str, str]:
-    """Return the header variables in the bytes of section HEADER, each with its first value."""
+    """Return the values of the header variables by name, given the bytes of the section HEADER.
+
+    A repeated variable has its first value.
+    """
     lines = section.split(b"\n")
     found: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):

@@ -20,7 +20,9 @@ from knifetip.model.drawing import Drawing
 
 
 def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
-    """Return the drawing in a DXF file, read with ezdxf; ``unit`` overrides the unit of the file.
+    """Return the drawing in a DXF file, read with ezdxf.
+
+    ``unit`` replaces the unit of the file if it is not empty.
 
     Raises
     ------
@@ -46,6 +48,8 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
 
 def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
     """Raise an error if a file is not a DXF file, has too many entities, or is incomplete.
+
+    ``data`` is the content of the file, and ``counted`` its prescan.
 
     Raises
     ------

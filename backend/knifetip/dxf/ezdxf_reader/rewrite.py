@@ -39,7 +39,7 @@ _KEPT: Final = frozenset(
 
 
 class _Records(NamedTuple):
-    """The lines of a DXF file, split into records at each group code 0."""
+    """The lines of a DXF file, split into records; each record starts with a group code 0."""
 
     lines: list[bytes]
     codes: list[int]  #: group code of each tag (two lines)
@@ -52,21 +52,24 @@ class _Records(NamedTuple):
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
     def joined(self, made: list[bytes]) -> bytes:
-        """Return the content of the file, with all records replaced by the lines ``made``."""
+        """Return the content of the file with its records replaced by the lines ``made``.
+
+        Lines before the first record and after the last tag are kept.
+        """
         first = self.lines[: 2 * self.spans[0][0]]
         return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
-    """Return a DXF file with subclass markers added to LWPOLYLINE and SPLINE entities.
+    """Return the DXF file ``data`` with subclass markers added to its LWPOLYLINEs and SPLINEs.
 
-    All tags of such an entity are written before the markers, and the tags of its kind again after
-    the markers.  A file that cannot be split into records is returned unchanged.
+    All tags of such an entity are written before the markers, and the tags that only its kind has
+    are repeated after the markers.  A file that cannot be split into records is returned unchanged.
 
     Parameters
     ----------
     every
-        Whether entities that have markers are rewritten too; otherwise they are unchanged.
+        Whether entities that already have markers are rewritten too; otherwise they are unchanged.
     """
     records = _records(data)
     if records is None:
@@ -86,9 +89,9 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
 
 
 def lines_only(data: bytes) -> bytes:
-    """Return a DXF file without entities that have no geometry to cut.
+    """Return the DXF file ``data`` without the entities that have no geometry to cut.
 
-    The prescan has counted these entities, and the import report contains the reason for each.
+    The import report still lists these entities, because the prescan has counted them before.
     """
     records = _records(data)
     if records is None:
@@ -105,7 +108,7 @@ def lines_only(data: bytes) -> bytes:
 
 
 def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
-    """Return the tags of a binary DXF as lines of an ASCII DXF."""
+    """Return the tags of a binary DXF file as the content of an ASCII DXF file in ``encoding``."""
     lines: list[str] = []
     for tag in tags:
         value = tag.value
@@ -115,7 +118,10 @@ def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
 
 
 def _records(data: bytes) -> _Records | None:
-    """Return the lines of a DXF file as records; None if they are not group codes and values."""
+    """Return the lines of the DXF file ``data`` split into records.
+
+    None if the lines are not pairs of a group code and a value, or if no group code is 0.
+    """
     lines = data.split(b"\n")
     try:
         codes = list(map(int, lines[: len(lines) // 2 * 2 : 2]))
@@ -128,10 +134,11 @@ def _records(data: bytes) -> _Records | None:
 
 
 def _split_tags(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
-    """Return all tags of an entity, those tags that only its kind has, and its extension data.
+    """Return three lists of the tags of one entity, as indices into ``records.codes``.
 
-    The tags are indices into ``records.codes``, from ``tag`` to ``after``.  Subclass markers and
-    extension data are not in the first list.
+    The first list contains all tags except subclass markers and extension data; the second, those
+    of them that not all kinds of entities have; the third, the extension data.  The entity has the
+    tags ``tag`` … ``after`` - 1.
     """
     codes = records.codes
     end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)

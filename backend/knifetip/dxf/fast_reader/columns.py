@@ -1,6 +1,6 @@
 """columns: kernels that compute the segments of entities, and of blocks that INSERTs place.
 
-The arithmetic equals that of ``shapes`` and ``block_expansion``.
+The computation is equal to that of ``shapes`` and ``block_expansion``, bit for bit.
 """
 
 from __future__ import annotations
@@ -39,9 +39,10 @@ from knifetip.kernels import (
 
 @kernel
 def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
-    """Return the number of segments of each entity, (e,), 0 for an entity without geometry.
+    """Return the number of segments of each of e entities, (e,); 0 for an entity without geometry.
 
-    Entities with invalid numbers are marked in the column ``UNSUPPORTED`` of ``entity``.
+    Entities with an invalid radius or angle are marked in the column ``UNSUPPORTED`` of ``entity``.
+    ``entity``, ``value`` and ``vertex`` are the arrays of a Scan.
     """
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
@@ -70,9 +71,16 @@ def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
 def draw(
     entity: I32_2A, value: F64_2A, vertex: F64_2, first: OutI64_1, ends: OutF64_3, bulge: OutF64_1
 ) -> None:
-    """Write the segments of every entity into ``ends`` and ``bulge``, in coordinates of the entity.
+    """Write the segments of each of e entities into ``ends``, (n, 2, 2), and ``bulge``, (n,).
 
-    ``first`` is the first segment of each entity, (e + 1,).
+    The coordinates are those of model space, or of the block that contains the entity.
+
+    Parameters
+    ----------
+    entity, value, vertex
+        Arrays of a Scan.
+    first : (e + 1,)
+        Index of the first segment of each entity, and the number n of segments.
     """
     for row in range(len(entity)):
         at = first[row]
@@ -101,7 +109,15 @@ def draw(
 
 @kernel
 def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
-    """Return the mask of the entities with a coordinate beyond ``reach``, (e,)."""
+    """Return the mask of the entities with an |x| or |y| greater than ``reach``, shape (e,).
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Ends of the segments of all e entities.
+    first : (e + 1,)
+        Index of the first segment of each entity, and the number n of segments.
+    """
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):
         for i in range(first[row], first[row + 1]):
@@ -113,10 +129,19 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return the entities that have segments, (d,), and for each a key of its style, (d,).
+    """Return the d entities with segments, (d,), and an integer key of the style of each, (d,).
 
-    The key combines layer, linetype, colour and true colour: there are fewer than 2^15 names, and
-    colours take 9 and 25 bits.
+    Entities with equal styles have equal keys.  The key combines layer, linetype, colour and true
+    colour: there are fewer than 2^15 names, and the colours take 9 and 25 bits.
+
+    Parameters
+    ----------
+    entity
+        Array of a Scan.
+    rows
+        Rows in ``entity`` of the entities to examine.
+    count : (e,)
+        Number of segments of each of all e entities.
     """
     drawn = np.empty(len(rows), np.int64)
     key = np.empty(len(rows), np.int64)
@@ -133,12 +158,12 @@ def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
 
 @kernel
 def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
-    """Write the linear map and the translation of k INSERTs into ``move``, (k, 2, 3).
+    """Write the linear map and the translation of each of k INSERTs into ``move``, (k, 2, 3).
 
     Parameters
     ----------
     given : (k, 5)
-        x, y, scale in x and in y, rotation in degrees of each INSERT.
+        Position x and y, scale in x and in y, and rotation in degrees of each INSERT.
     base : (k, 2)
         Base point of the block of each INSERT.
     """
@@ -162,7 +187,7 @@ class SheetRows(NamedTuple):
 
 
 class EntitySegments(NamedTuple):
-    """The segments of e entities, in coordinates of model space or of the entity's block."""
+    """The n segments of e entities, in coordinates of model space or of the block of the entity."""
 
     ends: F64_3  #: (n, 2, 2) ends of the segments
     bulge: F64_1  #: (n,)
@@ -171,7 +196,7 @@ class EntitySegments(NamedTuple):
 
 
 class PlacedBlocks(NamedTuple):
-    """The j INSERTs in model space whose blocks are processed in columns."""
+    """Arrays that describe the blocks placed by j INSERTs in model space, one row per INSERT."""
 
     row: I64_1  #: (j,) index of each INSERT among the entities of model space
     source: I64_2  #: (j, 3) first entity of the block, its first segment, and its first style
@@ -193,7 +218,19 @@ class SheetSegments(NamedTuple):
 def place(
     sheet: SheetRows, drawn: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
 ) -> None:
-    """Write all segments in file order into ``out``, with the segments of blocks transformed."""
+    """Write the segments of all entities of a drawing, in file order, into the arrays of ``out``.
+
+    The segments of blocks are transformed to model space.
+
+    Parameters
+    ----------
+    sheet
+        The entities of model space.
+    drawn
+        The segments of all entities, before transformation.
+    inserts
+        The INSERTs in model space, with their blocks and transformations.
+    """
     rows, report_row, first_out, shown = sheet
     ends, bulge, first, style_of = drawn
     position, source, children, move, styles = inserts

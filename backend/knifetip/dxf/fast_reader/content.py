@@ -1,4 +1,4 @@
-"""content: kernels that store the tags of an entity and detect unsupported tags."""
+"""content: kernels that store the tags of an entity and detect tags that are not supported."""
 
 from __future__ import annotations
 
@@ -32,16 +32,20 @@ def take_decimal(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Store a decimal number of an entity, or mark the entity as unsupported; return ON or REFUSED.
+    """Store a decimal number of the open entity, or mark the entity as unsupported.
+
+    Returns ON, or REFUSED if the fast reader cannot read the file.
 
     Parameters
     ----------
-    before
-        Group code of the preceding tag.
+    code, before
+        Group codes of the number and of the preceding tag.
     read, sure
         The number and its certainty, as returned by ``decimals.number``.
     low, high
-        Span of bytes of the value.
+        Positions of the number in the file: first byte, and byte after the last.
+    tables, state
+        Arrays into which the scan writes, and state of the scan.
     """
     entity, value, vertex, left = tables.entity, tables.value, tables.vertex, tables.left
     mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
@@ -126,9 +130,10 @@ def take_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of an entity whose value is not a decimal number; return ON or REFUSED.
+    """Store a tag of the open entity whose value is not a decimal number.
 
-    The value has the span ``low`` to ``high`` in ``data``.
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
+    if the fast reader cannot read the file.
     """
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     plain = kind != f.OTHER and kind != g.OF_WORDS
@@ -175,7 +180,10 @@ def take_tag(
 
 @inline_kernel
 def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Store a subclass marker of the open entity, or mark the entity as unsupported."""
+    """Check the subclass marker ``data[low:high]`` of the open entity.
+
+    The entity is marked as unsupported if it should have another marker at this position.
+    """
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
     marks = state[s.OPEN_MARKS]
@@ -198,7 +206,7 @@ def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI
 def _of_words(
     code: int, data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1
 ) -> None:
-    """Store a tag of a text or dimension entity."""
+    """Store a tag of a text or dimension: group code ``code``, value ``data[low:high]``."""
     row, seen = state[s.ROW], state[s.SEEN]
     if code == 101:
         # The embedded object that follows repeats the text, divided into columns.
@@ -225,7 +233,11 @@ def _of_plain(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of a line, polyline or INSERT: an attribute, a flag or a reference."""
+    """Store an attribute, a flag or the block name of a line, arc, polyline or INSERT.
+
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
+    if the fast reader cannot read the file.
+    """
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     column, bit = -1, 0
     if code == 6 or (code == 2 and kind == f.INSERT):

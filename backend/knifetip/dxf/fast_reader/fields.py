@@ -1,4 +1,4 @@
-"""fields: columns of the arrays in a Scan, and numbers of the supported entity kinds."""
+"""fields: numbers of the columns of the arrays in a Scan, and of the supported entity kinds."""
 
 from __future__ import annotations
 

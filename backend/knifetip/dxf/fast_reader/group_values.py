@@ -25,9 +25,11 @@ NONE: Final = -(1 << 62)
 def name_at(
     data: U8_1, low: int, high: int, spans: OutI64_2, slots: OutI32_1, state: OutI64_1
 ) -> Any:
-    """Return the index of the name between ``low`` and ``high``; a new name is added to the table.
+    """Return the index of the name ``data[low:high]`` in the table of names of the file.
 
-    -1 if the name is unsupported or there are too many names.
+    A name that is not in the table is added.  Returns -1 if the name begins or ends with a blank,
+    or if there are too many names.  ``spans`` contains the positions of the names in the file, and
+    ``slots`` is the hash table of names.
     """
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
@@ -51,7 +53,10 @@ def name_at(
 
 @inline_kernel
 def whole_at(data: U8_1, low: int, high: int) -> int:
-    """Return the integer of up to 18 digits from ``low`` to ``high``, or ``NONE``."""
+    """Return the integer that is written in ``data[low:high]``.
+
+    ``NONE`` if these bytes are not an integer of up to 18 digits with blanks around it.
+    """
     while low < high and data[low] == 32:
         low += 1
     while low < high and data[high - 1] == 32:
@@ -71,7 +76,11 @@ def whole_at(data: U8_1, low: int, high: int) -> int:
 
 @inline_kernel
 def valid(data: U8_1, low: int, high: int, what: int) -> bool:
-    """Return whether a value that is not stored is valid for its type ``what``."""
+    """Return whether the bytes ``data[low:high]`` are a valid value of one type of DXF values.
+
+    ``what`` is the type: ``DECIMAL``, ``INTEGER`` or ``HEX`` of ``group_codes``.  Values of any
+    other type are always valid.
+    """
     if what == g.DECIMAL:
         _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)

@@ -1,7 +1,7 @@
-"""handle_set: check the handles of all entities, and write them as text.
+"""handle_set: check the handles of all entities, and write them as text for the import report.
 
-An entity without a handle gets ``#17`` if it is the 17th entity; an entity that an INSERT places
-gets ``INSERT/CHILD``, from the handles of both.
+An entity without a handle gets ``#17`` if it is the 17th entity of model space or of its block.  An
+entity of a block that an INSERT places gets the handle of the INSERT, a slash and its own handle.
 """
 
 from __future__ import annotations
@@ -30,8 +30,10 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
 
     Parameters
     ----------
+    data
+        Content of the file.
     entity
-        Rows of entities of a Scan.
+        Array of the entities of a Scan.
     blocks
         Number of blocks of the Scan.
     others
@@ -51,7 +53,7 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
 
 
 def _has_duplicate(number: I64) -> bool:
-    """Return whether any positive number occurs twice."""
+    """Return whether any number in the array ``number`` occurs twice; all numbers are positive."""
     if number.max(initial=0) <= _DENSE * len(number):
         return bool(np.bincount(number).max(initial=0) > 1)
     number = np.sort(number)
@@ -59,16 +61,17 @@ def _has_duplicate(number: I64) -> bool:
 
 
 def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
-    """Return the handles of all m rows of the import report.
+    """Return the handles of all m rows of the import report, with the handles of their INSERTs.
 
     Parameters
     ----------
     handles
-        Handles of the entities.
+        Handles of the entities of the file.
     placed
-        Handles of entities that were expanded one by one, with the handles of their INSERTs.
+        Complete handles of the rows whose entities were expanded one by one.
     own : (m,)
-        Entity of each row; from the number of entities on, an index into ``placed``.
+        Entity of each row.  A value i that is not less than the number of entities refers to
+        ``placed[i - number of entities]``.
     insert : (m,)
         INSERT that places the entity of each row, -1 for model space and for ``placed``.
     """
@@ -83,7 +86,7 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
 
 @inline_kernel
 def value_at(data: U8_1, low: int, high: int) -> Any:
-    """Return the value of the hexadecimal handle from ``low`` to ``high``, 0 if invalid."""
+    """Return the value of the hexadecimal handle ``data[low:high]``, 0 if it is not valid."""
     if high - low > _DIGITS:
         return 0
     value = 0
@@ -100,7 +103,10 @@ def value_at(data: U8_1, low: int, high: int) -> Any:
 
 @inline_kernel
 def take_handle(data: U8_1, low: int, high: int, others: OutI64_1, state: OutI64_1) -> int:
-    """Store the handle of an object that is not an entity in ``others``; return ON or REFUSED."""
+    """Append the handle ``data[low:high]`` of an object that is not an entity to ``others``.
+
+    Returns ON, or REFUSED if the handle is invalid or ``others`` is full.
+    """
     value, row = value_at(data, low, high), state[s.OTHERS]
     if value == 0 or row == state[s.MOST_OTHERS]:
         return s.REFUSED
@@ -120,7 +126,21 @@ def _spell(
     end: OutI64_1,
     number: OutI64_1,
 ) -> bool:
-    """Write the handles as text and as numbers; return whether all handles are valid."""
+    """Write the handles of all e entities as text and as numbers; return whether all are valid.
+
+    Parameters
+    ----------
+    data
+        Content of the file.
+    start, size, block : (e,)
+        Position and length of each handle in ``data``, and row of the block of each entity.
+    count
+        Gets the number of entities of each block; the last element is for model space.
+    text, end
+        Get the text of all handles, and the end of each handle in this text.
+    number : (e,)
+        Gets the value of each handle, 0 for an entity without a handle.
+    """
     at = 0
     for row in range(len(start)):
         count[block[row]] += 1
@@ -147,7 +167,17 @@ def _spell(
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Write the end of each path of handles into ``out_end``; return the total number of bytes."""
+    """Write the end of the handle of each of m report rows into ``out_end``, (m,).
+
+    Returns the total number of bytes of these handles.
+
+    Parameters
+    ----------
+    end
+        End of the handle of each entity in the text of all handles.
+    own, insert : (m,)
+        Entity of each row, and the INSERT that places this entity, -1 for none.
+    """
     at = 0
     for row in range(len(own)):
         if insert[row] >= 0:

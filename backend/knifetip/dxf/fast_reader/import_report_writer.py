@@ -1,4 +1,7 @@
-"""import_report_writer: compute the import report and the annotations of a file in columns."""
+"""import_report_writer: compute the import report and the annotations of a scanned DXF file.
+
+They are computed with NumPy for all entities at once.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +36,7 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """Outcomes and styles of the entities of one block, for all INSERTs of one style."""
+    """Layers, outcomes and style of the entities of one block, for INSERTs of one style."""
 
     layers: list[str]  #: layer of each entity
     outcomes: dict[
@@ -43,7 +46,7 @@ class Variant(NamedTuple):
 
 
 class Inserts(NamedTuple):
-    """The k INSERTs in model space whose blocks are processed in columns."""
+    """The k INSERTs in model space whose blocks are processed in columns, not one by one."""
 
     position: I64  #: (k,) index of each INSERT among the entities of model space
     block: I64  #: (k,) row of the block of each INSERT
@@ -62,7 +65,10 @@ class Order(NamedTuple):
 
 
 def drop_reason(tables: Tables, row: int) -> Message | None:
-    """Return the reason for dropping an entity, None if the entity has geometry."""
+    """Return the reason for dropping an entity, None if the entity has geometry.
+
+    ``row`` is the row of the entity in the Scan.
+    """
     line = tables.found.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
@@ -77,9 +83,10 @@ def drop_reason(tables: Tables, row: int) -> Message | None:
 def report_rows(
     tables: Tables, order: Order, inserts: Inserts, expansion: ReportWriter
 ) -> ReportRows:
-    """Return the rows of the import report for model space, blocks and expanded entities.
+    """Return all rows of the import report of a file.
 
-    ``expansion`` contains the rows of the entities that were expanded one by one.
+    They are the rows of the entities of model space, of the entities of blocks for each INSERT, and
+    of the entities that were expanded one by one; ``expansion`` contains the last.
     """
     entity, span = tables.found.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
@@ -143,7 +150,7 @@ def report_rows(
 def _of_sheet(
     tables: Tables, order: Order, inserts: Inserts, dropped: I64
 ) -> Iterator[SharedOutcome]:
-    """Yield the outcomes of entities in model space.
+    """Yield outcomes of the entities in model space; each outcome applies to several entities.
 
     Parameters
     ----------
@@ -177,7 +184,7 @@ def _of_sheet(
 
 
 def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Yield the outcomes of entities in the blocks that INSERTs place."""
+    """Yield outcomes of entities in blocks; each outcome applies to several INSERTs of a block."""
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.report_row[inserts.position[same]] + 1
@@ -186,7 +193,10 @@ def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
-    """Return the location boxes of n entities in their own coordinates, (n, 4)."""
+    """Return bounding boxes that show where n entities are, (n, 4), in their own coordinates.
+
+    ``rows`` are the rows of the entities in the Scan.
+    """
     entity = tables.found.entity
     words, kind = np.unique(entity[rows, f.WORD], return_inverse=True)
     kinds = [tables.words[word] for word in words.tolist()]
@@ -195,7 +205,10 @@ def boxes(tables: Tables, rows: I64) -> F64:
 
 
 def _on_sheet(tables: Tables, order: Order, dropped: I64) -> Iterator[LocationBoxes]:
-    """Yield the location boxes of the dropped entities in model space."""
+    """Yield the bounding boxes of the dropped entities in model space.
+
+    ``dropped`` contains the indices of these entities among the entities of model space.
+    """
     dropped = dropped[tables.found.entity[order.rows[dropped], f.PAPER] == 0]
     if len(dropped):
         yield LocationBoxes(
@@ -204,7 +217,10 @@ def _on_sheet(tables: Tables, order: Order, dropped: I64) -> Iterator[LocationBo
 
 
 def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
-    """Yield the location boxes of the dropped entities in blocks."""
+    """Yield the bounding boxes of dropped entities in the blocks that INSERTs place.
+
+    The boxes are in the coordinates of model space.
+    """
     of_variant = _grouped(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         numbers = np.array(
@@ -225,13 +241,17 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Locat
 
 
 def _grouped(kind: I64, kinds: int) -> list[I64]:
-    """Return for each kind 0 … ``kinds`` - 1 the indices at which ``kind`` has this value."""
+    """Return ``kinds`` arrays; array i contains the indices at which ``kind`` is equal to i."""
     order = np.argsort(kind, kind="stable")
     return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
 
 
 def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
-    """Return the annotations of the texts and dimensions in ``rows`` that are in model space."""
+    """Return the annotations of the texts and dimensions in model space.
+
+    ``rows`` are the rows in the Scan of all texts and dimensions that are in no block; those that
+    are in paper space are left out.
+    """
     entity, data = tables.found.entity, tables.found.data
     rows = rows[entity[rows, f.PAPER] == 0]
     # Column by column: creating a list for each row would double the time.

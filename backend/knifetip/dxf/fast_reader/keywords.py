@@ -38,14 +38,17 @@ ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 
 @inline_kernel
 def is_word(data: U8_1, low: int, high: int, word: int) -> bool:
-    """Return whether the bytes from ``low`` to ``high`` are the keyword number ``word``."""
+    """Return whether the bytes ``data[low:high]`` are the keyword with number ``word``."""
     size = ENDS[word + 1] - ENDS[word]
     return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
 
 
 @inline_kernel
 def word_at(data: U8_1, low: int, high: int, first: int, last: int) -> Any:
-    """Return the number, from ``first`` to ``last``, of the keyword in some bytes, -1 for none."""
+    """Return the number of the keyword ``data[low:high]``.
+
+    -1 if these bytes are none of the keywords with numbers ``first`` … ``last``.
+    """
     for word in range(first, last + 1):
         if is_word(data, low, high, word):
             return word

@@ -3,7 +3,7 @@
 Supported are lines, arcs, circles, polylines and INSERTs in the XY plane, with each tag once and in
 its usual position; nothing is repaired or guessed.  For a file with an unsupported structure
 ``scan`` returns None, and ``dxf.read`` uses the ezdxf reader.  Unsupported entities in a supported
-file are marked in the column ``UNSUPPORTED`` and read with ezdxf one by one (``ezdxf_entity``).
+file are marked in the column ``UNSUPPORTED``; the fast reader then reads them with ezdxf.
 """
 
 from __future__ import annotations
@@ -81,14 +81,20 @@ def scan(data: bytes) -> Scan | None:
 
 
 def _expected(data: bytes) -> int:
-    """Return an estimate, rarely too low, of the number of entities, from a sample of the file."""
+    """Return an estimate of the number of entities of the file, from a sample of its bytes.
+
+    The estimate is rarely too low.
+    """
     sample = data[len(data) // 2 :][:_SAMPLE]
     found = len(_LAYER.findall(sample)) + 8
     return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
 
 
 def _split_positions(data: bytes) -> list[int]:
-    """Return the positions at which a large file is split, each at the start of an entity."""
+    """Return the positions at which a large file is split, each at the start of an entity.
+
+    The list is empty if the file is not split.
+    """
     cores = min(core_count(), len(data) // _PART)
     first = data.find(b"ENTITIES")
     if cores < 2 or first < 0:
@@ -100,7 +106,7 @@ def _split_positions(data: bytes) -> list[int]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _PartScans:
-    """Results of scanning k parts of a file, in shared arrays."""
+    """What was read from each of k parts of a file, in arrays that all parts share."""
 
     supported: bool  #: whether all parts are supported
     state: I64  #: (k, STATES) state at the end of each part
@@ -117,7 +123,11 @@ class _PartScans:
 
 
 def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
-    """Scan the parts of a file between ``bounds``, for at most ``entities`` entities."""
+    """Scan all parts of a file in parallel.
+
+    ``bounds`` are the positions at which the parts begin, and the end of the last part.
+    ``entities`` is the largest number of entities for which arrays are provided.
+    """
     parts = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in parts]
     points = [(end - begin) // _SHORTEST + 64 for begin, end in parts]
@@ -173,7 +183,10 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
 
 
 def _merge_parts(data: bytes, found: _PartScans) -> Scan | None:
-    """Merge the results of all parts of a file; None if a part is not supported."""
+    """Return the Scan of a file whose parts were scanned separately.
+
+    None if a part of the file is not supported.
+    """
     sections = found.state[:, s.SECTIONS].copy()
     sections[1:] &= ~(1 << w.ENTITIES)
     if not found.supported or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
@@ -215,9 +228,11 @@ def _merge_parts(data: bytes, found: _PartScans) -> Scan | None:
 def _move_up(
     entity: OutI32_2F, value: OutF64_2F, row: int, to: int, count: int, numbers: I32_1, gap: int
 ) -> None:
-    """Move the rows of a part of the file up to directly behind the rows of the parts before it.
+    """Move ``count`` rows of ``entity`` and ``value`` from index ``row`` to the lower index ``to``.
 
-    Writes into ``entity`` and ``value``, and renumbers names and vertices.
+    The rows are those of one part of the file, and ``to`` is the end of the rows of the parts
+    before it.  Names and vertices are renumbered: ``numbers[i]`` is the new index of name i, and
+    ``gap`` is subtracted from the indices of vertices.
     """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)
@@ -233,7 +248,12 @@ def _move_up(
 
 
 def _finish(data: bytes, tables: tuple[F64, F64, F64], left: I64) -> bool:
-    """Parse the numbers that the scan left to ``float``; return whether all are finite."""
+    """Parse with ``float`` the decimal numbers that the scan could not round with certainty.
+
+    The numbers are written into ``tables`` (values, vertices, base points).  Each row of ``left``
+    contains the index of the table, row, column, and the start and end of the number in ``data``.
+    Returns whether all these numbers are finite.
+    """
     for which, row, column, start, end in left.tolist():
         read = float(data[start:end])
         if not np.isfinite(read):

@@ -1,6 +1,7 @@
-"""state: indices into the array of integers that holds the state of a scan.
+"""state: indices into the array of integers that contains the state of a scan.
 
-The state contains the open section, table, block and entity, and the numbers of rows.
+The state includes the open section, table, block and entity, and the numbers of rows that the scan
+has written into each array.
 """
 
 from __future__ import annotations
