@@ -1,8 +1,9 @@
 """messages: records of a code with typed arguments, which are rendered as text in a language.
 
-``catalogue`` has one module per area with all its messages: code, English text, hint and types of
-the arguments.  ``codes`` and ``english`` are tables made from the catalogue.  A module with the
-tables of ``english`` is needed for each further language.
+``catalogue`` has one module for each area of knifetip, such as ``cleaning`` or ``job``; it contains
+the code, English text, hint and types of the arguments of each message.  ``codes`` and ``english``
+contain tables made from the catalogue.  Each further language needs a module with the same tables
+as ``english``.
 """
 
 from knifetip.messages.message import Argument, Message, finite, from_json, printable

@@ -1,7 +1,8 @@
-"""codes: every message that knifetip can report, with the types of its arguments.
+"""codes: the codes of all messages that knifetip can report, with the types of their arguments.
 
-The first part of a code is its area.  The OpenAPI description contains this table as the union
-``Message``, so that a client can check that its own catalogue is complete.
+The part of a code before the dot is the area of knifetip to which the message belongs.  The OpenAPI
+description contains this table as the union ``Message``, so that a client can check that its own
+catalogue is complete.
 """
 
 from __future__ import annotations

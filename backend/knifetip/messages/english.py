@@ -1,7 +1,7 @@
 """english: the English texts and hints of all messages, and the names of units and tools.
 
-A module with the same four tables is needed for each further language.  ``messages.render``
-describes the templates.
+The module has four tables: ``UNITS``, ``TOOLS``, ``TEXTS`` and ``HINTS``.  Each further language
+needs a module with the same tables.  ``messages.render`` describes the templates.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""entry: the record of one message of the catalogue: types of its arguments, text and hint."""
+"""entry: the record of one message in the catalogue: types of its arguments, text and hint."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ Kind: TypeAlias = Literal["text", "count", "number", "texts", "message", "messag
 
 
 class Entry(NamedTuple):
-    """One message of the catalogue; its templates are described in ``messages.render``."""
+    """One message in the catalogue: English templates of text and hint, and types of the arguments.
+
+    ``messages.render`` describes the templates.
+    """
 
     text: str  #: English template: what is wrong, and where
     hint: str  #: English template: what the user can do; empty if the user can do nothing
@@ -26,9 +29,11 @@ def entry(text: str, hint: str = "", /, **arguments: Kind) -> Entry:
 
     Parameters
     ----------
-    text, hint
-        English templates of the text and the hint.
+    text
+        English template of the text, as described in ``messages.render``.
+    hint
+        English template of the hint; empty if the user can do nothing.
     arguments
-        Type of each argument, as keyword arguments.
+        Type of each argument of the message, as keyword arguments.
     """
     return Entry(text, hint, arguments)

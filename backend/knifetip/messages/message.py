@@ -34,14 +34,15 @@ class Message:
     Parameters
     ----------
     code
-        One of ``codes.CODES``.
+        A key of ``codes.CODES``.
     arguments
-        Values by name, as ``codes.CODES`` lists them; NumPy numbers become Python numbers.
+        Values of the arguments that ``codes.CODES`` lists for the code, as keyword arguments.
+        NumPy numbers become Python numbers.
 
     Raises
     ------
     TypeError
-        The code is unknown, or the names of the arguments are not those of the code.
+        The code is unknown, or an argument is missing or not listed for the code.
     """
 
     __slots__ = ("_key", "arguments", "code")
@@ -77,16 +78,17 @@ class Message:
         return (_rebuild, (self.code, self.arguments))
 
     def as_json(self) -> dict[str, Any]:
-        """Return the code and the arguments as data that JSON can represent."""
+        """Return a dictionary that JSON can represent, with the keys "code" and "arguments"."""
         arguments = {name: _plain(value) for name, value in self.arguments.items()}
         return {"code": self.code, "arguments": arguments}
 
 
 def from_json(plain: Mapping[str, Any] | str) -> Message:
-    """Return the message in data that ``Message.as_json`` returned.
+    """Return the message from the JSON data that ``Message.as_json`` returned.
 
-    Older versions of knifetip stored sentences.  They, and messages of other versions whose code or
-    arguments are unknown, become a message with the code ``stored.text``.
+    Older versions of knifetip stored sentences.  Such a sentence becomes a message with the code
+    ``stored.text``.  So does a message of another version if this version does not have its code or
+    lists other arguments for the code.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")
@@ -124,7 +126,10 @@ def _plain(value: Any) -> Any:
 
 
 def finite(number: float) -> float:
-    """Return a number that JSON can represent: ±1e9 for ±infinity, 1e9 for NaN."""
+    """Return a number unchanged if it is finite, else a number that JSON can represent.
+
+    This number is 1e9 for infinity, -1e9 for minus infinity, and 1e9 for NaN.
+    """
     if math.isfinite(number):
         return float(number)
     return -_NOT_FINITE if number < 0.0 else _NOT_FINITE
@@ -142,7 +147,7 @@ def _texts(value: Iterable[object]) -> tuple[str, ...]:
 
 
 def _message(value: object) -> Message:
-    """Return a message unchanged, and a text as a message with the code ``stored.text``.
+    """Return a message unchanged, and any other value as a message with the code ``stored.text``.
 
     Older versions of knifetip stored a text where this version stores a message.
     """

@@ -38,12 +38,15 @@ def hint(message: Message) -> str:
 
 
 def with_text(given: Message | Mapping[str, Any] | str) -> dict[str, Any]:
-    """Return a message as JSON data together with its English text and hint.
+    """Return a message as JSON data, with its English text and hint added.
+
+    The keys are "code", "arguments", "text" and "hint".
 
     Parameters
     ----------
     given
-        A message, its JSON data (other keys are kept), or a sentence of an older version.
+        A message, its JSON data (further keys are kept), or a sentence that an older version of
+        knifetip stored.
     """
     message = given if isinstance(given, Message) else from_json(given)
     return {

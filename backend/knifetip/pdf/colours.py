@@ -1,7 +1,7 @@
 """colours: convert colours of a PDF to a true colour and the name of the spot colour.
 
-For example, tint 1 of ``[/Separation /CutContour /DeviceCMYK {…}]`` gives
-``Paint(0xFF00FF, "CutContour")``.
+For example, the colour space ``[/Separation /CutContour /DeviceCMYK {…}]`` and the tint 1 (full
+ink) give ``Paint(0xFF00FF, "CutContour")``.
 
 A spot colour is a separate ink.  Carton designers name it after the operation on the line, such as
 "CutContour".  Its true colour is the colour in which programs display it.
@@ -22,7 +22,7 @@ from knifetip.pdf.tints import evaluate_tint
 
 
 class Paint(NamedTuple):
-    """The colour of a line or an area of a PDF, with the name of its spot colour."""
+    """The colour of a line or of a filled area of a PDF, with the name of its spot colour."""
 
     colour: int  #: 0xRRGGBB, or ``UNKNOWN_COLOUR``
     spot: str  #: name of the spot colour, empty for process colours
@@ -30,7 +30,7 @@ class Paint(NamedTuple):
 
 
 class ColourSpace(NamedTuple):
-    """A colour space of a PDF: its kind, its components and, for spot colours, its inks."""
+    """A colour space of a PDF: its kind, number of components and, for spot colours, inks."""
 
     kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty if unknown
     components: int
@@ -60,10 +60,11 @@ _MAX_DEPTH: Final = 4
 
 
 def parse_colour_space(file: PdfFile, given: object, deep: int = 0) -> ColourSpace:
-    """Return the colour space that a PDF object defines.
+    """Return the colour space that the PDF object ``given`` defines.
 
     The result has an empty ``kind`` if the colour space is unknown or nested too deeply.
-    ``deep`` is the number of colour spaces that contain this one.
+    ``deep`` is the number of colour spaces that contain this one; callers outside this function
+    omit it.
     """
     given = file.resolve(given)
     if isinstance(given, NameObject):
@@ -89,9 +90,10 @@ def _ink(name: object) -> str:
 
 
 def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
-    """Return the colour with the components ``given`` in the colour space ``where``.
+    """Return the colour that a PDF defines by a colour space and components.
 
-    The colour is ``UNKNOWN_COLOUR`` if it cannot be computed.
+    ``where`` is the colour space, ``given`` the value of each of its components.  The true colour
+    is ``UNKNOWN_COLOUR`` if it cannot be computed.
     """
     if where.kind not in ("Separation", "DeviceN"):
         return Paint(_to_rgb(where.kind, given), "")
@@ -109,8 +111,8 @@ def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
 def _to_rgb(kind: str, given: list[float]) -> int:
     """Return a device colour as 0xRRGGBB, without colour management.
 
-    ``kind`` is Gray, RGB or CMYK.  ``UNKNOWN_COLOUR`` is returned for other kinds and for invalid
-    components.
+    ``kind`` is Gray, RGB or CMYK, and ``given`` are its components, 0…1.  ``UNKNOWN_COLOUR`` is
+    returned for other kinds and for invalid components.
     """
     parts = [min(max(part, 0.0), 1.0) for part in given]
     if not all(map(math.isfinite, given)):

@@ -2,8 +2,9 @@
 
     b"1 0 0 RG 10 20 m 30 20 l S" -> ("RG", [1, 0, 0]), ("m", [10, 20]), ("l", [30, 20]), ("S", [])
 
-A page may have a hundred thousand operators, so one regular expression finds all tokens.
-Dictionaries and inline images are skipped; arrays become lists.
+A content stream is the sequence of drawing commands of a PDF page.  It may have a hundred thousand
+operators, so one regular expression finds all tokens.  Dictionaries and inline images are skipped;
+arrays become lists.
 
 Source: ISO 32000-1, chapters 7.2, 7.3 and 7.8.2.
 """
@@ -142,7 +143,10 @@ def _string_end(data: bytes, at: int) -> int:
 
 
 def _unescape(found: re.Match[bytes]) -> bytes:
-    """Return the bytes that an escape sequence in a PDF string represents."""
+    """Return the bytes that an escape sequence in a PDF string represents.
+
+    ``found`` is the match of the escape sequence, as the callback of ``re.sub`` gets it.
+    """
     if found[1]:
         return bytes((int(found[1], 8) & 255,))
     if found[2] in (b"\n", b"\r", b"\r\n"):
@@ -151,7 +155,15 @@ def _unescape(found: re.Match[bytes]) -> bytes:
 
 
 def _end_of_image(data: bytes, at: int) -> int:
-    """Return the index after the inline image that starts before ``at``."""
+    """Return the index after the end of an inline image.
+
+    ``at`` is the index after the operator BI, with which the image starts.
+
+    Raises
+    ------
+    TruncatedStream
+        The image has no end.
+    """
     found = _PICTURE_ENDS.search(data, at)
     if found is None:
         raise TruncatedStream("pdf.open-image")

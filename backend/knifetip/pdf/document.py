@@ -3,7 +3,8 @@
     bytes -> PdfFile (objects, in bounded time and size) -> Page
 
 pypdf parses the objects; this module checks the type of each object.  Encrypted files are refused.
-Streams that cannot be unpacked to their end are also refused, because lines would be missing.
+Files with a stream that cannot be unpacked to its end are also refused, because lines would be
+missing.
 
 Source: ISO 32000-1, chapters 7.5, 7.7 and 14.11.2.
 """
@@ -75,20 +76,21 @@ class PdfFile:
         self.root: DictionaryObject = self._reader.root_object
 
     def check_time(self) -> None:
-        """Check the time limit.
+        """Raise an error if reading the file takes longer than the limit.
 
         Raises
         ------
         DrawingTooLarge
-            Reading the file takes longer than the limit.
+            The time since the file was opened exceeds the limit.
         """
         if time.monotonic() > self._until:
             raise DrawingTooLarge("reading.too-slow", seconds=self.limits.seconds, format="PDF")
 
     def resolve(self, value: object) -> Any:
-        """Return the object that a reference refers to; other values are returned unchanged.
+        """Return the object to which the reference ``value`` refers.
 
-        None is returned if the object does not exist or is the null object.
+        A value that is not a reference is returned unchanged.  None is returned if the object does
+        not exist or is the null object.
         """
         for _ in range(16):
             if not isinstance(value, IndirectObject):
@@ -98,7 +100,7 @@ class PdfFile:
         return None
 
     def entry(self, holder: object, key: str) -> Any:
-        """Return the entry ``key`` of a dictionary, with its reference resolved.
+        """Return the entry ``key`` of the dictionary ``holder``; a reference is resolved.
 
         None is returned if ``holder`` is not a dictionary or has no such entry.
         """
@@ -107,15 +109,18 @@ class PdfFile:
         return self.resolve(holder.raw_get(key))
 
     def array(self, holder: object, key: str) -> list[Any]:
-        """Return the items of the array ``key`` of a dictionary; empty if there is no such array.
+        """Return the items of the array that is the entry ``key`` of the dictionary ``holder``.
 
-        References among the items are not resolved.
+        The list is empty if there is no such array.  References among the items are not resolved.
         """
         found = self.entry(holder, key)
         return list(found) if isinstance(found, ArrayObject) else []
 
     def numbers(self, holder: object, key: str, count: int) -> list[float] | None:
-        """Return the array ``key`` of a dictionary if it is ``count`` finite numbers, else None."""
+        """Return the array of numbers that is the entry ``key`` of the dictionary ``holder``.
+
+        None is returned if the entry is not an array of ``count`` finite numbers.
+        """
         found = [number(self.resolve(value)) for value in self.array(holder, key)]
         if len(found) != count or not all(map(math.isfinite, found)):
             return None
@@ -129,7 +134,7 @@ class PdfFile:
         NotADrawing
             The data is truncated or damaged.
         DrawingTooLarge
-            The data is larger than the limit of a file.
+            The unpacked data is larger than the limit of the size of a file.
         """
         packing = self.entry(stream, "/Filter")
         steps = packing if isinstance(packing, ArrayObject) else [packing]
@@ -144,7 +149,7 @@ class PdfFile:
 
 
 class _Reader(PdfReader):
-    """The reader of pypdf; it checks the time limit before each object of an object stream."""
+    """A pypdf reader that checks the time limit before it reads an object."""
 
     def __init__(self, stream: io.BytesIO, check_time: Callable[[], None]) -> None:
         self._check_time = check_time
@@ -169,10 +174,10 @@ class _TimedBytes(io.BytesIO):
 
 @contextmanager
 def limit_pypdf(limits: Limits) -> Iterator[None]:
-    """Limit the unpacked size of a stream in pypdf, in a ``with`` statement.
+    """Limit the size of unpacked streams in pypdf for the duration of a ``with`` statement.
 
-    The limit is a quarter of the size limit of a file.  Streams of objects are smaller; content
-    streams may be larger, and this module unpacks them itself.
+    The limit is a quarter of the limit of the size of a file, which is enough for all streams that
+    pypdf unpacks.  Content streams may be larger; this module unpacks them itself.
     """
     most = limits.bytes // 4
     with apply_configuration(
@@ -211,7 +216,7 @@ def _unpack(data: bytes, most: int) -> bytes:
 
 
 def number(value: object) -> float:
-    """Return a number as a float; NaN for values that are not numbers."""
+    """Return ``value`` as a float if it is a number, else NaN."""
     return float(value) if isinstance(value, (int, float)) else math.nan
 
 
@@ -228,14 +233,14 @@ class Page:
 
 
 def first_page(file: PdfFile) -> Page:
-    """Return the first page of a file.
+    """Return the first page of a PDF.
 
     Raises
     ------
     NotADrawing
         The file has no page.
     DrawingTooLarge
-        The page is larger than the limit of a drawing.
+        The width or height of the page is larger than the limit of a drawing.
     """
     pages = file.entry(file.root, "/Pages")
     node, inherited = _first_leaf(file, pages)
@@ -262,7 +267,16 @@ def first_page(file: PdfFile) -> Page:
 
 
 def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, DictionaryObject]:
-    """Return the first page of a page tree, and the attributes that it inherits."""
+    """Return the first page of the page tree with the root ``pages``.
+
+    The second value is a dictionary of the attributes that the page has or inherits from the nodes
+    of the tree that contain it.
+
+    Raises
+    ------
+    NotADrawing
+        The tree has no page.
+    """
     stack: list[tuple[Any, DictionaryObject]] = [(pages, DictionaryObject())]
     for _ in range(_NODES):
         if not stack:

@@ -1,7 +1,7 @@
 """page_lines: collect the paths and texts of a PDF page, and its import report.
 
-Every path, text and image has a row in the report.  Paths keep their own coordinates, with the
-matrix to page coordinates and the style of each path.
+Every path, text and image has a row in the report.  Each path has its own coordinates, a matrix to
+points on the displayed page, and a style.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ from knifetip.pdf.path_builder import PathBuilder
 
 
 class LayerMark(NamedTuple):
-    """The layer of an object on the page, and the hidden layer that contains the object."""
+    """The layer of an object on the page, and the hidden layer that contains it, if any."""
 
     layer: str
     hidden: str  #: name of the hidden layer that contains the object, empty if visible
 
 
 class LineStyle(NamedTuple):
-    """Layer, colour and dashes of a path on the page."""
+    """The layer, the colour, and whether it is dashed, of a path on the page."""
 
     layer: str
     paint: Paint
@@ -67,18 +67,18 @@ class PageLines:
         self._lines: list[PageLine] = []
 
     def row(self, path: str, kind: str, mark: LayerMark, dropped: Message | None = None) -> int:
-        """Add a row for an object to the import report and return the number of the row.
+        """Add a row for an object to the import report and return the index of the row.
 
         Parameters
         ----------
         path
             Names of the forms that contain the object, each followed by a slash.
         kind
-            Type of the object.
+            Type of the object, for example "path" or "image".
         mark
             Layer of the object.
         dropped
-            Reason if the object gives no edge.
+            Reason why the object gives no edge, None if it gives edges.
         """
         if len(self.report.handle) >= self._limits.entities:
             raise DrawingTooLarge(
@@ -88,7 +88,7 @@ class PageLines:
         return self.report.row(handle, kind, mark.layer or "0", dropped)
 
     def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
-        """Keep the current path of the path builder, and add it to the paths of the page.
+        """Add the current path of the path builder to the paths of the page.
 
         Parameters
         ----------
@@ -97,7 +97,9 @@ class PageLines:
         matrix
             From the coordinates of the path to points on the displayed page.
         clip
-            Visible area of the path on the page (points).
+            Visible area of the path on the displayed page (points).
+        style
+            Layer, colour and dashes of the path.
         area
             Whether the path is filled without a stroke.
         """
@@ -105,13 +107,14 @@ class PageLines:
 
     @property
     def empty(self) -> bool:
-        """Whether the page has no paths that could be drawn."""
+        """Whether no path was added to the page with ``line``."""
         return not self._lines
 
     def collect(self) -> tuple[Table, Paths, list[Style]]:
-        """Return the segments, the paths and the styles of the visible paths of the page.
+        """Return the segments of all kept paths of the page, these paths, and the list of styles.
 
-        The reasons for dropped paths are written into the import report.
+        Paths outside their visible area, and filled areas beside strokes, are dropped; the reasons
+        are written into the import report.
         """
         lines = self._lines
         size = np.array([line.size for line in lines], np.int64)
@@ -135,12 +138,15 @@ class PageLines:
         return table, Paths(row[keep], style, matrix[keep]), styles
 
     def _drop_invisible(self, box: F64) -> Bool:
-        """Drop the paths outside their visible areas; return the mask of the other paths, (p,).
+        """Return the mask of the paths that are at least partly inside their visible areas, (p,).
+
+        Reasons for the other paths are written into the import report, and a note for each path
+        that is only partly inside.
 
         Parameters
         ----------
         box : (p, 4)
-            The bounding box of each path (points).
+            min x, min y, max x and max y of each of the page's p paths (points).
         """
         clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
         low, high = box[:, :2], box[:, 2:]
@@ -154,12 +160,14 @@ class PageLines:
         return shown
 
     def _drop_fills(self) -> Bool:
-        """Drop areas with a fill but no stroke, unless the page has no strokes at all.
+        """Drop the paths that have a fill but no stroke, unless no path of the page has a stroke.
+
+        The reasons are written into the import report.
 
         Returns
         -------
         keep : (p,)
-            Mask of the paths that are kept, one per path.
+            Mask of the paths that are kept, one per path of the page.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()
@@ -172,9 +180,9 @@ class PageLines:
         return ~areas | (not stroked)
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
-        """Return the list of all styles, and the index of each path's style in this list.
+        """Return the list of the styles of n paths, and for each path the index of its style, (n,).
 
-        The layer of each path is written into the path's row of the import report.
+        The layer of each path is also written into the path's row of the import report.
         """
         named = layer_names({(line.style.layer, line.style.paint.spot) for line in lines})
         styles: list[Style] = []

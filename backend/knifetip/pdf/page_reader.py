@@ -2,8 +2,8 @@
 
     PdfFile, Page -> PageLines: the paths, and a row for every path, text and image
 
-Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The size of the
-expanded forms is limited.
+Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The total size
+of the content streams, counted once per copy, is limited.
 
 Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 """
@@ -31,14 +31,14 @@ from knifetip.pdf.stream import (
 
 
 def read_page(file: PdfFile, page: Page) -> PageLines:
-    """Return the lines and the import report of a page.
+    """Return the paths, the texts and the import report of a page.
 
     Raises
     ------
     NotADrawing
         The content of the page is truncated.
     DrawingTooLarge
-        The size of the page with its forms exceeds the limits.
+        The size of the page with all copies of its forms exceeds the limits.
     """
     reader = _PageReader(file)
     reader.read_page(page)
@@ -48,7 +48,7 @@ def read_page(file: PdfFile, page: Page) -> PageLines:
 def _display_matrix(page: Page) -> tuple[Matrix, Box]:
     """Return the matrix from page coordinates to points on the displayed page.
 
-    The second value is the visible area of the displayed page (points).
+    The second value is the visible area of the displayed page: min x, min y, max x, max y (points).
     """
     u = page.unit
     boundless = page.box == UNBOUNDED
@@ -75,7 +75,11 @@ class _PageReader:
         self._read = 0
 
     def read_page(self, page: Page) -> None:
-        """Read a page; add its annotations and the other pages to the import report as dropped."""
+        """Interpret the content of a page and add its paths and texts to the drawn objects.
+
+        Rows for the page's annotations, and for the other pages of the file, are added to the
+        import report as dropped.
+        """
         matrix, seen = _display_matrix(page)
         state = State(matrix, seen)
         none = LayerMark("", "")
@@ -101,12 +105,12 @@ class _PageReader:
         return b"\n".join(parts)
 
     def _check_size(self, size: int) -> None:
-        """Add ``size`` bytes to the expanded size of the page.
+        """Add ``size`` bytes to the total size of the content streams that were read.
 
         Raises
         ------
         DrawingTooLarge
-            The expanded size exceeds the limit.
+            The total size exceeds the limit.
         """
         self._read += size
         most = self.file.limits.bytes
@@ -114,7 +118,16 @@ class _PageReader:
             raise DrawingTooLarge("pdf.expands-too-far", limit=most / 2**20)
 
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
-        """Interpret the content stream ``data``, starting with the graphics state ``state``.
+        """Interpret a content stream of a page or of a form.
+
+        Parameters
+        ----------
+        data
+            The unpacked content stream.
+        state
+            The graphics state at the start of the stream.
+        context
+            Properties that the stream inherits from the streams that contain it.
 
         Raises
         ------
@@ -131,7 +144,17 @@ class _PageReader:
             ) from None
 
     def form(self, node: StreamObject, state: State, context: StreamContext) -> None:
-        """Interpret the content stream of a form, within the matrix and the clip of the form."""
+        """Interpret the content stream of a form, with the matrix and the visible area of the form.
+
+        Parameters
+        ----------
+        node
+            The form.
+        state
+            The graphics state at the operator that draws the form.
+        context
+            Properties that the form inherits from the streams that contain it.
+        """
         file = self.file
         if (matrix := file.numbers(node, "/Matrix", 6)) is not None:
             a, b, c, d, e, f = matrix

@@ -19,7 +19,7 @@ from knifetip.geometry.columns import F64
 
 
 class PathBuilder:
-    """The segments of all kept paths of a page, followed by the segments of the current path."""
+    """Builds the current path from operators, and collects the segments of all kept paths."""
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
@@ -31,7 +31,11 @@ class PathBuilder:
         self._start_path()
 
     def add(self, operator: str, given: list[float]) -> None:
-        """Apply an operator, a key of ``BUILDERS``, with its operands to the current path."""
+        """Apply a path operator with its operands to the current path.
+
+        ``operator`` is a key of ``BUILDERS``; ``given`` are its operands.  The first operator with
+        invalid operands is stored in ``wrong``.
+        """
         try:
             BUILDERS[operator](self, *given)
         except TypeError:
@@ -45,13 +49,13 @@ class PathBuilder:
         return len(self.kind) - self._kept
 
     def ends(self) -> F64:
-        """Return the end points and control points of the current path, (n, 2)."""
+        """Return the n end points and control points of the current path's segments, (n, 2)."""
         numbers = np.array(self.numbers[8 * self._kept :]).reshape(-1, 4, 2)
         curved = np.array(self.kind[self._kept :]) == CUBIC
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
 
     def keep(self) -> int:
-        """Keep the segments of the current path, start a new path, and return the number kept."""
+        """Keep the current path and return the number of its segments; then start a new path."""
         size = self.size
         self._kept = len(self.kind)
         self._start_path()

@@ -2,8 +2,9 @@
 
     bytes -> Drawing: segments in mm, and a row of the import report for every path, text and image
 
-Line types are distinguished by layer, spot colour, colour and dashes.  The size is known: one unit
-is 1/72 in, or the multiple of 1/72 in that UserUnit states.
+Line types are distinguished by layer, spot colour, colour and dashes.  The size of the page is
+known: one unit of its coordinates is 1/72 in, or the multiple of 1/72 in that the entry UserUnit of
+the page states.
 
 ``document`` finds the page, ``page_reader`` interprets its operators and forms.
 """
@@ -40,7 +41,8 @@ def read(
     data
         Content of the file.
     unit
-        The unit of one point of the page, if the user gives one: "mm", "in" …
+        The length that the user gives for one point of the page: "mm", "in" …  None or "" for the
+        true length, 1/72 in.
 
     Returns
     -------
@@ -95,9 +97,10 @@ def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Draw
 
 
 def _refuse_empty(file: PdfFile, page: Page, drawn: PageLines) -> None:
-    """Raise NotADrawing if a page without paths is blank or its content is in another format.
+    """Raise NotADrawing if a page without paths is blank, or if its content is not PDF content.
 
-    Other formats are XFA forms and the private data of Illustrator.
+    Such content is an XFA form or the private data of Illustrator.  ``drawn`` contains the import
+    report of the page.
     """
     if file.entry(file.entry(file.root, "/AcroForm"), "/XFA") is not None:
         raise NotADrawing("pdf.form")

@@ -1,4 +1,7 @@
-"""resources: look up and cache the named colour spaces, colours and fonts of content streams."""
+"""resources: look up and cache the named colour spaces, colours and fonts of content streams.
+
+A content stream refers to them by names, which a resource dictionary defines.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +22,10 @@ class Resources:
         self._fonts: dict[tuple[int, str], Font] = {}
 
     def find(self, resources: DictionaryObject, kind: str, name: str) -> object:
-        """Return the resource ``name`` of one kind, such as "/Font", from a resource dictionary.
+        """Return the resource of one kind with the name ``name`` from a resource dictionary.
 
-        The result may be a reference; it is None if there is no such resource.
+        ``kind`` is the key of the kind, such as "/Font".  The result may be a reference; it is None
+        if the dictionary has no such resource.
         """
         holder = self._file.entry(resources, kind)
         key = f"/{name}"
@@ -30,7 +34,11 @@ class Resources:
         )
 
     def space(self, resources: DictionaryObject, name: str) -> ColourSpace:
-        """Return the colour space ``name`` of a resource dictionary, or the device colour space."""
+        """Return the colour space with the name ``name`` from a resource dictionary.
+
+        If the dictionary has no such colour space, ``name`` is the name of a device colour space,
+        such as "DeviceRGB".
+        """
         key = id(resources), name
         found = self._spaces.get(key)
         if found is None:
@@ -42,7 +50,10 @@ class Resources:
         return found
 
     def paint(self, where: ColourSpace, given: tuple[float, ...]) -> Paint:
-        """Return the colour with the components ``given`` in the colour space ``where``."""
+        """Return the colour that a PDF defines by a colour space and components.
+
+        ``where`` is the colour space, ``given`` the value of each of its components.
+        """
         key = id(where), given
         found = self._paints.get(key)
         if found is None:
@@ -50,7 +61,10 @@ class Resources:
         return found
 
     def font(self, resources: DictionaryObject, name: str) -> Font:
-        """Return the font ``name`` of a resource dictionary."""
+        """Return the font with the name ``name`` from a resource dictionary.
+
+        ``UNDECODABLE`` is returned if the dictionary has no such font.
+        """
         key = id(resources), name
         found = self._fonts.get(key)
         if found is None:

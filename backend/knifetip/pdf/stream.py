@@ -1,6 +1,7 @@
 """stream: interpret the operators of a content stream, and add its paths and texts to the page.
 
-Only the part of the graphics state that determines position and style of lines is tracked.
+A content stream is the sequence of drawing commands of a PDF page or form.  Only the part of the
+graphics state that determines position and style of lines is tracked.
 
 Source: ISO 32000-1, chapters 8 and 9.
 """
@@ -91,7 +92,7 @@ class PageContext:
 
 
 class Stream:
-    """Interprets one content stream."""
+    """Interprets one content stream: the sequence of drawing commands of a PDF page or form."""
 
     def __init__(self, page: PageContext, state: State, context: StreamContext) -> None:
         self._page = page
@@ -118,16 +119,18 @@ class Stream:
             self._drop_path(Message("import.page-ends-early"))
 
     def _row(self, kind: str, why: Message | None, points: Sequence[Any] = ()) -> int:
-        """Add a row for an object to the import report and return the number of the row.
+        """Add a row for an object to the import report and return the index of the row.
 
         Parameters
         ----------
         kind
-            Type of the object.
+            Type of the object, for example "path" or "image".
         why
-            Reason if the object is dropped.
+            Reason why the object is dropped, None if it is kept.  If the object is on a hidden
+            layer, the name of this layer is the reason instead.
         points
-            Points whose bounding box is the location of the object, before the current matrix.
+            Points whose bounding box is the location of the object, in the coordinates that the
+            current matrix maps to points on the page.
         """
         mark, drawn = self._marks[-1], self._page.drawn
         why = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else why
@@ -137,7 +140,11 @@ class Stream:
         return row
 
     def _drop_path(self, why: Message | None) -> None:
-        """Drop the current path, and add a row with the reason ``why`` to the import report."""
+        """Drop the current path and add a row for it to the import report.
+
+        ``why`` is the reason; it may be None if the path is on a hidden layer, which is then the
+        reason.
+        """
         path = self._page.drawn.path
         self._row("path", why, [] if path.wrong else path.ends().tolist())
         path.drop()
@@ -145,10 +152,12 @@ class Stream:
     def _paint_path(self, closes: bool, strokes: bool, fills: bool) -> None:
         """End the current path: add it to the page if it is visible, else drop it with a reason.
 
+        If the path is a clipping path, it also limits the visible area of later paths.
+
         Parameters
         ----------
         closes, strokes, fills
-            Whether the operator closes, strokes or fills the path.
+            Whether the operator that ends the path closes, strokes or fills it.
         """
         self._page.file.check_time()
         path, state = self._page.drawn.path, self._state
@@ -216,7 +225,10 @@ class Stream:
         self._state = self._state._replace(dashed=dashed)
 
     def _set_state(self, _operator: str, given: list[Any]) -> None:
-        """Apply a named graphics state dictionary: opacity and dashes."""
+        """Apply the opacity and the dashes in a graphics state dictionary to the graphics state.
+
+        ``given`` contains the name of the dictionary, the operand of the operator ``gs``.
+        """
         file = self._page.file
         name = given[-1] if given else ""
         node = file.resolve(
@@ -273,9 +285,16 @@ class Stream:
             raise DrawingTooLarge("pdf.layers-too-deep", limit=_MAX_STACK)
 
     def _nested_mark(self, mark: LayerMark, given: object) -> LayerMark:
-        """Return the mark of the layer ``given`` inside the layer ``mark``.
+        """Return the layer mark of objects on a layer that is nested in another layer.
 
-        It is hidden if one of the two layers is hidden.
+        The objects are hidden if one of the two layers is hidden.
+
+        Parameters
+        ----------
+        mark
+            Mark of the outer layer.
+        given
+            PDF object that defines the inner layer, None for no inner layer.
         """
         if given is None:
             return mark
@@ -290,7 +309,11 @@ class Stream:
     # ── Forms, images, texts ────────────────────────────────────────────────────────────────
 
     def _draw_object(self, _operator: str, given: list[Any]) -> None:
-        """Interpret a form; add an image, which is not cut, to the import report as dropped."""
+        """Interpret the form or image that the operator ``Do`` draws.
+
+        An image is not cut, so it is added to the import report as dropped.  ``given`` contains the
+        name of the form or image.
+        """
         page, context = self._page, self._context
         page.file.check_time()
         name = str(given[-1]) if given else ""
@@ -381,7 +404,7 @@ _HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
 
 
 def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
-    """Return the bounding box of points after a transformation by ``matrix``."""
+    """Return min x, min y, max x and max y of points after a transformation by ``matrix``."""
     a, b, c, d, e, f = matrix
     x = [a * x + c * y + e for x, y in points]
     y = [b * x + d * y + f for x, y in points]
@@ -389,7 +412,10 @@ def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
 
 
 def intersect(one: Box, other: Box) -> Box:
-    """Return the intersection of two bounding boxes; its minimum exceeds its maximum if empty."""
+    """Return the intersection of two boxes: min x, min y, max x and max y.
+
+    If the intersection is empty, a minimum of the result exceeds the maximum.
+    """
     return (
         max(one[0], other[0]),
         max(one[1], other[1]),

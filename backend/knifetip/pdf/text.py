@@ -1,4 +1,4 @@
-"""text: decode the texts on a page, with their positions, if their font has a known encoding.
+"""text: decode the texts on a PDF page, with their positions, if their font has a known encoding.
 
 For example, ``BT /F1 12 Tf 10 20 Td (A carton) Tj ET`` gives "A carton" at (10, 20), height 12.
 
@@ -33,14 +33,17 @@ _LISTED: Final = re.compile(rb"<([0-9A-Fa-f\s]*)>")
 
 
 class Font(NamedTuple):
-    """The encoding of a font: a Python codec, or a table from codes to text."""
+    """The encoding of a PDF font: a Python codec, or a table from character codes to text."""
 
     codec: str  #: name of a Python codec, empty if there is a table or none
     wide: int  #: bytes in one code
     table: dict[int, str]
 
     def decode(self, codes: bytes) -> str | None:
-        """Return the text of character codes; None if the encoding of the font is unknown."""
+        """Return the text that a string of character codes represents.
+
+        None is returned if the encoding of the font is unknown.
+        """
         if self.codec:
             return codes.decode(self.codec, "replace")
         if not self.table:
@@ -53,7 +56,10 @@ UNDECODABLE: Final = Font("", 1, {})
 
 
 def parse_font(file: PdfFile, node: object) -> Font:
-    """Return the encoding of the font that a PDF object defines; ``UNDECODABLE`` if unknown."""
+    """Return the encoding of the font that the PDF object ``node`` defines.
+
+    ``UNDECODABLE`` is returned if the encoding is unknown or ``node`` is not a dictionary.
+    """
     if not isinstance(node, DictionaryObject):
         return UNDECODABLE
     wide = 2 if file.entry(node, "/Subtype") == "/Type0" else 1
@@ -96,7 +102,7 @@ _BLANK: Final = -200.0
 
 
 class TextObject:
-    """The text between the operators BT and ET, and the current font."""
+    """The text between the operators BT and ET of a content stream, and the current font."""
 
     def __init__(self) -> None:
         self.font = UNDECODABLE
@@ -108,13 +114,16 @@ class TextObject:
         self._unread = False
 
     def begin(self) -> None:
-        """Remove the text and reset the position, at the operator BT."""
+        """Start a new text at the operator BT: remove the previous text and reset the position."""
         self._begin, self._line, self._leading = None, IDENTITY, 0.0
         self._parts.clear()
         self._unread = False
 
     def operate(self, operator: str, given: list[Any]) -> None:
-        """Apply an operator, one of ``OPERATORS``, with its operands to the text."""
+        """Apply a text operator with its operands to the text.
+
+        ``operator`` is one of ``OPERATORS``; ``given`` are its operands.
+        """
         numbers = [one for one in given if isinstance(one, float)]
         if operator == "Tm" and len(numbers) == 6:
             a, b, c, d, e, f = numbers
@@ -155,21 +164,22 @@ class TextObject:
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """A list with the start point of the text, in the coordinates outside the text object.
+        """A list with the start point (x, y) of the text.
 
-        The list is empty if no text was shown.
+        The coordinates are those that apply before the operator BT.  The list is empty if no text
+        was shown.
         """
         return [] if self._begin is None else [self._begin[4:]]
 
     def placed_text(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
-        """Return the text, x, y and height (points) of the text object.
+        """Return the text between BT and ET, its start point x, y, and its height, in points.
 
         None is returned if the text is blank, cannot be decoded or has no finite position.
 
         Parameters
         ----------
         matrix
-            From the coordinates outside the text object to points on the page.
+            From the coordinates that apply before the operator BT to points on the page.
         """
         text = " ".join("".join(self._parts).split())
         if self._begin is None or self._unread or not text:

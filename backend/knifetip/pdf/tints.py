@@ -1,8 +1,9 @@
 """tints: convert a tint of an ink to a colour in the alternate colour space.
 
-The PDF defines the conversion by a function: a power of the tint, a table, or a PostScript program.
-Programs with operators other than add, sub, mul, div, neg and stack operators are not evaluated.
-Stitched functions are not evaluated either.
+A tint is the amount of a spot colour's ink, 0…1; the alternate colour space is the one in which
+programs display the ink.  The PDF defines the conversion by a function: a power of the tint, a
+table, or a PostScript program.  Programs with operators other than add, sub, mul, div, neg and
+stack operators are not evaluated.  Stitched functions are not evaluated either.
 
 Source: ISO 32000-1, chapter 7.10.
 """
@@ -31,9 +32,18 @@ _TWO: Final[dict[str, Callable[[float, float], float]]] = {
 
 
 def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
-    """Return the components of a tint (0…1) in the alternate colour space.
+    """Return the components, in the alternate colour space, of a tint (0…1) of a spot colour.
 
     The list is empty if the function is invalid or not supported.
+
+    Parameters
+    ----------
+    file
+        The PDF.
+    function
+        PDF function that converts a tint to the alternate colour space.
+    tint
+        Amount of ink; values outside 0…1 are limited to this range.
     """
     tint = min(max(tint, 0.0), 1.0)
     kind = number(file.entry(function, "/FunctionType"))
@@ -52,7 +62,7 @@ def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
 
 
 def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
-    """Return the components of the sample of a function table that is nearest to a tint.
+    """Return the colour components of the sample in a function's table that is nearest to a tint.
 
     The list is empty if the table is invalid or not supported.
     """
@@ -76,9 +86,10 @@ def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
 
 
 def _run_program(program: bytes, tint: float) -> list[float]:
-    """Return the stack after a PostScript program whose input is ``tint``.
+    """Return the numbers on the stack after the run of a PostScript program on a tint.
 
-    The list is empty if the program fails or has unsupported operators.
+    At the start, ``tint`` is the only number on the stack.  The list is empty if the program fails
+    or has unsupported operators.
     """
     stack = [tint]
     try:
@@ -113,7 +124,7 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a number from 0 to the largest stack size as an integer.
+    """Return a number as an integer; it must be between 0 and the largest size of the stack.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""colours: parse a CSS paint into a true colour.
+"""colours: parse a CSS paint (the value of "stroke" or "fill") into a true colour.
 
 For example, "#e02020" and "rgb(224, 32, 32)" give 0xE02020.
 """
@@ -15,19 +15,19 @@ from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
 
 @lru_cache(maxsize=4096)
 def parse_paint(text: str, current: int | None = 0) -> int | None:
-    """Return the colour of a paint: 0xRRGGBB, ``UNKNOWN_COLOUR``, or None for no paint.
+    """Return the colour of a CSS paint: 0xRRGGBB, ``UNKNOWN_COLOUR``, or None for no paint.
 
     Parameters
     ----------
     text
-        Value of the property, for example "rgb(224, 32, 32)".
+        Value of "stroke" or "fill", for example "rgb(224, 32, 32)".
     current
-        Colour that ``currentColor`` refers to; None for no paint.
+        Colour that the keyword ``currentColor`` refers to, 0xRRGGBB; None for no paint.
 
     Raises
     ------
     ValueError
-        The text is not a paint.  The property then keeps its inherited value.
+        The text is not a paint.  The caller must then use the inherited value of the property.
     """
     tokens = [
         token

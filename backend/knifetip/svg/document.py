@@ -3,9 +3,9 @@
     bytes (XML, or gzip of XML) -> Node: tag, attributes, children, text
 
 The parser is Expat; this module restricts it.  A DOCTYPE is allowed, since older SVG files have
-one, but the files that it names are never loaded.  Entities that contain short plain text, as
-Illustrator writes them, are expanded.  Entities that refer to other entities or files, or that
-would make the file too large, are refused before anything is expanded.
+one, but the files that the DOCTYPE names are never loaded.  Entities that contain short plain text,
+as Illustrator writes them, are expanded.  Entities that refer to other entities or files, or that
+would make the SVG too large, are refused before anything is expanded.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _WITH_TEXT: Final = frozenset(("style", "text", "tspan", "textPath", "a"))
 
 
 class Node:
-    """An XML element, or a text between elements; a text has an empty ``tag``."""
+    """A node of the tree of an XML document: an element, or a text, whose ``tag`` is empty."""
 
     __slots__ = ("attributes", "children", "tag", "text")
 
@@ -55,8 +55,16 @@ class Node:
 def parse_document(data: bytes, limits: Limits) -> Node:
     """Return the root element of an SVG.
 
-    Tags have no namespace prefix; attributes are as written.  Elements of other namespaces, such
-    as the private data of editors, are omitted with their content.
+    Tags in the tree have no namespace prefix; attributes have the names that the file contains.
+    Elements of other namespaces, such as the private data of editors, are omitted with their
+    content.
+
+    Parameters
+    ----------
+    data
+        Content of the file: XML, or gzip of XML.
+    limits
+        Limits of the number of elements and of the unpacked size.
 
     Raises
     ------
@@ -122,7 +130,7 @@ def _unpack(data: bytes, limits: Limits) -> bytes:
 
 
 class _TreeBuilder:
-    """The handlers that Expat calls for one file, and the tree that they build."""
+    """Builds the tree of one XML file, with the handlers that Expat calls."""
 
     def __init__(self, data: bytes, limits: Limits) -> None:
         self.root: Node | None = None

@@ -1,8 +1,8 @@
 """expand: list all drawable elements of an SVG, with the copies that ``use`` elements make.
 
 Each shape, text or image, and each ``use`` element that copies nothing, gets a row of the import
-report.  Each drawn shape also gets its path data, matrix and style in ``DrawnPaths``.  Copies are
-counted before they are made: ten nested ``use`` elements can make a billion copies.
+report.  Each drawn shape also gets its path data, matrix and style in ``DrawnPaths``.  The copies
+are counted before any is made: ten nested ``use`` elements can make a billion copies.
 """
 
 from __future__ import annotations
@@ -79,7 +79,10 @@ _RULES: Final = 2000
 
 
 class OmittedShape(NamedTuple):
-    """The shape of an element that gives no edge; the import report takes its location from it."""
+    """The path of an element that gives no edge.
+
+    The bounding box of the path becomes the location of the element in the import report.
+    """
 
     row: int  #: row of the import report
     data: str  #: path data
@@ -88,7 +91,10 @@ class OmittedShape(NamedTuple):
 
 @dataclass(slots=True)
 class DrawnPaths:
-    """The paths of n elements in the order of the file, with matrices, styles and report rows."""
+    """The n drawn paths of an SVG in the order of the file, with their matrices and styles.
+
+    It also contains the shapes that give no edge, and the texts.
+    """
 
     data: list[str] = field(default_factory=list)  #: path data
     matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
@@ -113,7 +119,16 @@ class _Context(NamedTuple):
 
 
 def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnPaths]:
-    """Return the import report and the paths of an SVG document.
+    """Return the import report and the drawn paths of an SVG document.
+
+    Parameters
+    ----------
+    root
+        Root element of the document.
+    page
+        Unit and matrix of the page.
+    limits
+        Limits of the depth and number of copies, and of the time.
 
     Raises
     ------
@@ -166,7 +181,10 @@ class _Expansion:
         )
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if the copies of ``use`` elements would exceed the limits."""
+        """Raise DrawingTooLarge if the depth or number of ``use`` copies exceeds the limits.
+
+        The copies are counted before any is made.
+        """
         total = 0
         stack: list[tuple[Node, tuple[Node, ...], int]] = [(self._root, (), 0)]
         while stack:
@@ -191,12 +209,18 @@ class _Expansion:
                 stack += [(child, inside, uses) for child in node.children if child.tag]
 
     def _target(self, node: Node) -> Node | None:
-        """Return the element that a ``use`` element copies; None if no element has the id."""
+        """Return the element that a ``use`` element copies.
+
+        None is returned if no element of the document has the id that the ``use`` element names.
+        """
         href = _href(node)
         return self._named.get(href[1:]) if href.startswith("#") else None
 
     def visit_all(self) -> None:
-        """Add all drawable elements to the import report, and the drawn shapes to the paths."""
+        """Visit all elements of the document and fill the import report and the drawn paths.
+
+        Every drawable element gets a row of the report; only drawn shapes are added to the paths.
+        """
         stack = [(self._root, self._start)]
         while stack:
             node, context = stack.pop()
@@ -211,10 +235,10 @@ class _Expansion:
                 stack.append(found)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
-        """Return the context of the children of a group; None for all other elements.
+        """Return the context that the children of a group inherit; None for all other elements.
 
         An element that is not a group is added to the import report, unless it is a ``use`` element
-        or an element that is never drawn.
+        or an element that is never drawn.  ``context`` is the context that ``node`` inherits.
         """
         if node.tag in _NOT_DRAWN or node.tag == "use":
             return None
@@ -259,14 +283,18 @@ class _Expansion:
     def _omit(
         self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Store the shape of an element that gives no edge, from which its location is computed.
+        """Store the path of an element that gives no edge, from which its location is computed.
 
         Parameters
         ----------
         row
             Row of the element in the import report.
         shape
-            Function that returns the path data of the element.
+            Function that returns the path data of the element.  If it fails, nothing is stored.
+        node
+            The element.
+        context
+            Properties that apply to the element.
         """
         with suppress(shapes.Undrawable):
             self.drawn.omitted.append(
@@ -274,7 +302,10 @@ class _Expansion:
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the inherited context with the appearance and transform of an element applied."""
+        """Return the context of an element, with its own appearance and transform.
+
+        ``context`` is the context that the element inherits.
+        """
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
         outer = context.matrix
@@ -289,17 +320,19 @@ class _Expansion:
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
-        """Return the context of the children of an ``svg`` or ``symbol`` element.
+        """Return the context that the children of an ``svg`` or ``symbol`` element inherit.
 
-        The matrix maps the coordinates of the children to file units.
+        The matrix of the returned context maps the coordinates of the children to file units.
 
         Parameters
         ----------
         node
             The ``svg`` or ``symbol`` element.
         sizes
-            The element with the attributes ``width`` and ``height``: ``node``, or the ``use``
-            element that copies it.
+            The element whose attributes ``width`` and ``height`` are used: ``node``, or the ``use``
+            element that copies ``node``.
+        context
+            The context of ``node``.
         """
         try:
             x, y = (
@@ -324,7 +357,15 @@ class _Expansion:
     def _follow_use(self, node: Node, context: _Context) -> tuple[Node, _Context] | None:
         """Return the element that a ``use`` element copies, and the context of the copy.
 
-        None is returned if it cannot be copied; the reason is then added to the import report.
+        None is returned if the element cannot be copied; the reason is then added to the import
+        report.
+
+        Parameters
+        ----------
+        node
+            The ``use`` element.
+        context
+            The context that the ``use`` element inherits.
         """
         handle = self._handle(node)
         context = self._context_of(node, context)
@@ -366,16 +407,29 @@ class _Expansion:
         return target, context
 
     def _handle(self, node: Node) -> str:
-        """Return the id of an element, or "#" and its row number if it has no id of its own."""
+        """Return the id of an element, by which the import report names it.
+
+        If the element has no id, or an earlier element has the same id, the result is "#" and the
+        number of the next row of the report.
+        """
         identity = node.attributes.get("id", "")
         if identity and self._named.get(identity) is node:
             return identity
         return f"#{len(self.report.handle) + 1}"
 
     def _add_path(self, row: int, data: str, layer: str, context: _Context) -> None:
-        """Add a path to the drawn paths, with the style of its element.
+        """Add the path of an element to the drawn paths, with the style of the element.
 
-        ``row`` is the row of the element in the import report, ``data`` its path data.
+        Parameters
+        ----------
+        row
+            Row of the element in the import report.
+        data
+            Path data of the element.
+        layer
+            Layer name of the element.
+        context
+            Properties that apply to the element.
         """
         appearance = context.appearance
         drawn = appearance.stroke if appearance.stroke is not None else appearance.fill
@@ -400,7 +454,11 @@ class _Expansion:
         self.drawn.style.append(number)
 
     def drop_fills(self) -> None:
-        """Drop areas with a fill but no stroke, unless the drawing has no strokes at all."""
+        """Drop the paths that have a fill but no stroke, unless no path has a stroke.
+
+        The reason for each dropped path, and a note for each fill that is kept, is added to the
+        import report.
+        """
         for number in self._fills:
             row = self.drawn.row[number]
             if self._stroked:
@@ -446,7 +504,10 @@ class _Expansion:
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return the lengths that percentages refer to in a window of this width and height."""
+    """Return width, height, and diagonal divided by √2, of a window; percentages refer to them.
+
+    ``wide`` and ``high`` are the width and the height.
+    """
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 
 
@@ -460,9 +521,10 @@ def _all_nodes(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return the children of an element that are drawn.
+    """Return the children of an element that are drawn, including texts between them.
 
-    For ``switch`` this is the first child without the attribute ``requiredExtensions``.
+    For a ``switch`` element only the first child without the attribute ``requiredExtensions`` is
+    returned.
     """
     if node.tag != "switch":
         return node.children
@@ -485,9 +547,10 @@ def _text_content(node: Node) -> str:
 
 
 def _href(node: Node) -> str:
-    """Return the attribute ``href`` or, if there is none, one with a prefix such as ``xlink:href``.
+    """Return the value of the attribute ``href`` of an element.
 
-    The result is empty if the element has neither.
+    If there is none, the value of an attribute with a prefix, such as ``xlink:href``, is returned,
+    or an empty text.
     """
     given = node.attributes
     return next((value for key, value in given.items() if key == "href"), None) or next(
@@ -496,9 +559,9 @@ def _href(node: Node) -> str:
 
 
 def _first_length(text: str) -> str:
-    """Return the first length of a list of positions, "0" if the list is empty.
+    """Return the first item of the value of ``x`` or ``y`` of a text element, "0" if it is empty.
 
-    The attribute of a text may have one position per character.
+    The attribute may contain one position per character of the text.
     """
     parts = text.replace(",", " ").split()
     return parts[0] if parts else "0"

@@ -1,9 +1,10 @@
 """layers: find the layer name of an SVG element.
 
 SVG has no layers.  Inkscape marks groups as layers; Illustrator writes layers as groups with an id;
-other programs name the elements.  The name is therefore taken from the label of a layer, the id of
-a group, or the label, id or class of the element.  Names that a program generates, such as
-"path42", are ignored.  An element without a name is on layer 0, as in a DXF.
+other programs name the elements.  The layer name is therefore taken from the label of a group that
+is marked as a layer, the id of a group, or the label, id or class of the element.  Names that a
+program generates, such as "path42", are ignored.  An element without a name is on layer "0", as in
+a DXF.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from knifetip.svg.document import Node
 
 
 class Layer(NamedTuple):
-    """The name of a layer, and whether the file marks the group of elements as a layer."""
+    """The name of a layer, and whether the file marks the group that gives the name as a layer."""
 
     name: str
     marked: bool
@@ -45,9 +46,9 @@ _TRAILING_NUMBER: Final = re.compile(r"[-_ .]?\d+$")
 
 
 def layer_of_group(node: Node, inherited: Layer) -> Layer:
-    """Return the layer of the elements inside a group.
+    """Return the layer that the elements inside a group inherit.
 
-    ``inherited`` is the layer of the elements that contain the group.
+    ``inherited`` is the layer that the group itself inherits from the elements that contain it.
     """
     given = node.attributes
     name = _label(node)
@@ -64,7 +65,7 @@ def layer_of_group(node: Node, inherited: Layer) -> Layer:
 def layer_of_element(node: Node, inherited: Layer) -> str:
     """Return the layer name of an element that is not a group.
 
-    ``inherited`` is the layer of the group that contains the element.
+    ``inherited`` is the layer that the element inherits from the group that contains it.
     """
     if inherited.name:
         return inherited.name

@@ -44,10 +44,12 @@ def parse_length(text: str) -> tuple[float, str]:
 
 
 def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
-    """Return a length in CSS pixels (1/96 inch).
+    """Return a length, parsed from ``text``, in CSS pixels (1/96 inch).
 
     Parameters
     ----------
+    text
+        Number with an optional unit, such as "12.5mm" or "50%".
     whole
         The length that percentages refer to (pixels).
     font_size

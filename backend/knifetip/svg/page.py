@@ -53,10 +53,13 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
 
     Parameters
     ----------
-    unit, given
-        The unit that the user gives, and the millimetres in it; "" and 0 if the user gives none.
-        If width or height of the page has a physical unit, it replaces that unit; otherwise it
-        becomes the unit of the coordinates.
+    root
+        Root element of the SVG.
+    unit
+        The unit that the user gives, "" if the user gives none.  If width or height of the page has
+        a physical unit, ``unit`` replaces this unit; otherwise it is the unit of the coordinates.
+    given
+        Number of millimetres in ``unit``, 0 if the user gives no unit.
     illustrator
         Whether the file was written by Adobe Illustrator.
     """
@@ -89,7 +92,10 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
 
 
 def view_box(node: Node) -> tuple[float, float, float, float] | None:
-    """Return x, y, width and height of the viewBox of an element; None if absent or invalid."""
+    """Return x, y, width and height of an element's viewBox, the area of its content that is shown.
+
+    None is returned if the element has no viewBox or an invalid one.
+    """
     try:
         x, y, width, height = parse_numbers(node.attributes.get("viewBox", ""))
     except ValueError:
@@ -100,16 +106,18 @@ def view_box(node: Node) -> tuple[float, float, float, float] | None:
 def view_box_matrix(
     box: tuple[float, float, float, float], across: float | None, down: float | None, node: Node
 ) -> Matrix:
-    """Return the matrix that fits a viewBox into a window whose corner is (0, 0).
+    """Return the matrix that fits a viewBox into a window with its upper left corner at (0, 0).
+
+    The matrix maps the coordinates of the viewBox to the coordinates of the window.
 
     Parameters
     ----------
     box
         x, y, width and height of the viewBox.
     across, down
-        Width and height of the window; None if not given.
+        Width and height of the window; None if the file does not state them.
     node
-        The element with the attribute ``preserveAspectRatio``.
+        The element whose attribute ``preserveAspectRatio`` is used.
     """
     x, y, width, height = box
     x_scale = across / width if across else down / height if down else 1.0
@@ -131,10 +139,16 @@ def _flipped(
     across: float | None,
     down: float | None,
 ) -> Matrix:
-    """Return a page matrix flipped so that y = 0 is the lower edge of the page and y is upwards.
+    """Return the matrix of a page with y upwards and y = 0 at the lower edge of the page.
 
-    ``box`` is the viewBox; ``across`` and ``down`` are width and height of the page, None if not
-    given.
+    Parameters
+    ----------
+    matrix
+        Matrix of the page with y downwards and y = 0 at the upper edge.
+    box
+        x, y, width and height of the viewBox.
+    across, down
+        Width and height of the page (file units); None if the file does not state them.
     """
     a, _, _, d, e, f = matrix
     high = down or (across or 0.0) * box[3] / box[2]
@@ -144,7 +158,8 @@ def _flipped(
 def _side_length(root: Node, name: str) -> tuple[float, str] | None:
     """Return number and unit of the attribute ``name``, "width" or "height", of the root element.
 
-    None is returned if the attribute is missing, invalid, not positive or a percentage.
+    The unit is empty if the attribute has none.  None is returned if the attribute is missing,
+    invalid, not positive or a percentage.
     """
     try:
         value, unit = parse_length(root.attributes.get(name, ""))
@@ -154,9 +169,10 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
 
 
 def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None:
-    """Return the length of a side of the page in a unit of ``millimetres`` mm; None for None.
+    """Return the length of a side of the page in a unit of ``millimetres`` mm.
 
-    ``side`` is the number and the unit of the side; a number without a unit is in CSS pixels.
+    ``side`` is the number and the unit of the side; a number without a unit is in CSS pixels.  None
+    is returned if ``side`` is None.
     """
     if side is None:
         return None
@@ -168,7 +184,10 @@ def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None
 
 
 def _unknown_unit(root: Node, illustrator: bool) -> Message:
-    """Return the message that explains why the unit of a page is unknown."""
+    """Return the message that explains why the unit of a page is unknown.
+
+    ``illustrator`` states whether the file was written by Adobe Illustrator.
+    """
     written = _written_size(root, [name for name in ("width", "height") if name in root.attributes])
     pixel = Message("unit.svg-pixel-illustrator" if illustrator else "unit.svg-pixel")
     if not written:
@@ -177,5 +196,8 @@ def _unknown_unit(root: Node, illustrator: bool) -> Message:
 
 
 def _written_size(root: Node, names: Sequence[str]) -> list[str]:
-    """Return attributes of the root element as they are written in the file: 'width="90mm"'."""
+    """Return the attributes ``names`` of the root element as written in the file.
+
+    An example of an item of the list is 'width="90mm"'.
+    """
     return [f'{name}="{root.attributes[name].strip()[:20]}"' for name in names]

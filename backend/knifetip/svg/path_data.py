@@ -2,6 +2,9 @@
 
     "M0 0h10a5 5 0 0 1 5 5z" -> kind (n,), numbers (n, 8), path (n,)
 
+For each of the n segments, ``kind`` is line, curve or arc, ``numbers`` contains its coordinates,
+and ``path`` is the index of its path.
+
 A kernel parses the bytes.  Relative coordinates become absolute; H, V, S, T and Z become explicit
 lines and curves; quadratic curves become cubic ones.
 
@@ -27,13 +30,16 @@ _TOO_MANY: Final = -1
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ScannedPaths(Table):
-    """The segments of paths, and the first error in each path."""
+    """The segments of all paths, and the position of the first error in each path's data."""
 
     wrong: I64  #: (paths,) index of the first invalid character, -1 if none
 
 
 def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
-    """Return the segments of paths; None if there are more than ``most`` segments."""
+    """Return the segments of paths; None if there are more than ``most`` segments.
+
+    ``paths`` contains the path data of each path, such as "M0 0h10".
+    """
     pieces = [path.encode("ascii", "replace") for path in paths]
     size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
     data = np.frombuffer(b"".join(pieces), np.uint8)
@@ -45,7 +51,11 @@ def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
 
 @kernel
 def _skip_separators(data: U8_1, at: int, last: int) -> int:
-    """Return the index of the first byte from ``at`` that is not white space or a comma."""
+    """Return the index of the first byte from ``at`` that is not white space or a comma.
+
+    ``data`` are the bytes of the path data; ``last`` is the index after the last byte of the path,
+    which is returned if there is no such byte.
+    """
     while at < last and (
         data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
     ):
@@ -55,7 +65,11 @@ def _skip_separators(data: U8_1, at: int, last: int) -> int:
 
 @kernel
 def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
-    """Return a number and the index after it; the index is -1 if there is no number."""
+    """Return a number and the index of the byte after it; the index is -1 if there is no number.
+
+    ``data`` are the bytes of the path data; the number is searched from the index ``at``, after
+    separators.  ``last`` is the index after the last byte of the path.
+    """
     at = _skip_separators(data, at, last)
     negative = False
     if at < last and (data[at] == 45 or data[at] == 43):
@@ -113,7 +127,11 @@ def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
 
 @kernel
 def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
-    """Return a flag of an arc (0 or 1) and the index after it; the index is -1 without a flag."""
+    """Return a flag of an arc (0 or 1) and the index of the byte after it; -1 if there is no flag.
+
+    ``data`` are the bytes of the path data; the flag is searched from the index ``at``, after
+    separators.  ``last`` is the index after the last byte of the path.
+    """
     at = _skip_separators(data, at, last)
     if at < last and (data[at] == 48 or data[at] == 49):
         return int(data[at] - 48), at + 1
@@ -122,7 +140,10 @@ def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
 
 @kernel
 def _argument_count(command: int) -> int:
-    """Return the number of arguments of a lower-case command letter; -1 for other letters."""
+    """Return the number of arguments of a path command, -1 if there is no such command.
+
+    ``command`` is the ASCII code of the lower-case command letter.
+    """
     if command == 109 or command == 108 or command == 116:  # m l t
         return 2
     if command == 104 or command == 118:  # h v
@@ -149,18 +170,24 @@ def _place_cubic(
     handle_x: float,
     handle_y: float,
 ) -> tuple[float, float, float, float]:
-    """Write the handles of a curve that command C, S, Q or T draws; return its end and last handle.
+    """Write the two control points of a curve that command C, S, Q or T draws into ``row``.
+
+    Returns x and y of the end of the curve, and x and y of its last control point as the command
+    states it; for Q and T this is the control point of the quadratic curve.
 
     Parameters
     ----------
-    row
-        Row of ``numbers``; the start of the curve is in columns 0 and 1.
-    before
-        The preceding command.
+    row : (8,)
+        Numbers of the curve's segment: x and y of its start in columns 0 and 1.  The control points
+        are written into columns 4 to 7.
+    command, before
+        ASCII codes of the lower-case letters of the command and of the preceding command.
+    given
+        Arguments of the command.
     base_x, base_y
-        Added to the arguments in ``given``.
+        Added to the arguments: the start of the curve for a relative command, else 0.
     handle_x, handle_y
-        Last handle of the preceding curve, which S and T mirror.
+        Last control point of the preceding curve, which S and T mirror.
     """
     x, y = row[0], row[1]
     if command == 99 or command == 115:

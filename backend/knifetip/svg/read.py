@@ -36,14 +36,14 @@ def read(
     data
         Content of the file, which may be packed with gzip.
     unit
-        The unit that the user gives, "mm", "px" …; see ``page.read_page``.
+        The unit that the user gives, "mm", "px" …, or None; see ``page.read_page``.
 
     Returns
     -------
     Drawing
         In mm, or in coordinates of the file with ``unit`` empty if neither the file nor the user
-        states a unit.  The lower left corner of the page is (0, 0) if its height is known; y is
-        upwards.
+        states a unit.  The lower left corner of the page is (0, 0) if the height of the page is
+        known; y is upwards.
 
     Raises
     ------

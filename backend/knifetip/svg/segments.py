@@ -1,6 +1,6 @@
 """segments: convert path data and matrices to columns of lines and arcs.
 
-The columns contain the ends, the bulge and the style of each segment, in file order.
+The columns contain the ends, the bulge and the style of each line or arc, in file order.
 """
 
 from __future__ import annotations
@@ -22,16 +22,19 @@ from knifetip.svg.path_data import scan_paths
 def segment_columns(
     report: ReportWriter, drawn: DrawnPaths, scale: float, limits: Limits
 ) -> Columns:
-    """Return all segments of a document; write notes and reasons into the import report.
+    """Return the segments of all drawn paths as lines and arcs.
 
     Parameters
     ----------
     report
-        Import report, which is changed.
+        Import report, which is changed: it gets notes on errors in path data, reasons for dropped
+        paths, and the locations of elements that give no edge.
     drawn
         Paths of the drawn elements.
     scale
         Millimetres in one file unit, 0 if unknown.
+    limits
+        Limits of the number of segments and of the time.
 
     Raises
     ------
@@ -61,7 +64,10 @@ def segment_columns(
 
 
 def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> LocationBoxes:
-    """Return the bounding boxes of elements that give no edge, with their import report rows."""
+    """Return the bounding box and the import report row of each element that gives no edge.
+
+    ``omitted`` contains the path of each such element.
+    """
     rows, data, matrices = zip(*omitted, strict=True)
     matrix = np.array(matrices, np.float64).reshape(-1, 6)
     table = scan_paths(data, limits.segments)

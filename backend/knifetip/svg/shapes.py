@@ -1,4 +1,4 @@
-"""shapes: convert basic shapes to path data, so that all elements can be read as paths.
+"""shapes: convert basic shapes to path data, so that all shapes of an SVG can be read as paths.
 
 For example, ``<rect width="90" height="45"/>`` gives "M0 0H90V45H0Z", with floating-point numbers.
 """
@@ -15,9 +15,9 @@ from knifetip.svg.lengths import to_pixels
 
 
 class Undrawable(Exception):
-    """Raised for an element that gives no edge; ``svg.expand`` catches it.
+    """Raised for an SVG element that gives no edge; ``svg.expand`` catches it.
 
-    The message becomes the reason in the import report.
+    Its message becomes the reason in the element's row of the import report.
     """
 
     def __init__(self, message: Message) -> None:
@@ -30,9 +30,9 @@ Window = tuple[float, float, float]
 
 
 def shape_path_data(node: Node, window: Window) -> str:
-    """Return the path data of an element whose tag is in ``SHAPES``.
+    """Return the path data of a shape: an element whose tag is a key of ``SHAPES``.
 
-    Percentages in its attributes refer to the size of ``window``.
+    ``window`` contains the lengths that percentages in the attributes of the element refer to.
 
     Raises
     ------
@@ -45,14 +45,18 @@ def shape_path_data(node: Node, window: Window) -> str:
 def frame_path_data(node: Node, window: Window) -> str:
     """Return the path data of the diagonal of an element with x, y, width and height.
 
-    The bounding box of the diagonal is the bounding box of the element.
+    The bounding box of the diagonal is the bounding box of the element.  ``window`` contains the
+    lengths that percentages refer to.
     """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
 
 
 def point_path_data(node: Node, window: Window) -> str:
-    """Return the path data of a line of zero length at the x and y of an element."""
+    """Return the path data of a line of zero length at the position (x, y) of an element.
+
+    ``window`` contains the lengths that percentages refer to.
+    """
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 
 

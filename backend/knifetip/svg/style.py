@@ -1,6 +1,6 @@
 """style: compute how an element is drawn, from attributes, style sheet and inherited values.
 
-    Node, style sheet, Appearance of the element's parent -> Appearance
+    Node, style sheet, Appearance of the element's parent -> Appearance of the element
 
 tinycss2 parses style sheets and declarations, cssselect2 matches selectors.  Only properties that
 decide whether and how a line is drawn are used.
@@ -21,7 +21,10 @@ from knifetip.svg.lengths import to_pixels
 
 
 class Appearance(NamedTuple):
-    """How an element is drawn: colours, dashes, visibility, font size.  Children inherit these."""
+    """How an element is drawn: colours, dashes, visibility and font size.
+
+    The children of the element inherit these properties.
+    """
 
     stroke: int | None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
     fill: int | None
@@ -62,7 +65,10 @@ _COMBINATORS: Final = (" ", ">")
 
 
 class StyleSheet:
-    """The supported rules of all style sheets of a document."""
+    """The rules of all style sheets of an SVG document, except those that are not supported.
+
+    A rule is supported if its selector depends only on the element and its ancestors.
+    """
 
     def __init__(self, text: str) -> None:
         self.unsupported: list[str] = []  #: selectors and at-rules that are not applied
@@ -119,7 +125,10 @@ def _comma_separated(tokens: list[tinycss2.ast.Node]) -> Iterator[list[tinycss2.
 
 
 def _is_supported(tree: object) -> bool:
-    """Return whether a selector depends only on the element and its ancestors."""
+    """Return whether a selector, given as its parsed tree, is supported.
+
+    It is supported if it depends only on the element and its ancestors, not on siblings.
+    """
     if isinstance(tree, selectors.CombinedSelector):
         return (
             tree.combinator in _COMBINATORS

@@ -18,7 +18,7 @@ _NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
 def parse_numbers(text: str) -> list[float]:
-    """Return the numbers in a list, separated by blanks or commas, or only by a sign ("3-4").
+    """Return the numbers in a text, separated by blanks or commas, or only by a sign ("3-4").
 
     Raises
     ------
@@ -32,7 +32,9 @@ def parse_numbers(text: str) -> list[float]:
 
 
 def parse_transform(text: str) -> Matrix:
-    """Return the matrix of a list of transforms, of which the last is applied first.
+    """Return the matrix of a ``transform`` attribute, such as "translate(10 20) rotate(90)".
+
+    The last transform in the text is applied first.
 
     Raises
     ------

@@ -1,4 +1,7 @@
-"""All messages of knifetip, one module per area: code, types of the arguments, text and hint."""
+"""All messages of knifetip: code, types of the arguments, text and hint.
+
+There is one module for each area of knifetip, for example ``cleaning`` or ``job``.
+"""
 
 from __future__ import annotations
 

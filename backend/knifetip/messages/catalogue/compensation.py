@@ -1,4 +1,4 @@
-"""compensation: messages about tools, and about edges that a tool cannot make on a board."""
+"""compensation: messages about tools, and about edges that a tool cannot process on a board."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""gateway: messages about the causes of the end of a job, which a gateway reports."""
+"""gateway: messages that say why a job ended; the gateway, which streams programs, reports them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""import_outcomes: messages about the outcome of importing each entity of a file."""
+"""import_outcomes: messages about the import of the entities of a file, and why one is dropped."""
 
 from __future__ import annotations
 

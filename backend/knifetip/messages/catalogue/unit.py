@@ -1,4 +1,4 @@
-"""unit: messages about the unit of length of a drawing: its evidence and warnings."""
+"""unit: messages about the evidence for the unit of length of a drawing, and warnings about it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""verification: messages of the verifier's findings."""
+"""verification: messages of the findings with which the verifier describes faults of a program."""
 
 from __future__ import annotations
 
