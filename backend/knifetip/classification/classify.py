@@ -91,7 +91,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
 
 
 class _Reasons:
-    """The distinct reasons of the decisions, each with its alternative line types."""
+    """The distinct reasons for decisions about line types, each with other possible line types."""
 
     def __init__(self) -> None:
         self.messages: list[Message] = []
@@ -99,7 +99,10 @@ class _Reasons:
         self._index: dict[tuple[Message, tuple[LineType, ...]], int] = {}
 
     def row_of(self, message: Message, alternatives: tuple[LineType, ...]) -> int:
-        """Return the index of a reason with its alternative line types; a new reason is added."""
+        """Return the index of a reason with the given message and alternative line types.
+
+        The reason is added if it does not exist yet.
+        """
         index = self._index.setdefault((message, alternatives), len(self.messages))
         if index == len(self.messages):
             self.messages.append(message)
@@ -109,7 +112,7 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """The decisions about n edges; later steps of the classification write to its columns."""
+    """The decisions about the line types of n edges, in columns that later steps overwrite."""
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
     guess: U8  #: (n,) LineType of the best guess
@@ -121,7 +124,8 @@ class _EdgeDecisions:
 def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
     """Return the decisions about n edges.
 
-    Edges with equal decision keys, ``keys`` (n,), get the same decision.
+    ``keys`` (n,) are the decision keys, which combine style, role and flags of each edge; edges
+    with equal keys get the same decision.
     """
     first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
@@ -244,7 +248,8 @@ def _is_named_annotation(layer: str) -> bool:
 def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeatures:
     """Return the shape features of all n edges, computed only from the edges in ``mask``, (n,).
 
-    The role of the edges outside the mask is UNKNOWN.
+    The role of the edges outside the mask is UNKNOWN.  ``with_folds`` is whether to find the edges
+    that must be folds.
     """
     rows = np.flatnonzero(mask)
     ends, bulge = drawing.ends, drawing.bulge

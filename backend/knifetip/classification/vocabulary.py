@@ -32,7 +32,7 @@ _GROOVE_WORDS: Final = ("groove", "grooves", "nut", "nuten")
 
 @dataclass(frozen=True, slots=True)
 class NameMeaning:
-    """The line type that the name of a layer or linetype suggests."""
+    """The line type that the name of a layer or linetype suggests, and the words for it."""
 
     kind: LineType | None  #: None if no word has a meaning, or if two words contradict each other
     word: str  #: the part of the name that has this meaning
@@ -41,7 +41,7 @@ class NameMeaning:
 
 @dataclass(frozen=True, slots=True)
 class _Vocabulary:
-    """The contents of ``vocabulary.toml``."""
+    """The words of names of layers and linetypes and their meanings, from ``vocabulary.toml``."""
 
     meanings: Mapping[str, frozenset[LineType]]  #: line types of each word
     before_cut: Mapping[str, LineType]  #: words that make the cut named after them a partial one
@@ -125,7 +125,10 @@ def name_meaning(name: str) -> NameMeaning:
 
 
 def _found_meanings(words: list[str], vocabulary: _Vocabulary) -> dict[LineType, str]:
-    """Return the line types that the words of a name mean, each with the words that mean it."""
+    """Return the line types that the words of a name mean, each with the words that mean it.
+
+    The keys of the dict are the line types, the values one or two words of the name.
+    """
     meanings = vocabulary.meanings
     found: dict[LineType, str] = {}
     skipped = -1

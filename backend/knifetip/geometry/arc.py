@@ -64,7 +64,7 @@ def length_from_chord(chord: F64, bulge: F64) -> F64:
 
 
 def _rotate(vectors: F64, angle: F64) -> F64:
-    """Return vectors, (n, 2), rotated counter-clockwise by angles, (n,) radians."""
+    """Return n vectors, (n, 2), each rotated counter-clockwise by its own angle, (n,) radians."""
     cos, sin = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
     return np.stack([x * cos - y * sin, x * sin + y * cos], axis=-1)

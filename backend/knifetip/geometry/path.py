@@ -70,7 +70,10 @@ class Paths:
 
 
 def path_through(xy: F64, bulge: F64) -> Paths:
-    """Return one path through vertices, (n + 1, 2) mm, with bulges (n,) between them."""
+    """Return one path through n + 1 points, ``xy`` (n + 1, 2) mm.
+
+    ``bulge`` (n,) is the bulge of the line or arc from each point to the next one.
+    """
     return Paths(xy[:-1], xy[1:], bulge, np.array([0, len(bulge)]))
 
 
@@ -163,10 +166,10 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
 
 
 def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return a copy of the paths in which the masked paths run through all their segments twice.
+    """Return all paths, some of them running through all their segments twice.
 
-    ``which`` (p,) is the mask.  Also returns the input segment that each returned segment comes
-    from.
+    Also returns the input segment that each returned segment comes from.  ``which`` (p,) is the
+    mask of the paths that run twice.
     """
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)

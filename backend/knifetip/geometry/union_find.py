@@ -10,7 +10,10 @@ from knifetip.kernels import OutI64_1, kernel
 
 @kernel(allocates=False)
 def find(parent: OutI64_1, i: int) -> int:
-    """Return the root of the set that contains index i."""
+    """Return the root of the set that contains index ``i``.
+
+    ``parent`` has the parent of each index; the function shortens the path to the root in it.
+    """
     while parent[i] != i:
         parent[i] = parent[parent[i]]
         i = parent[i]
@@ -19,7 +22,10 @@ def find(parent: OutI64_1, i: int) -> int:
 
 @kernel(allocates=False)
 def union(parent: OutI64_1, i: int, j: int) -> None:
-    """Merge the sets that contain the indices i and j."""
+    """Merge the set that contains index ``i`` with the set that contains index ``j``.
+
+    Writes to ``parent``, the parent of each index.
+    """
     one, other = find(parent, i), find(parent, j)
     parent[max(one, other)] = min(one, other)
 

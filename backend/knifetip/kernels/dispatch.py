@@ -74,14 +74,19 @@ class Kernel(CPUDispatcher):
     def get_call_template(self, args: Sequence[Any], kws: dict[str, Any]) -> Any:
         """Return how another kernel calls this kernel, as numba's protocol requires.
 
+        ``args`` and ``kws`` are the types of the positional and of the keyword arguments of the
+        call.
+
         Returns
         -------
         template
             Numba's typing template with the signature of this kernel.
-        pysig
+        signature
             Python signature of the function.
-        args, kws
-            Types of the positional arguments, and an empty dict.
+        types
+            Types of all arguments, in the order of the signature.
+        keywords
+            An empty dict.
 
         Raises
         ------

@@ -21,10 +21,14 @@ class Scalar:
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """Annotation of an argument that is an array of one dtype, dimension count and memory order.
+    """Annotation of an argument that is an array of a given dtype, dimension and memory order.
 
     Parameters
     ----------
+    dtype, dimensions
+        Name of the NumPy dtype, and number of dimensions.
+    writable
+        Whether the kernel may write to the array.
     order
         "C" for contiguous rows, "F" for contiguous columns, "A" for any strides.
     """

@@ -98,7 +98,8 @@ def _y_range(
 ) -> tuple[float, float]:
     """Return the least and the greatest y of edge ``i`` between x = ``left`` and x = ``right``.
 
-    The range is enlarged by ``pad`` on both sides.
+    The range is enlarged by ``pad`` at both ends.  ``boxes`` (n, 4) are the bounding boxes of the
+    edges.
     """
     if abs(bulge[i]) > BULGE:
         return boxes[i, 1] - pad, boxes[i, 3] + pad

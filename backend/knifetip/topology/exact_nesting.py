@@ -83,9 +83,9 @@ def find_enclosing_faces(
 def _follow_hits(
     order: I64_1, hit: I64_1, above: I64_1, face: I32_1, outer: Bool_1, component: I32_1
 ) -> Any:
-    """Return the enclosing face and the nesting depth of each component from the hits of its ray.
+    """Return the face around each component and its nesting depth, from the hits of the rays.
 
-    The results are those of ``find_enclosing_faces``.
+    The results are ``enclosing`` and ``depth`` of ``find_enclosing_faces``.
 
     Parameters
     ----------
@@ -97,6 +97,10 @@ def _follow_hits(
         Half-edge on the upper side of each span.
     face : (2n,)
         Face beside each half-edge.
+    outer : (f,)
+        Whether each face is the outer face of its component.
+    component : (n,)
+        Component of each edge.
     """
     enclosing = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
@@ -199,7 +203,11 @@ def _slope_at(span: F64_1, x: float) -> float:
 def _lowest_points(
     start: F64_2, end: F64_2, component: I32_1, spans: F64_2, owner: I32_1, count: int
 ) -> Any:
-    """Return the lowest point on the edges of each of ``count`` components, (count, 2) mm."""
+    """Return the lowest point on the edges of each of ``count`` components, (count, 2) mm.
+
+    ``component`` (n,) is the component of each edge; ``spans`` (k, 8) are the spans of the edges,
+    and ``owner`` (k,) is the component of each span.
+    """
     lowest = np.full((count, 2), math.inf)
     for i in range(len(component)):
         c = component[i]

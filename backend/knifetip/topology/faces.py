@@ -164,9 +164,9 @@ def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: in
 
 @kernel(allocates=False)
 def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> float:
-    """Return a number that grows with the curvature of half-edge ``half``.
+    """Return a number that grows with the curvature of half-edge ``half``, positive to the left.
 
-    It sorts half-edges that leave a vertex in the same direction.
+    The number sorts half-edges that leave a vertex in the same direction.
     """
     p = half // 2
     a, b = start[p], end[p]

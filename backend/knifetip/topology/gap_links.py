@@ -236,7 +236,11 @@ def _find_crossed(
     begin: int,
     end: int,
 ) -> None:
-    """Write to ``is_crossed`` whether an edge crosses each of the links ``begin`` … ``end`` - 1."""
+    """Write to ``is_crossed`` whether an edge crosses each of the links ``begin`` … ``end`` - 1.
+
+    ``link`` (t, 2) are the pairs of vertices that a link connects, and ``point`` (q, 2) the
+    positions of the vertices.
+    """
     for k in range(begin, end):
         is_crossed[k] = (
             _first_line_through(ends, bulge, tolerance, twin, link, point, grid, k)[0] >= 0

@@ -25,7 +25,7 @@ MIN_CHUNK: Final = 40_000
 
 
 class Splits(NamedTuple):
-    """The c points at which edges are split, one row per edge and point."""
+    """The c splits of edges at vertices: the edge, the parameter on it and the vertex of each."""
 
     row: I32_1  #: (c,) edge that is split
     parameter: F64_1  #: (c,) parameter on the edge, 0 … 1
@@ -38,7 +38,7 @@ def concatenate(*several: Splits) -> Splits:
 
 
 class Crossings(NamedTuple):
-    """The c points at which two straight edges cross between their ends."""
+    """The c crossings of two straight edges each, at points between the ends of the edges."""
 
     pair: I32_2  #: (c, 2) the two edges
     parameter: F64_2  #: (c, 2) parameters of the point on both edges, 0 … 1

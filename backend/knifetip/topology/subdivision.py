@@ -25,7 +25,7 @@ _LEAST_AREA: Final = 0.5e-6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Subdivision:
-    """The f faces into which n edges in c components divide the plane."""
+    """The f faces into which n edges divide the plane; the edges form c connected components."""
 
     face: I64  #: (n, 2) faces on the left and on the right of each edge
     outer: Bool  #: (f,) whether each face is the outer face of its component
@@ -35,9 +35,10 @@ class Subdivision:
 
     @property
     def merged(self) -> I64:
-        """Each face, or the bounded face around its component if it is an outer face, (f,).
+        """Bounded face that each of the f faces is or is in, (f,).
 
-        The entry of an outer face is -1 if no bounded face contains its component.
+        The entry of a bounded face is the face itself.  The entry of an outer face is the bounded
+        face around its component, or -1 if no bounded face contains its component.
         """
         component_of_face = np.zeros(len(self.outer), np.int64)
         component_of_face[self.face] = self.component[:, None]

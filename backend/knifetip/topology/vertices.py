@@ -61,7 +61,7 @@ def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
-    """Return the same vertices in a table to which ``more`` vertices can be added."""
+    """Return a table with the same vertices, to which ``more`` vertices can be added."""
     point, onward = np.empty((vertices.known + more, 2)), np.empty(vertices.known + more, np.int32)
     point[: vertices.known] = vertices.point[: vertices.known]
     onward[: vertices.known] = vertices.onward[: vertices.known]
@@ -202,7 +202,10 @@ def _add_vertex(
     head: OutI32_1,
     onward: OutI32_1,
 ) -> None:
-    """Write the vertex ``number`` at (``x``, ``y``) to the columns of a ``VertexTable``."""
+    """Add a vertex at (``x``, ``y``) to the columns of a ``VertexTable``.
+
+    ``number`` is the number of the vertex; ``point``, ``head`` and ``onward`` are the columns.
+    """
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
     own = _hash_bucket(math.floor(fx), math.floor(fy), len(head) - 1)
     point[number, 0], point[number, 1] = x, y

@@ -91,7 +91,7 @@ class _Guess:
         self.others: list[LineType] = []
 
     def strengthen(self, factor: float) -> None:
-        """Multiply the doubt, 1 minus the confidence, by ``factor``, which is below 1."""
+        """Raise the confidence: multiply 1 minus the confidence by ``factor``, which is below 1."""
         self.confidence = 1.0 - (1.0 - self.confidence) * factor
 
     def replace(self, kind: LineType, confidence: float) -> None:

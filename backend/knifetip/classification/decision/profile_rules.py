@@ -56,7 +56,7 @@ _MOST_SHOWN: Final = 80
 
 @dataclass(frozen=True, eq=False, slots=True)
 class StyleTable:
-    """The c styles of a drawing's n edges, in the order in which they first occur."""
+    """The c styles of a drawing, in the order of their first edges, and the style of each edge."""
 
     row: I64  #: (n,) style of each edge, as an index into the other columns
     layer: tuple[str, ...]  #: (c,) name of the layer
@@ -101,7 +101,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RuleMatches:
-    """The first rule of a profile that matches each of c styles."""
+    """For each of c styles, the first rule of a profile that matches it, or that there is none."""
 
     line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
     rule: I32  #: (c,) index of the rule, -1 for none
@@ -111,7 +111,10 @@ class RuleMatches:
 
 
 def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
-    """Return the index of the first rule that matches each edge of a drawing, (n,); -1 for none."""
+    """Return the index of the first rule that matches each edge of a drawing, (n,).
+
+    The index is -1 for an edge that no rule matches.
+    """
     styles = tabulate_styles(drawing)
     return match_rules(styles, rules).rule[styles.row]
 
@@ -155,7 +158,10 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
 
 @lru_cache(maxsize=1 << 16)
 def fold_name(name: str) -> str:
-    """Return a name in the form for comparison: Unicode NFC, case folded, without outer spaces."""
+    """Return a name in the form in which names are compared.
+
+    The form is Unicode NFC, case folded, without spaces at the ends.
+    """
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", name.strip()).casefold())
 
 

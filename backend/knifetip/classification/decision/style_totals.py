@@ -39,7 +39,7 @@ _MOSTLY_DASHED: Final = 0.9
 
 
 class StyleTotals(NamedTuple):
-    """Numbers and lengths of edges of each of c styles."""
+    """Numbers and total lengths of the edges of each of c styles, by the role of the edges."""
 
     edges: I64  #: (c, roles) number of edges
     length: F64  #: (c, roles) length of the edges

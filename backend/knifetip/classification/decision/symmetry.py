@@ -29,7 +29,7 @@ _MOST_BLANKS: Final = 50
 
 
 class _Blanks(NamedTuple):
-    """The n edges of a drawing and the b blanks that they belong to."""
+    """The ends of n edges, the blank that each edge belongs to, and centre and size of b blanks."""
 
     ends: F64  #: (n, 2, 2) ends of each edge
     blank: I32  #: (n,) number of the blank, -1 for none

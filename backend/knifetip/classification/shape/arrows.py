@@ -288,6 +288,9 @@ def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i
 
 @kernel(allocates=False)
 def _turn(one: float, other: float) -> float:
-    """Return the angle from direction ``one`` to direction ``other``, from -π to π (radians)."""
+    """Return the turn from direction ``one`` to direction ``other``, from -π to π.
+
+    Directions and turn are angles in radians.
+    """
     turn = (other - one) % (2.0 * math.pi)
     return turn - 2.0 * math.pi if turn > math.pi else turn

@@ -177,7 +177,10 @@ class _ComponentPieces(NamedTuple):
 
 @kernel
 def _pieces_by_component(component: I32_1, count: int) -> _ComponentPieces:
-    """Return the pieces of each of ``count`` components."""
+    """Return the pieces of each of ``count`` components.
+
+    ``component`` (p,) is the component of each piece.
+    """
     first = np.zeros(count + 1, np.int64)
     for p in range(len(component)):
         first[component[p] + 1] += 1
@@ -226,7 +229,11 @@ def _mark_bleeds(
 
 @kernel
 def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> Any:
-    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of the given components."""
+    """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of some components.
+
+    ``components`` are the numbers of the components, and ``pieces`` lists the pieces of each
+    component.
+    """
     vertex, start, end, bulge = lines
     count = 0
     for c in components:

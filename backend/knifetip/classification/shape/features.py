@@ -234,9 +234,10 @@ class _Extraction(NamedTuple):
 
 
 def _bounded_faces(faces: Faces) -> I32:
-    """Return for each face the face itself, or for an outer face the bounded face around it, (f,).
+    """Return for each of f faces the bounded face that it belongs to or that contains it, (f,).
 
-    The entry of an outer face without a face around it is -1.
+    The entry of a bounded face is the face itself.  The entry of an outer face is the bounded face
+    around it, or -1 if there is none.
     """
     bounded = np.arange(len(faces.area), dtype=np.int32)
     bounded[faces.outer_face] = faces.enclosing
@@ -419,7 +420,10 @@ _SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
 
 
 def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
-    """Return the role of each piece, (p,)."""
+    """Return the role of each piece of a graph, (p,).
+
+    The role follows from the kind of the piece's component and the faces on the piece's two sides.
+    """
     # A component of several kinds gets the roles of the last of these rows.
     rows = (
         (kinds.doubtful, [Role.OPEN] * 4),

@@ -203,7 +203,10 @@ def _is_type_name(text: str) -> bool:
 
 
 def _text_positions(annotations: Sequence[Annotation]) -> F64:
-    """Return x, y, height and width of texts, (t, 4), sorted by x."""
+    """Return the position and the size of each text, (t, 4), sorted by x.
+
+    The columns are x and y of the lower left corner, height and width.
+    """
     # The insertion point of a text is its lower left corner; a letter's width is 0.7 of its height.
     positions = np.array(
         [

@@ -112,7 +112,11 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
 
 
 def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
-    """Return the number of pieces at each vertex, (q,), and whether they meet at an angle, (q,)."""
+    """Return the number of pieces at each vertex, and whether they form an angle there.
+
+    The two arrays have the shape (q,).  Pieces form an angle if they are not all on one straight
+    line.
+    """
     vertices = len(graph.vertex)
     own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
     ends = np.concatenate([graph.start[own], graph.end[own]])

@@ -198,7 +198,11 @@ def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
 
 @kernel
 def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
-    """Return the pairs of rows as ``box_pairs`` does, unsorted, for ``others`` in Morton order."""
+    """Return the pairs of boxes that are at most ``gap`` mm apart in x and in y, unsorted.
+
+    The pairs are rows of ``boxes``, (k,), and rows of ``others``, (k,).  ``others`` must be in
+    Morton order.
+    """
     tree, stack = build_tree(others), new_stack()
     found = 0
     one = np.empty(max(16, len(boxes)), np.int64)

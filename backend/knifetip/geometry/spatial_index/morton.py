@@ -48,7 +48,10 @@ def order_boxes(boxes: F64) -> I64:
 
 @kernel
 def _codes_of_boxes(boxes: F64_2) -> Any:
-    """Return the Morton code of the middle of each box, (n,)."""
+    """Return the Morton code of the middle of each box, (n,), in a grid over all middles.
+
+    ``boxes`` (n, 4) are x min, y min, x max, y max of each box.
+    """
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
     for i in range(len(boxes)):
