@@ -46,10 +46,10 @@ def tool_axis(c: F64, circle: TipCircle) -> F64:
 
 
 def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
-    """Return N + 1 poses along a turn, (N + 1, 4), with equal steps of position and heading.
+    """Return N + 1 poses along one turn, (N + 1, 4), with equal steps of position and heading.
 
-    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δs| / δ_s⌉), where Δs is the travel of the head (section 2 of the
-    source).  One rapid along X, Y, Z and C passes through all of these poses.
+    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δs| / δ_s⌉), where ΔC is the turn and Δs the travel of the head (section
+    2 of the source).  One rapid along X, Y, Z and C passes through all of these poses.
 
     Parameters
     ----------
@@ -66,9 +66,10 @@ def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
 
 
 def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | None = None) -> F64:
-    """Return the depth of the lowest point of the tip circle below the board's top face, (n,) mm.
+    """Return the depth of the tool's lowest point below the board's top face at n poses, (n,) mm.
 
-    It is 0 if that point is above the top face, or if the entire circle is outside the board.
+    The lowest point is that of the tip circle.  The depth is 0 if that point is above the top face,
+    or if the entire circle is outside the board.
 
     Parameters
     ----------
@@ -125,7 +126,7 @@ def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
 
 
 def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths) -> Bool:
-    """Return the mask of the turns on which the entire tip circle is outside the board, (n,).
+    """Return the mask of n turns on which the entire tip circle stays outside the board, (n,).
 
     Parameters
     ----------
@@ -154,10 +155,10 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 
 
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with a full retract at every turn, as the source does it, for comparison.
+    """Return the toolpath with the head lifted to travel height for every turn, for comparison.
 
-    Every rapid below the machine's travel height is replaced by a lift to that height, a move at
-    that height, and a descent.
+    The source lifts the head in this way.  Every rapid below the machine's travel height is
+    replaced by a lift to that height, a move at that height, and a descent.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z
@@ -193,11 +194,11 @@ def unwind(
     high: float,
     period: float,
 ) -> Any:
-    """Return the angle to add to all headings of each pass, (t,) degrees, a multiple of ``period``.
+    """Return the angle to add to all headings of each of t passes, (t,) degrees.
 
-    The multiple is chosen so that C turns by the smaller angle from one pass to the next.  If both
-    directions need the same angle, the multiple is chosen that leaves C nearer to the middle of its
-    limits.
+    Each angle is a multiple of ``period``, chosen so that C turns by the smaller angle from one
+    pass to the next.  If both directions need the same angle, the multiple is chosen that leaves C
+    nearer to the middle of its limits.
 
     Parameters
     ----------
@@ -229,11 +230,13 @@ def unwind(
 
 @kernel(checks_division=True)
 def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1) -> float:
-    """Return the distance of the point (x, y) from closed chains, in mm; it is negative inside.
+    """Return the distance of the point (x, y) from closed chains of edges, in mm; it is negative
+    inside.
 
-    ``start``, ``end`` and ``bulge`` are the lines and arcs of the chains.  A point is inside if a
-    ray from it crosses the chords an odd number of times.  For every arc, the area between the arc
-    and its chord counts as one more crossing if the point is in it.
+    ``start``, ``end`` (mm) and ``bulge`` are the start points, end points and bulges of the lines
+    and arcs of all chains.  A point is inside if a ray from it crosses the chords an odd number of
+    times.  For every arc, the area between the arc and its chord counts as one more crossing if the
+    point is in it.
     """
     nearest = np.inf
     inside = False
@@ -271,9 +274,11 @@ def _distance_outside(x: float, y: float, start: F64_2, end: F64_2, bulge: F64_1
 
 @kernel
 def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> Any:
-    """Return the distances of n points from closed chains, (n,) mm; they are negative inside.
+    """Return the distances of n points from closed chains of edges, (n,) mm; they are negative
+    inside.
 
-    ``start``, ``end`` and ``bulge`` are the lines and arcs of the chains.
+    ``point`` are the n points (mm); ``start``, ``end`` (mm) and ``bulge`` are the start points, end
+    points and bulges of the lines and arcs of all chains.
     """
     off = np.empty(len(point))
     for row in range(len(point)):
@@ -285,14 +290,15 @@ def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> 
 def _turns_outside(
     start: F64_2, end: F64_2, radius: float, aside: float, first: F64_2, last: F64_2, bulge: F64_1
 ) -> Any:
-    """Return the mask of the turns that stay outside the board, (n,), by sphere tracing.
+    """Return the mask of n turns that stay outside the board, (n,), by sphere tracing.
 
     Parameters
     ----------
     start, end : (n, 4) x y z in mm, c in degrees
         Poses at the start and the end of each turn.
     radius, aside : mm
-        Radius of the tip circle, and distance of its centre to the left of the pose.
+        Radius of the circle that contains every point of the tool's tip, and distance of its centre
+        to the left of the head's axis.
     first, last, bulge
         Start points, end points (mm) and bulges of the edges of the board's outline.
     """

@@ -109,8 +109,8 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     """Return the mask of the rows at whose start a beam is switched on or off, and the piercing
     times.
 
-    Both arrays have one entry per row, (n,).  The piercing time (s) is 0 unless the beam is
-    switched on at the start of the row.
+    Both arrays have one entry per row of the toolpath, (n,).  The piercing time (s) is 0 unless the
+    beam is switched on at the start of the row.
     """
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)
@@ -123,9 +123,9 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
 
 
 def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
-    """Return the time of each row at its programmed feed, (n,) s; 0 for rapids.
+    """Return the time of each row of a toolpath at its programmed feed, (n,) s; 0 for rapids.
 
-    ``travel`` (mm) and ``degrees`` are the length and the turn of C of each row, (n,).
+    ``travel`` is the length of each row along XYZ, (n,) mm, and ``degrees`` its turn of C, (n,).
     """
     swivel = toolpath.motion == Motion.SWIVEL
     feed = np.where(toolpath.feed > 0.0, toolpath.feed, np.inf)
@@ -134,9 +134,11 @@ def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
 
 
 def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
-    """Return the change of each axis per unit of length, at the start and at the end of each row.
+    """Return the change of X, Y, Z and C per unit of length, at the start and at the end of each
+    row.
 
-    ``length`` is the length of each row over all four axes, (n,); both results are (n, 4).
+    ``length`` is the length of each row of the toolpath over all four axes, (n,).  Both returned
+    arrays are (n, 4).
     """
     change = np.diff(toolpath.pose, axis=0)
     first, last = change.copy(), change.copy()

@@ -1,8 +1,9 @@
 """improve: shorten a tour of tracks by local search.
 
-2-opt and Or-opt moves are applied until none of them improves the tour.  Then two neighbouring
-sections of the tour, chosen at random, are swapped again and again.  Each swap is followed by the
-same local search, and undone if the tour is not shorter.
+The moves 2-opt (reverse a section of the tour) and Or-opt (move a section) are applied until none
+of them improves the tour.  Then two neighbouring sections of the tour, chosen at random, are
+swapped again and again.  Each swap is followed by the same local search, and undone if the tour is
+not shorter.
 
 A track is run forwards (side 0) or backwards (side 1).  ``improve_tour`` describes the arrays that
 the functions share.
@@ -38,9 +39,11 @@ _LONGEST_SECTION: Final = 50
 def _travel_time(
     before: int, side_before: int, after: int, side_after: int, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the time from the end of track ``before`` to the start of track ``after`` (s).
+    """Return the time of the air move from the end of one track to the start of another track (s).
 
-    The sides are 0 for a track that is run forwards and 1 for a track that is run backwards.
+    ``before`` and ``after`` are the numbers of the two tracks.  Their sides are 0 for a track that
+    is run forwards and 1 for a track that is run backwards.  ``ends`` and ``rates`` are as in
+    ``improve_tour``.
     """
     x = abs(ends[side_after, 0, after, 0] - ends[side_before, 1, before, 0])
     y = abs(ends[side_after, 0, after, 1] - ends[side_before, 1, before, 1])
@@ -67,8 +70,9 @@ def _link_time(
     ends: F64_4A,
     rates: F64_2,
 ) -> float:
-    """Return the time from tour position ``before`` to tour position ``after`` (s).
+    """Return the time of the air move between the tracks at two positions of the tour (s).
 
+    The move leads from the track at position ``before`` to the track at position ``after``.
     ``flip_before`` and ``flip_after`` are 1 if the track at that position is run opposite to its
     ``side``.  The time is 0 if ``after`` is beyond the end of the tour.
     """
@@ -83,10 +87,10 @@ def _link_time(
 def _inner_change(
     first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the increase of the link times inside a section of the tour if it is reversed (s).
+    """Return how much the air moves inside a section of the tour lengthen if it is reversed (s).
 
-    The section reaches from position ``first`` to ``last``.  With ``flip`` 1 each track is also run
-    in its other direction; then no link time changes and the result is 0.
+    The section reaches from position ``first`` to position ``last`` of the tour.  If ``flip`` is 1,
+    each track in it is also run in its other direction; then no time changes and the result is 0.
     """
     if flip:
         return 0.0
@@ -103,10 +107,11 @@ def _reversal_change(
 ) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
-    The section reaches from position ``first`` to ``last``.  With ``flip`` 1 each track is also run
-    in its other direction.  The result is 0, for no reversal, if the section contains the origin,
-    or if ``flip`` is 0 and it is longer than ``_LONGEST_SECTION``.  If the links at its two ends do
-    not become shorter in total, the links inside it are not counted.
+    The section reaches from position ``first`` to position ``last`` of the tour.  If ``flip`` is 1,
+    each track in it is also run in its other direction.  The section cannot be reversed if it
+    contains the origin, or if ``flip`` is 0 and it is longer than ``_LONGEST_SECTION``; the result
+    is 0 then.  If the two air moves at its ends do not become shorter in total, only these are
+    counted, not the air moves inside it.
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
@@ -125,9 +130,10 @@ def _reversal_change(
 def _removal_gain(
     first: int, last: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return the time saved by removing positions ``first`` to ``last`` from the tour (s).
+    """Return the time saved if a section of the tour is removed (s).
 
-    The result is 0 if the section contains the origin or reaches beyond the end of the tour.
+    The section reaches from position ``first`` to position ``last`` of the tour.  The result is 0
+    if the section contains the origin or reaches beyond the end of the tour.
     """
     if first < 1 or last >= len(tour):
         return 0.0
@@ -140,10 +146,10 @@ def _removal_gain(
 def _reverse(
     first: int, last: int, flip: int, tour: OutI32_1, side: OutU8_1, position: OutI64_1
 ) -> None:
-    """Reverse the section of the tour from position ``first`` to ``last``, in place.
+    """Reverse the section of the tour from position ``first`` to position ``last``, in place.
 
-    With ``flip`` 1 the side of each track changes too.  ``position``, the position of each track in
-    the tour, is updated.
+    If ``flip`` is 1, each track of the section is also run in its other direction: its entry in
+    ``side`` changes.  ``position``, the position of each track in the tour, is updated.
     """
     low, high = first, last
     while low < high:
@@ -285,13 +291,15 @@ def _improve_queued(
 ) -> Any:
     """Improve the tour in place at the queued tracks, and at the tracks next to each change.
 
-    It ends when no further change helps, or after ``limit`` changes.  Returns the change of the
-    tour's time (s), and the first and last position that changed.
+    It ends when no further change shortens the tour, or after ``limit`` changes.  Returns the total
+    change of the tour's time (s), and the first and last position that changed.
 
     Parameters
     ----------
-    queue, waiting, front, size
-        Circular queue of tracks, whether each track is in it, its first index and its length.
+    queue, waiting
+        Tracks in a circular queue, and whether each track is in the queue.
+    front, size
+        Index of the first track in ``queue``, and the number of tracks that are in the queue.
     limit
         Greatest number of changes.
     position

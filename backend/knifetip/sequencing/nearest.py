@@ -16,7 +16,7 @@ from knifetip.kernels import F64_1, F64_2, F64_2A, I32_1, OutF64_1, OutI32_1, ke
 
 
 def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
-    """Return the nearest-neighbour order of t tracks, (t,), starting at the point ``origin``.
+    """Return the indices of t tracks in nearest-neighbour order, (t,), starting at ``origin``.
 
     All tracks are run forwards.
 
@@ -130,8 +130,9 @@ def _search_rings(
 def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
     """Return the ``wanted`` nearest other tracks of each of t tracks, and their distances (mm).
 
-    Both results are (t, wanted), nearest first.  The distance of two tracks is the least distance
-    between an end of one and an end of the other.  ``start`` and ``end`` are (t, 2) mm.
+    Both arrays are (t, wanted), nearest first.  The distance of two tracks is the least distance
+    between an end of one and an end of the other.  ``start`` and ``end`` are the positions of the
+    head at the start and the end of each track, (t, 2) mm.
     """
     count = len(start)
     point = np.concatenate((start, end))

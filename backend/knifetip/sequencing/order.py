@@ -26,10 +26,10 @@ _MOST_TRIALS: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
-    """Return the nearest-neighbour order of t tracks, (t,), and the mask of the tracks to reverse,
-    (t,).
+    """Return the indices of t tracks in nearest-neighbour order, (t,), and a mask, (t,).
 
-    The parameters are as for ``short_order``.
+    The mask marks the tracks that are run from their far end.  The parameters are as for
+    ``short_order``.
     """
     count = entry.shape[1]
     if reversal == Reversal.ONE:
@@ -44,22 +44,23 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
 def short_order(
     entry: F64, leave: F64, origin: F64, pace: F64, period: float, reversal: Reversal
 ) -> tuple[I32, Bool]:
-    """Return a short order of t tracks, (t,), and the mask of the tracks to run from their far end,
-    (t,).
+    """Return the indices of t tracks in a short order, (t,), and a mask, (t,).
+
+    The mask marks the tracks that are run from their far end.
 
     Parameters
     ----------
     entry, leave : (2, t, 3) x y in mm, c in degrees
-        Poses at the start and the end of each track: as given (0), and if it is run from its far
-        end (1).
+        Poses of the head at the start and at the end of each track.  Row 0 contains the poses of
+        the track as given, and row 1 the poses of the track if it is run from its far end.
     origin : (3,) x y in mm, c in degrees
         Pose of the head before the first track.
     pace : (2, 3)
-        Velocities (0) and accelerations (1) of X, Y and C.
+        Velocities (row 0) and accelerations (row 1) of X, Y and C.
     period : degrees
-        Rotation after which the tool is the same.
+        Rotation of C after which the tool is the same.
     reversal
-        Which tracks may be run from their far end.
+        Ends of a track at which the tool may start.
     """
     count = entry.shape[1]
     order, flip = greedy_order(entry, leave, origin, reversal)
@@ -118,9 +119,10 @@ def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) ->
 
 
 def _travel_times(distance: F64, velocity: Any, acceleration: Any) -> F64:
-    """Return the times that axes need for travelling distances from rest to rest (s).
+    """Return the time that an axis needs to travel each distance from rest to rest (s).
 
-    The arguments are broadcast against each other; the result has the shape of ``distance``.
+    ``velocity`` and ``acceleration`` are the limits of the axis.  The arguments are broadcast
+    against each other; the result has the shape of ``distance``.
     """
     ramp = distance < velocity**2 / acceleration
     times: F64 = np.where(

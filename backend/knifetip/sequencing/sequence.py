@@ -35,7 +35,7 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of n moves, as in ``Toolpath``, but ``pose`` has n rows: the pose at the end of each
+    """Columns of n moves, as in ``Toolpath``, but with n poses: the pose at the end of each
     move.
     """
 
@@ -123,7 +123,9 @@ def _parking_pose(station: Station, machine: Machine) -> F64:
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:
-    """Return one rapid move, made with the tool in station number ``tool``, to a pose, (4,)."""
+    """Return one rapid to the pose ``pose``, (4,), with the tool of station number ``tool``
+    selected.
+    """
     return _Moves(
         pose=pose[None],
         bulge=np.zeros(1),
@@ -233,9 +235,9 @@ def _order_tracks(
 def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) -> Toolpath:
     """Return the toolpath with every turn at the least height that clears the board.
 
-    A turn is a rapid between a lift and a plunge.  The board's top face lies below the turn by the
-    machine's clearance.  Outside the board's ``outline`` the tool only has to clear the mat; with
-    None, all turns clear the board.
+    A turn is a rapid between a lift and a plunge; in ``toolpath`` it is above the board's top face
+    by the machine's clearance.  Outside the board's ``outline`` the tool only has to clear the mat.
+    If ``outline`` is None, all turns clear the board.
     """
     rapid = np.flatnonzero(toolpath.motion[1:-1] == Motion.RAPID) + 1
     turns = rapid[
@@ -277,9 +279,10 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return the mask of the turns whose lift and plunge use the turn's tool and leave C unchanged.
+    """Return the mask of the t turns whose lift and plunge use the turn's tool and leave C
+    unchanged.
 
-    ``turns`` are rows of the toolpath, (t,); the mask is (t,).
+    ``turns`` are the rows of the turns in the toolpath, (t,); the mask is (t,).
     """
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])

@@ -33,6 +33,8 @@ class Timing(Protocol):
 
 
 def no_halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return a zero for each row, (n,) s: the controller never halts between moves."""
+    """Return an array of zeros, (n,) s, one for each row: the controller never halts between
+    moves.
+    """
     del travel, seconds, machine
     return np.zeros(len(toolpath))

@@ -24,8 +24,8 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
     Raises
     ------
     TravelExceeded
-        Reports the first station that exceeds a limit, the axis with its greatest excess, and the
-        edge.
+        The error names the first station that exceeds a limit, the axis with the greatest excess,
+        and the edge at which that happens.
     """
     boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])

@@ -23,14 +23,24 @@ class Findings:
     ) -> None:
         """Append a finding, unless the list is full.
 
-        ``edge`` is the row of the edge in the dieline and ``line`` the 1-based program line; each
-        is -1 if the finding concerns none.
+        Parameters
+        ----------
+        kind, message
+            Kind of the finding, such as "depth", and its text.
+        measure
+            Size of the fault, in the unit of the kind: mm, degrees or s.
+        edge
+            Row of the edge in the dieline, -1 if the finding concerns no edge.
+        line
+            1-based program line, -1 if the finding concerns no line.
         """
         if not self.full:
             self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
 
     def add_faults(self, faults: Iterable[tuple[int, Message]]) -> None:
-        """Append a finding of kind "program" for each fault (1-based program line, message)."""
+        """Append a finding of kind "program" for each fault: a 1-based program line and a
+        message.
+        """
         for line, message in faults:
             self.add("program", message, 0.0, line=line)
 

@@ -1,4 +1,4 @@
-"""Poses of the tool tip at the ends of moves, and the paths of the tip in the board.
+"""Compute the poses of the tool tip at the ends of moves, and the paths of the tip in the board.
 
 The formulas are derived from the tools' drawings, independently of the compensation engines.  With
 the direction of travel u = (cos C, sin C) and the direction to its right v = (sin C, -cos C), the
@@ -38,8 +38,9 @@ _MAX_CHORDS: Final = 10_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPoses:
-    """Poses of the tip of the selected station's tool at the starts and ends of n moves; NaN if
-    unknown.
+    """Poses of the tip of the selected station's tool at the start and end of each of n moves.
+
+    A coordinate is NaN if it is unknown.
     """
 
     start: F64  #: (n, 4) x y z in mm on the sheet, heading in degrees
@@ -51,7 +52,9 @@ class TipPoses:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:
-    """n paths of the tip in the board: lines and arcs at constant depth, and points of plunges."""
+    """n paths of the tip in the board: lines and arcs at constant depth, and the end points of
+    plunges.
+    """
 
     curve: F64  #: (n, 6) rows as in ``curves.curve``
     z: F64  #: (n,) height of the tip above the table, mm
@@ -68,9 +71,10 @@ class TipPaths:
 
 
 def tip_offset(heading: F64, station: Station) -> F64:
-    """Return the vectors from the head's axis to the tip of a station's tool, (n, 2) mm.
+    """Return the vector from the head's axis to the tip of a station's tool at n headings, (n, 2)
+    mm.
 
-    ``heading`` is the direction of the tool, (n,) degrees.
+    ``heading`` are the headings of the tool, (n,) degrees.
     """
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
     tool = expected_tool(station.tool)
@@ -79,7 +83,9 @@ def tip_offset(heading: F64, station: Station) -> F64:
 
 
 def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
-    """Return the poses of the tip of the selected station at both ends of each move."""
+    """Return the poses of the tip of the selected station's tool at the start and end of each
+    move.
+    """
     start, end = moves.start.copy(), moves.end.copy()
     for index, station in enumerate(machine.stations):
         rows = moves.station == index
@@ -95,7 +101,7 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
 
 
 def beam_moves(moves: Moves, machine: Machine) -> Bool:
-    """Return the mask of the moves whose selected station carries a laser, shape (n,)."""
+    """Return the mask of the n moves whose selected station carries a laser, shape (n,)."""
     held = [expected_tool(station.tool).beam is not None for station in machine.stations]
     result: Bool = np.array([*held, False])[moves.station]
     return result
@@ -110,8 +116,12 @@ def tip_paths(
 
     Parameters
     ----------
+    moves, tip
+        The n moves of the program, and the poses of the tip at their starts and ends.
     usable : (n,)
-        Mask of the moves that are used.  The other moves have findings from other checks.
+        Mask of the moves that give paths.  The other moves have findings from other checks.
+    machine, board
+        Machine and board of the program.
     """
     with np.errstate(invalid="ignore"):
         drop = tip.end[:, 2] - tip.start[:, 2]
@@ -149,19 +159,19 @@ def tip_paths(
 def _path_pieces(
     moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return the lines and arcs that the tip follows in moves.
+    """Return the k lines and arcs that the tip follows in moves.
 
     Parameters
     ----------
     rows
         Indices of the moves.
     point
-        Mask of the moves that give only a point, the end of the move.
+        Mask of those moves that give only a point, the end of the move.
 
     Returns
     -------
-    Index of the move of each curve (k,), the curves (k, 6), and the start and end of each curve as
-    fractions of the move (k, 2).
+    Index of the move of each line or arc (k,), the lines and arcs as curves (k, 6), and the start
+    and end of each as fractions of the move (k, 2).
     """
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
@@ -199,16 +209,16 @@ def _path_pieces(
 def _flatten_paths(
     moves: Moves, tip: TipPoses, rows: I64, bent: I64, offset: F64, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return chords that replace tip paths which are neither lines nor arcs.
+    """Return k chords that replace tip paths which are neither lines nor arcs.
 
     Parameters
     ----------
     rows
         Indices of moves.
     bent
-        Indices into ``rows`` of the moves to replace.
+        Indices into ``rows`` of the moves whose tip paths are replaced.
     offset
-        Distance of the tip from the head's axis for each of ``rows``, mm.
+        Distance of the tip from the head's axis, one for each of ``rows``, mm.
 
     Returns
     -------

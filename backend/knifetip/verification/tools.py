@@ -25,7 +25,7 @@ _ENTRY_RATIO: Final = 1.5
 
 
 class OperationKind(IntEnum):
-    """The kinds of operation: cut, half-cut, crease, groove or mill."""
+    """The kinds of operation of a tool: cut, half-cut, crease, groove or mill."""
 
     CUT = 0  #: knife, through the board
     HALF_CUT = 1  #: knife, part of the way
@@ -35,7 +35,9 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """The name of the tool in messages, which is a key of ``english.TOOLS``."""
+        """The name in messages of the tool that makes this operation, which is a key of
+        ``english.TOOLS``.
+        """
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]
 
 
@@ -149,7 +151,9 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the outputs that tools need besides those of their stations, in ascending order."""
+    """Return the numbers of the outputs that tools need besides those of their stations,
+    ascending.
+    """
     return tuple(
         sorted({one for held in machine.stations for one in expected_tool(held.tool).outputs})
     )

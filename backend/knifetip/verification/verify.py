@@ -111,8 +111,9 @@ def verify(
 
 
 def _samples(context: CheckContext) -> Samples:
-    """Return the deviations measured at points of the edges, thinned evenly to at most
-    ``MAX_SAMPLES``.
+    """Return the deviations measured at points of the edges.
+
+    If there are more than ``MAX_SAMPLES`` points, evenly spaced ones of them are returned.
     """
     columns = [np.concatenate(column) for column in zip(*context.samples, strict=True)]
     if not columns:

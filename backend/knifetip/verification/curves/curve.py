@@ -1,9 +1,9 @@
-"""Lines and arcs as rows of numbers, and points and directions on them.
+"""Lines and arcs as rows of six numbers, called curves, and points and directions on them.
 
-A curve is a row of six numbers.  The first is the kind: 0 for a line, 1 for an arc to the left, -1
-for an arc to the right.  The next four are, for a line, its start (x, y) and unit direction (x, y),
-and for an arc, its centre (x, y), radius and start angle (radians).  The last is the length.
-Lengths are mm.
+The first number of a curve is the kind: 0 for a line, 1 for an arc to the left, -1 for an arc to
+the right.  The next four are, for a line, its start (x, y) and unit direction (x, y), and for an
+arc, its centre (x, y), radius and start angle (radians).  The last number is the length.  Lengths
+are mm.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from knifetip.verification.columns import F64
 
 
 def point_at(curve: F64, along: F64) -> F64:
-    """Return the point on each curve at a distance from its start, (n, 2) mm.
+    """Return one point on each of n curves, (n, 2) mm.
 
-    ``curve`` is (n, 6) and ``along`` holds the distances, (n,) mm.
+    ``curve`` is (n, 6); ``along`` is the distance of each point from the start of its curve, (n,)
+    mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -30,9 +31,10 @@ def point_at(curve: F64, along: F64) -> F64:
 
 
 def azimuth_at(curve: F64, along: F64) -> F64:
-    """Return the direction of travel on each curve at a distance from its start, (n,) degrees.
+    """Return the direction of travel at one point on each of n curves, (n,) degrees.
 
-    ``curve`` is (n, 6) and ``along`` holds the distances, (n,) mm.
+    ``curve`` is (n, 6); ``along`` is the distance of each point from the start of its curve, (n,)
+    mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -42,17 +44,17 @@ def azimuth_at(curve: F64, along: F64) -> F64:
 
 
 def left_distance(curve: F64, along: F64, edge: F64) -> F64:
-    """Return the signed distance of one point on each curve from an edge, (n,) mm.
+    """Return the signed distance of one point on each of n curves from an edge, (n,) mm.
 
-    It is positive to the left of the edge.  Distances are measured from the edge's infinite line or
-    full circle.
+    The distance is positive to the left of the edge.  It is measured from the infinite line or the
+    full circle of the edge.
 
     Parameters
     ----------
     curve, edge : (n, 6)
-        Curves, and the edge that each is compared with.
+        Curves, and for each curve the edge that its point is compared with.
     along : (n,) mm
-        Positions of the points on ``curve``.
+        Distance of each point from the start of its curve.
     """
     x, y = (point_at(curve, along) - edge[:, 1:3]).T
     straight = edge[:, 0] == 0.0

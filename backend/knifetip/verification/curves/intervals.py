@@ -1,6 +1,7 @@
-"""Overlaps of curves with edges, and the stretches of curves and edges that no overlap covers.
+"""Overlaps of curves with edges, and the stretches of curves and edges without an overlap.
 
-If a curve overlaps several edges at once, only the overlap with the nearest edge counts.
+An overlap is a stretch of a curve that lies within a given distance of an edge.  If a stretch of a
+curve overlaps several edges, only the overlap with the nearest edge counts.
 """
 
 from __future__ import annotations
@@ -22,7 +23,10 @@ SHORT: Final = 0.005
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Overlaps:
-    """k overlaps of curves with edges, sorted by curve and then by distance from the edge."""
+    """k overlaps of curves with edges, sorted by curve and then by distance from the edge.
+
+    An overlap is a stretch of a curve that lies within a given distance of an edge.
+    """
 
     curve: I32  #: (k,) index of the curve
     edge: I32  #: (k,) index of the edge
@@ -33,17 +37,17 @@ class Overlaps:
 
 
 def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
-    """Return overlaps sorted by curve and distance.
+    """Return k overlaps of curves with edges, sorted by curve and then by distance from the edge.
 
-    ``best`` of the result marks the overlaps that count.
+    ``best`` of the result marks the overlaps of which a part is on no nearer edge.
 
     Parameters
     ----------
     pairs : (k, 2)
-        Indices of curve and edge of each overlap.
+        Index of the curve and index of the edge of each overlap.
     spans : (k, 5) mm
-        For each overlap, its start and end along the curve, the positions of start and end on the
-        edge, and its greatest distance from the edge.
+        Five lengths for each overlap: its start and end along the curve, the positions on the edge
+        of these two points, and its greatest distance from the edge.
     curves : (n, 6)
         All curves.
     """
@@ -56,18 +60,20 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
 
 
 def mark_nearest(overlaps: Overlaps, curves: F64, until: F64) -> Overlaps:
-    """Return the overlaps with a new ``best``, in which only the first part of each curve counts.
+    """Return the overlaps with ``best`` computed again for the first part of each curve only.
 
-    ``until`` is the length of that part, (n,) mm.
+    ``best`` marks the overlaps of which a part is on no nearer edge.  ``curves`` are all n curves,
+    and ``until`` is the length of the first part of each, (n,) mm.
     """
     spans = np.column_stack([overlaps.along, overlaps.place, overlaps.distance])
     return replace(overlaps, best=_nearest_mask(overlaps.curve, spans, curves[:, 5].copy(), until))
 
 
 def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
-    """Return the overlaps whose distance is within the limit of their edge, with a new ``best``.
+    """Return the overlaps whose distance from their edge is at most the limit of the edge.
 
-    ``limit`` is the greatest permitted distance for each edge, (m,) mm; ``curves`` are all curves.
+    ``best``, which marks the overlaps of which a part is on no nearer edge, is computed again.
+    ``limit`` is the limit of each of m edges, (m,) mm; ``curves`` are all curves.
     """
     keep = overlaps.distance <= limit[overlaps.edge]
     kept = Overlaps(
@@ -82,23 +88,31 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
 
 
 def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
-    """Return the k stretches of curves that overlap no edge: curve (k,), start and end (k, 2) mm.
+    """Return the k stretches of curves that overlap no edge.
 
-    A curve of length 0 that overlaps no edge gives a stretch of length 0.
+    The result is the index of the curve of each stretch, (k,), and the start and end of the stretch
+    along that curve, (k, 2) mm.  A curve of length 0 that overlaps no edge gives a stretch of
+    length 0.  ``curves`` are all curves, and ``overlaps`` are their overlaps with the edges.
     """
     which, spans, count = _uncovered_spans(overlaps.curve, overlaps.along, curves[:, 5].copy())
     return which[:count], spans[:count]
 
 
 def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
-    """Return the k stretches of edges that no interval covers: edge, start and end (mm), (k,) each.
+    """Return the k stretches of m edges that none of n intervals covers.
 
     Parameters
     ----------
     edge, low, high : (n,)
-        Edge, start and end (mm) of each interval, in any order.
+        Index of the edge of each interval, and the interval's start and end on that edge (mm), in
+        any order.
     size : (m,) mm
         Length of each edge.
+
+    Returns
+    -------
+    Three arrays, (k,) each: index of the edge of each stretch, and the start and the end of the
+    stretch on that edge (mm).
     """
     every = np.arange(len(size))
     edge = np.concatenate([edge, every])
@@ -118,16 +132,16 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
 
 @kernel
 def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
-    """Return the mask of the overlaps that cover a length which no nearer overlap covers, (k,).
+    """Return the mask of the k overlaps of which a part is on no nearer edge, (k,).
 
     Parameters
     ----------
     curve_of : (k,)
-        Curve of each overlap.  The overlaps are sorted by curve and distance.
+        Index of the curve of each overlap.  The overlaps are sorted by curve, then by distance.
     spans : (k, 5) mm
         As in ``sort_overlaps``.
     length, until : (n,) mm
-        Length of each curve, and the length that is considered.
+        Length of each of n curves, and the length from its start that is considered.
     """
     best = np.zeros(len(curve_of), np.bool_)
     begin = 0
@@ -155,9 +169,9 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
 def add_interval(covered: OutF64_2, used: int, left: float, right: float) -> Any:
     """Merge an interval into a list of sorted, disjoint intervals, in place.
 
-    The list is the first ``used`` rows of ``covered``, (start, end) each; ``left`` and ``right``
-    are the ends of the new interval.  Returns the new number of rows in use, and the length of the
-    new interval that was not covered before.
+    The list is the first ``used`` rows of ``covered``, each a start and an end; ``left`` and
+    ``right`` are the start and end of the new interval.  Returns the new number of rows in use, and
+    the length of the new interval that was not covered before.
     """
     first = 0
     while first < used and covered[first, 1] < left:

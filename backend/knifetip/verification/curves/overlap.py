@@ -1,4 +1,4 @@
-"""Find the stretches of curves that lie within a distance of edges.
+"""Find the stretches of curves that lie within a given distance of edges.
 
 Curves and edges are rows as in ``curves.curve``.  The ends of a stretch are computed in closed form
 for lines and arcs; only the greatest distance within it is sampled.  A grid over the edges finds
@@ -18,18 +18,18 @@ from knifetip.verification.curves.intervals import Overlaps, sort_overlaps
 
 
 def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) -> Overlaps:
-    """Return the stretches of curves that lie within a distance of edges.
+    """Return the stretches of n curves that lie within ``limit`` of m edges.
 
     Parameters
     ----------
     curves : (n, 6)
-        A curve without length is a point; it may lie up to ``limit`` past the ends of an edge.
+        A curve of length 0 is a point; it may lie up to ``limit`` past the ends of an edge.
     edges : (m, 6)
         The edges, as curves.
     low, high : (m,) mm
-        Start and end of the part of each edge that is searched; no part if high < low.
+        Start and end of the part of each edge that is compared; no part if high < low.
     limit : mm
-        Greatest distance of a curve from an edge.
+        Greatest distance of a stretch from the edge.
     """
     if len(curves) == 0 or len(edges) == 0:
         pairs, spans = np.zeros((0, 2), np.int32), np.zeros((0, 5))
@@ -51,10 +51,11 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
 
 
 def grid_layout(edges: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
-    """Return a grid of square cells over edges and their surroundings within ``limit`` mm.
+    """Return the layout of a grid of square cells over edges and their surroundings.
 
-    Returns the lower left corner of the grid (2,) mm, the size of its cells (mm), and its numbers
-    of columns and rows.
+    ``edges`` are curves, (n, 6); the grid extends at least ``limit`` mm past them.  Returns the
+    lower left corner of the grid (2,) mm, the width of its cells (mm), and its numbers of columns
+    and rows.
     """
     straight = edges[:, 0] == 0.0
     reach = np.where(straight, 0.0, edges[:, 3])
@@ -78,9 +79,19 @@ def cells_near_curve(
 ) -> Any:
     """Write the indices of the grid cells within ``margin`` mm of a curve to ``out``.
 
-    ``corner``, ``size``, ``wide`` and ``high`` are the grid's lower left corner (mm), cell size
-    (mm), and numbers of columns and rows.  A cell may occur repeatedly.  Returns ``out``, or a
-    larger copy of it if it was full, and the number of indices.
+    A cell may occur repeatedly.  Returns ``out``, or a larger copy of it if it was full, and the
+    number of indices that were written.
+
+    Parameters
+    ----------
+    curve : (6,)
+        The curve.
+    corner : (2,) mm
+        Lower left corner of the grid.
+    size : mm
+        Width of the square cells.
+    wide, high
+        Numbers of columns and rows of the grid.
     """
     count = 0
     length = curve[5]
@@ -124,7 +135,7 @@ def cells_near_curve(
 
 @kernel
 def _double_capacity(pairs: I32_2, spans: F64_2) -> Any:
-    """Return copies of ``pairs`` and ``spans`` with twice the number of rows.
+    """Return copies of the arrays ``pairs`` and ``spans`` with twice the number of rows.
 
     The rows are copied in loops, which compile faster than slices.
     """
@@ -207,9 +218,9 @@ def _search_grid(
 
 @kernel(checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
-    """Return the position of a point along the line or circle of an edge, and its signed distance.
+    """Return the position of the point (x, y) along an edge, and its signed distance from the edge.
 
-    Both are in mm; ``x`` and ``y`` are the coordinates of the point.
+    Both are in mm, and refer to the infinite line or the full circle of the edge.
     """
     dx = x - edge[1]
     dy = y - edge[2]
@@ -236,8 +247,9 @@ def _overlap_pair(
 ) -> int:
     """Write the overlaps of one curve with one edge to the rows of ``hits``; return their number.
 
-    ``low`` and ``high`` are the start and end of the searched part of the edge, and ``limit`` is
-    the greatest distance (mm).  The columns of a row are those of ``spans`` in ``sort_overlaps``.
+    ``low`` and ``high`` are the start and end of the part of the edge that is compared, and
+    ``limit`` is the greatest distance of an overlap from the edge (mm).  The five columns of a row
+    are those of ``spans`` in ``sort_overlaps``.
     """
     near = np.empty((8, 2))
     if curve[0] == 0.0:
@@ -313,10 +325,10 @@ def _append_clipped(begin: float, end: float, length: float, near: OutF64_2, pie
 
 @kernel(checks_division=True)
 def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Find the stretches of a line that lie within ``limit`` of an edge's infinite line or circle.
+    """Find the stretches of a line that lie within ``limit`` mm of the line or circle of an edge.
 
-    Writes start and end along the line (mm) to the rows of ``near``; returns the number of
-    stretches.
+    The edge is extended to its infinite line or full circle.  Writes start and end of each stretch
+    along the line ``curve`` (mm) to the rows of ``near``; returns the number of stretches.
     """
     length = curve[5]
     if edge[0] == 0.0:
@@ -343,10 +355,11 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
 
 @kernel(checks_division=True)
 def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> int:
-    """Find the stretches of an arc that lie within ``limit`` of an edge's infinite line or circle.
+    """Find the stretches of an arc that lie within ``limit`` mm of the line or circle of an edge.
 
-    Writes start and end along the arc (mm) to the rows of ``near``; returns the number of
-    stretches.  The condition on the distance becomes lowest ≤ sin(angle - shift) ≤ highest.
+    The edge is extended to its infinite line or full circle.  Writes start and end of each stretch
+    along the arc ``curve`` (mm) to the rows of ``near``; returns the number of stretches.  The
+    condition on the distance becomes lowest ≤ sin(angle - shift) ≤ highest.
     """
     radius = curve[3]
     if edge[0] == 0.0:
@@ -385,10 +398,11 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
 
 @kernel
 def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, used: int) -> int:
-    """Find the stretches of an arc between two angles (radians) of its circle.
+    """Find the stretches of the arc ``curve`` that lie between two angles of its circle.
 
-    Appends the start and end of each stretch along the arc (mm) to the rows of ``near``, of which
-    ``used`` are in use.  Returns the new number of rows in use.
+    The angles are ``begin`` and ``end`` (radians).  Appends the start and end of each stretch along
+    the arc (mm) to the rows of ``near``, of which the first ``used`` are in use.  Returns the new
+    number of rows in use.
     """
     if curve[0] < 0.0:
         begin, end = -end, -begin

@@ -1,1 +1,1 @@
-"""The paths and depths that the drawn edges require of the tools, and their limits."""
+"""The tool paths and depths that the drawn edges require, and the limits of the paths."""

@@ -2,8 +2,8 @@
 
 A cut through a crease splits it, and the wheel keeps its clearance on both sides of the cut.  Three
 or more collinear dashes may be made as one crease; a path of the wheel in one of their gaps shows
-that they were.  On a board with double creases each drawn line becomes two lines, one on each side,
-at half of the board's crease distance.
+that they were.  On a board with double creases each drawn crease becomes two parallel creases, one
+on each side of it, at half of the board's crease distance.
 """
 
 from __future__ import annotations
@@ -37,7 +37,9 @@ CROSSING_LENGTH: Final = 0.01
 
 
 def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
-    """Return the creases split where cuts cross them, and the crossing points, (k, 2) mm."""
+    """Return the creases ``edges`` split where cuts cross them, and the k crossing points, (k, 2)
+    mm.
+    """
     crease, at = _cut_crossings(edges.curve, cuts)
     places = point_at(edges.curve[crease], at)
     within = (at > TOUCH_DISTANCE) & (at < edges.curve[crease, 5] - TOUCH_DISTANCE)
@@ -54,10 +56,11 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
 
 
 def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
-    """Return where cuts cross curves: index of the curve (k,), position along the curve (k,) mm.
+    """Return the k points at which cuts cross curves.
 
-    A cut crosses a curve if it meets the curve between its own ends.  Cuts also cross a curve at a
-    point at which they end, if they leave the curve on both sides.
+    The result is the index of the curve of each point, (k,), and the position of the point along
+    that curve, (k,) mm.  A cut crosses a curve if the curve meets the cut between the cut's ends.
+    Cuts that end on a curve at one point cross it there if they leave the curve on both sides.
     """
     overlaps = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
     at, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
@@ -86,7 +89,11 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
 
 
 def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
-    """Return the parts from ``low`` to ``high``, (k,) mm, of the edges with indices ``row``."""
+    """Return k parts of edges.
+
+    Part i reaches from position ``low[i]`` to position ``high[i]`` (mm) on the edge with index
+    ``row[i]``.
+    """
     curve = edges.curve[row].copy()
     start, end = point_at(curve, low), point_at(curve, high)
     outward = np.stack([azimuth_at(curve, low) + 180.0, azimuth_at(curve, high)], axis=1)
@@ -106,19 +113,20 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
 
 
 def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
-    """Return the gaps between dashes that were made as one crease, as edges with the row of a dash.
+    """Return the gaps between collinear dashes that were made as one crease, as edges.
 
-    Dashes were made as one crease if the wheel has creased one of their gaps, or only one dash.
+    Each gap gets the row in the dieline of one of the two dashes beside it.  Dashes were made as
+    one crease if the wheel has creased one of their gaps, or only one of the dashes.
 
     Parameters
     ----------
     edges
-        The creases.
+        The creases, some of which may be dashes.
     cuts
         The cuts.  A dash that touches a cut bounds a slot, not a gap.  A cut through a gap
         separates the dashes on its two sides.
     wheel_paths : (n, 6)
-        Paths of the wheel.
+        Paths of the wheel, as curves.
     limit : mm
         Greatest distance of the wheel from the dashes.
     """
@@ -174,9 +182,10 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
 
 
 def _facing_ends(dash: Edges) -> tuple[I64, I64]:
-    """Return the pairs of ends of dashes that face each other across a gap.
+    """Return the k pairs of ends of dashes that face each other across a gap.
 
-    Returns two arrays of indices of ends; each pair occurs once.
+    Returns the indices of the two ends of each pair, (k,) each: 2i is the start and 2i + 1 the end
+    of dash i.  Each pair occurs once.
     """
     ahead = np.radians(dash.outward)
     step = (MAX_DASH_GAP + 1.0) * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
@@ -209,7 +218,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
-    """Return two sets of edges as one set: first ``edges``, then ``more``."""
+    """Return all edges of ``edges``, followed by all edges of ``more``, as one record."""
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])
@@ -219,9 +228,9 @@ def concatenate_edges(edges: Edges, more: Edges) -> Edges:
 
 
 def double_lines(edges: Edges, distance: float) -> Edges:
-    """Return the two parallels of each edge, ``distance`` mm apart, on its left and right.
+    """Return two parallels of each edge, half of ``distance`` (mm) to its left and to its right.
 
-    All left parallels come first.
+    The left parallels of all edges come first, then the right parallels.
     """
     sides = []
     for half in (0.5 * distance, -0.5 * distance):
@@ -241,9 +250,9 @@ def double_lines(edges: Edges, distance: float) -> Edges:
 
 
 def ends_at(edges: Edges, places: F64) -> Bool:
-    """Return the mask of the 2n ends of edges that touch one of the points ``places``, (2n,).
+    """Return the mask of the 2n ends of n edges that touch one of the points ``places``, (2n,).
 
-    ``places`` is (k, 2) mm.
+    ``places`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.
     """
     result = np.zeros(len(edges.ends), np.bool_)
     result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True

@@ -1,4 +1,4 @@
-"""Expected paths of a cutter's centre: the offset of each edge, as lines and arcs.
+"""The expected paths of a cutter's centre: the offset of each edge, as lines and arcs.
 
 Source: the radius paper, equations 1-9.
 """
@@ -22,25 +22,25 @@ _CHORD_ERROR: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutterPaths:
-    """k curves that a cutter's centre should follow, each beside a stretch of one edge."""
+    """k expected paths of a cutter's centre, as curves, each beside a stretch of one edge."""
 
     curve: F64  #: (k, 6) rows as in ``curves.curve``
     edge: I64  #: (k,) index of the edge
     place: F64  #: (k, 2) mm, positions on the edge of both ends of the piece
 
     def edge_intervals(self, piece: I32, place: F64) -> tuple[F64, F64]:
-        """Convert stretches of the curves to stretches of the edges beside the curves.
+        """Convert stretches of the expected paths to the stretches of the edges beside them.
 
         Parameters
         ----------
         piece : (n,)
-            Index of the curve of each stretch.
+            Index of the expected path of each of n stretches.
         place : (n, 2) mm
-            Two positions on that curve: the ends of the stretch.
+            Positions on that path of the two ends of the stretch.
 
         Returns
         -------
-        Start and end of each stretch along the edge, (n,) mm each.
+        Two arrays, (n,) mm each: the start and the end of each stretch along the edge of its path.
         """
         share = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
         first, last = self.place[piece, 0], self.place[piece, 1]
@@ -49,14 +49,16 @@ class CutterPaths:
 
 
 def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
-    """Return the expected path of the cutter's centre beside each edge, or on an open cut.
+    """Return the expected paths of the cutter's centre: beside each edge, or on it for an open cut.
+
+    An open cut is a cut that does not separate a part from waste.
 
     Parameters
     ----------
     bounds
-        Outlines of the cuts.
+        Outlines that the cuts form.
     reach : (2,) mm
-        Half-axes of the removed disc along X and Y.
+        Half-axes along X and Y of the disc that the cutter removes.
     """
     curve = bounds.edges.curve
     waste = np.where(bounds.board_left, -1.0, 1.0) * bounds.closing
@@ -91,8 +93,8 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
     """Return chords for the offset of one arc, for a disc with different half-axes along X and Y.
 
-    ``row`` is the index of the arc; ``grows`` is 1 if the offset lies outside the arc's circle and
-    -1 if it lies inside.  ``reach`` are the half-axes (2,) mm.
+    ``row`` is the index of the arc in ``edges``.  ``grows`` is 1 if the offset lies outside the
+    circle of the arc, and -1 if it lies inside.  ``reach`` are the half-axes of the disc, (2,) mm.
     """
     curve = edges.curve[row]
     axes = curve[3] + grows * reach

@@ -1,6 +1,6 @@
-"""Paths of edges that follow each other end to end.
+"""Paths that edges form by following each other end to end.
 
-Ends of edges are linked where a path continues; linked edges form a path.
+Ends of edges are linked if a path continues there from one edge to the next.
 """
 
 from __future__ import annotations
@@ -27,17 +27,25 @@ _COINCIDENT_PROBE: Final = 2.0
 
 
 def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64, Bool]:
-    """Link the ends of edges at which a path continues from one edge to the next.
+    """Link the ends of n edges at which a path continues from one edge to the next.
 
     Two ends that meet no third end are linked if the path turns by at most ``kink`` degrees there.
     If more ends meet, two collinear ends are linked, unless one of them could also be linked to a
-    third end.  Two edges of a closed contour are always linked; ``ring``, (n,), is the mask of such
-    edges.
+    third end.  Two edges of a closed contour are always linked.
+
+    Parameters
+    ----------
+    edges
+        The n edges.  End 2i is the start of edge i, and end 2i + 1 is its end.
+    kink : degrees
+        Greatest angle by which a path turns at linked ends.
+    ring : (n,)
+        Mask of the edges of closed contours; None for no edge.
 
     Returns
     -------
-    Index of the end linked to each end, (2n,), -1 for none; and the mask of the ends at which
-    another edge continues straight, (2n,).
+    Index of the end that each end is linked to, (2n,), -1 for none; and the mask of the ends at
+    which an edge continues straight from another edge, (2n,).
     """
     count = len(edges.ends)
     a, b = pairs_within(edges.ends, edges.ends, TOUCH_DISTANCE)
@@ -69,9 +77,9 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
 
 
 def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:
-    """Return the mask of the pairs of ends whose edges coincide near these ends, (k,).
+    """Return the mask of k pairs of ends whose two edges coincide near these ends, (k,).
 
-    ``one`` and ``other`` are the two ends of each pair, which lie at one point.
+    ``one`` and ``other`` are the indices of the two ends of each pair, which lie at one point.
     """
     size = np.minimum(edges.curve[one // 2, 5], edges.curve[other // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
@@ -95,19 +103,19 @@ class EdgePaths:
     last: I64  #: (c,) end at which the path stops
 
     def intervals(self, low: F64, high: F64, curve: F64) -> tuple[F64, F64]:
-        """Convert an interval of each path to intervals of the path's edges.
+        """Convert one interval of each of the c paths to intervals of the n edges of the paths.
 
         Parameters
         ----------
         low, high : (c,) mm
-            Start and end of the interval, from the start of each path.
+            Start and end of the interval of each path, measured from the start of the path.
         curve : (n, 6)
             The edges, as curves.
 
         Returns
         -------
-        Start and end along each edge, (n,) mm each; end < start if the edge is outside the
-        interval.
+        Two arrays, (n,) mm each: start and end of the interval along each edge; end < start if the
+        edge is outside the interval of its path.
         """
         size = curve[:, 5]
         near = np.clip(low[self.path] - self.begin, 0.0, None)
@@ -117,18 +125,18 @@ class EdgePaths:
         return own_low, own_high
 
     def locate(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
-        """Return the edge at a position of each given path, and the position along that edge.
+        """Return the edge at each of k positions on paths, and the position along that edge.
 
         Parameters
         ----------
         path, at : (k,)
-            Indices of paths, and positions from their starts (mm).
+            Index of the path of each position, and its distance from the start of that path (mm).
         curve : (n, 6)
-            The edges, as curves.
+            The edges of the paths, as curves.
 
         Returns
         -------
-        Index of the edge (k,), position along the edge (k,) mm.
+        Index of the edge, (k,), and position along the edge, (k,) mm.
         """
         order = np.lexsort((self.begin, self.path))
         widest = float(self.length.max(initial=0.0)) + 1.0
@@ -139,12 +147,19 @@ class EdgePaths:
 
 
 def joined_ends(edges: Edges) -> I64:
-    """Return the end to which each of the 2n ends is linked, at any angle, (2n,); -1 for none."""
+    """Return the index of the end to which each of the 2n ends of n edges is linked, (2n,).
+
+    The index is -1 for none.  Ends are linked at any angle.  End 2i is the start of edge i, and end
+    2i + 1 is its end.
+    """
     return link_ends(edges, 180.0)[0]
 
 
 def continues_straight(edges: Edges) -> Bool:
-    """Return the mask of the ends at which another edge continues straight, shape (2n,)."""
+    """Return the mask of the 2n ends of n edges at which another edge continues straight, (2n,).
+
+    End 2i is the start of edge i, and end 2i + 1 is its end.
+    """
     return link_ends(edges, STRAIGHT_ANGLE)[1]
 
 
@@ -153,8 +168,10 @@ def edge_paths(edges: Edges, link: I64) -> EdgePaths:
 
     Parameters
     ----------
+    edges
+        The n edges.  End 2i is the start of edge i, and end 2i + 1 is its end.
     link : (2n,)
-        Index of the end linked to each end, -1 for none.
+        Index of the end that each end is linked to, -1 for none.
     """
     path, begin, flipped, length, first, last, count = _trace_paths(link, edges.curve[:, 5].copy())
     return EdgePaths(path, begin, flipped, length[:count], first[:count], last[:count])

@@ -47,7 +47,7 @@ class Edges:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
-        """Return the edges whose line type is one of ``types``."""
+        """Return the edges whose line type is one of the given line types."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, where: I64) -> Edges:
@@ -104,8 +104,8 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
 
     Returns
     -------
-    The remaining edges; the dieline row of each of k duplicates (k,); and the dieline row of the
-    remaining edge with which it coincides (k,).
+    Three values: the remaining edges; the row in the dieline of each of k duplicates, (k,); and the
+    row in the dieline of the remaining edge with which each duplicate coincides, (k,).
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     same = (a % 2 == 0) & (a // 2 > b // 2)
@@ -129,23 +129,24 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
 
 
 def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
-    """Return the pairs of a point of ``points`` and a point of ``others`` within a distance (mm).
+    """Return the k pairs of a point of ``points`` and a point of ``others`` that are near each
+    other.
 
     Parameters
     ----------
     points, others : (n, 2) and (m, 2) mm
         The points to pair.
     distance : mm
-        Greatest distance of a pair.
+        Greatest distance between the two points of a pair.
 
     Returns
     -------
-    Indices into ``points`` (k,), indices into ``others`` (k,).
+    Two arrays, (k,) each: indices into ``points``, and indices into ``others``.
 
     Raises
     ------
     GeometryError
-        There are more than ``MAX_PAIRS`` candidates.
+        There are more than ``MAX_PAIRS`` candidates for pairs.
     """
     if len(points) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
@@ -174,10 +175,10 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
-    """Return the smaller angle between two directions, in degrees, from 0 to ``turn`` / 2.
+    """Return the smaller angle between directions, in degrees, from 0 to half of ``turn``.
 
-    Directions that differ by a multiple of ``turn`` degrees are equal.  ``one`` and ``other`` are
-    arrays of directions (degrees).
+    ``one`` and ``other`` are arrays of directions (degrees) that are compared element by element.
+    Directions that differ by a multiple of ``turn`` (degrees) are equal.
     """
     half = turn / 2.0
     result: F64 = np.abs((one - other + half) % turn - half)

@@ -2,9 +2,10 @@
 
 The rules are derived from the records of board and tools:
 
-* A wheel of radius R at depth δ touches the board over ± s, s² = δ(2R − δ).  At an end at which
-  no other crease continues, it stops before the end by s and the board's end clearance.  A crease
-  that is too short for that is pressed at one point, at the depth whose contact fits.
+* A wheel of radius R at depth δ touches the board over a length s on both sides of its lowest
+  point, s² = δ(2R − δ).  At an end at which no other crease continues, it stops before the end by s
+  and the board's end clearance.  A crease that is too short for that is pressed at one point, at
+  the depth at which the contact fits.
 * A blade slanted by α cuts the top face ahead of its tip by h tan α at depth h.  A cut that ends
   inside a panel stops where the cut in the top face reaches the end.  A cut that ends on another
   cut, or at its own start, runs past its end.
@@ -54,7 +55,7 @@ WORKED_TYPES: Final[dict[OperationKind, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExpectedCreases:
-    """Expected depth of n creases, and the limits between which the wheel must make them."""
+    """Expected depths of n creases, and the positions between which the wheel must make them."""
 
     edges: Edges
     depth: F64  #: (n,) mm, depth of the tip below the top face
@@ -71,17 +72,20 @@ def expected_creases(
     around: Edges | None = None,
     parts: Bool | None = None,
 ) -> ExpectedCreases:
-    """Return the expected depth of the wheel's lowest point and its limits along each of n creases.
+    """Return the expected depth of each of n creases, and where the wheel must start and stop on
+    it.
+
+    The depth is measured from the board's top face to the wheel's lowest point.
 
     Parameters
     ----------
     edges
-        Creases and combi lines of one wheel.
+        The n creases and combi lines of one wheel.
     board, wheel
-        Board and wheel, whose records determine depth and limits.
+        Board and wheel, whose records determine depths and positions.
     around
         All creases, including those of other wheels; None for ``edges`` alone.  An end at which one
-        of them continues is not free.
+        of them continues is not free, so the wheel need not stop before it.
     parts : (2n,)
         Mask of the ends at which a cut splits a crease; they are free.  None for no end.
     """
@@ -125,7 +129,10 @@ def expected_creases(
 
 
 def _continued_ends(edges: Edges, around: Edges) -> Bool:
-    """Return the mask of the 2n ends of edges at which an edge of ``around`` continues, (2n,)."""
+    """Return the mask of the 2n ends of n edges at which an edge of ``around`` continues, (2n,).
+
+    End 2i is the start of edge i, and end 2i + 1 is its end.
+    """
     ahead = np.radians(edges.outward)
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
@@ -152,7 +159,7 @@ def _continued_ends(edges: Edges, around: Edges) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class KnifeEnds:
-    """The points at which a knife should stop, at the 2n ends of n edges."""
+    """The points at which a knife should stop, one for each of the 2n ends of n edges."""
 
     stop: F64  #: (2n, 2) mm in sheet coordinates, NaN if the knife does not stop
     free: Bool  #: (2n,) the end lies inside a panel
@@ -163,21 +170,21 @@ class KnifeEnds:
 def knife_ends(
     edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
 ) -> KnifeEnds:
-    """Return the planned stops of the tip at the ends of edges that a knife cuts.
+    """Return the planned stops of the tip at the 2n ends of n edges that a knife cuts.
 
     Parameters
     ----------
     edges
-        Cuts or half-cuts.
+        The n cuts or half-cuts.
     cuts
         Through cuts on which an end may lie.
     lead : mm
-        Length by which the cut in the top face is ahead of the tip, and by which the tip stops
-        before an end inside a panel.
+        Length by which the blade cuts the top face ahead of its tip.  The tip stops before an end
+        inside a panel by this length.
     overrun : mm
         Length by which the tip passes an end that meets a cut.
     ring : (n,)
-        Mask of the edges of closed contours, which are cut without a stop.
+        Mask of the edges of closed contours, which are cut without a stop; None for no edge.
     """
     count = len(edges)
     link, _ = link_ends(edges, 180.0, ring)
@@ -216,7 +223,10 @@ def knife_ends(
 
 
 def groove_continues(edges: Edges) -> Bool:
-    """Return the mask of the 2n ends of V-grooves at which a collinear groove continues, (2n,)."""
+    """Return the mask of the 2n ends of n V-grooves at which a collinear groove continues, (2n,).
+
+    End 2i is the start of groove i, and end 2i + 1 is its end.
+    """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
     on = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE

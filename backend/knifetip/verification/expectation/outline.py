@@ -1,9 +1,9 @@
-"""The outlines of blanks and holes, and the side of each cut on which the board lies.
+"""The outlines of blanks and holes that cuts form, and the side of each cut on which the part lies.
 
-Cuts with common ends enclose faces.  A cycle of half-edges with its face on the left runs
-anticlockwise round a bounded face, and clockwise round the outside of a component.  The sign of its
-area therefore identifies the outside.  A component inside another component is a hole, or a part in
-a hole.
+Cuts with common ends enclose faces.  Each cut is two half-edges, one in each direction.  A cycle of
+half-edges with its face on the left runs anticlockwise round a bounded face, and clockwise round
+the outside of a component (a set of connected cuts).  The sign of its area therefore identifies the
+outside.  A component inside another component is a hole, or a part in a hole.
 """
 
 from __future__ import annotations
@@ -39,13 +39,17 @@ class CutOutlines:
 
     @property
     def outer(self) -> Bool:
-        """Mask of the edges on outer contours, of blanks and of parts inside holes, shape (n,)."""
+        """Mask of the n cuts on outer contours, either of blanks or of parts inside holes, shape
+        (n,).
+        """
         result: Bool = self.closing & (self.depth % 2 == 0)
         return result
 
 
 def find_outlines(edges: Edges) -> CutOutlines:
-    """Return the outlines that cuts form."""
+    """Return the outlines that the cuts ``edges`` form, and on which side of each cut the part
+    lies.
+    """
     count = len(edges)
     if count == 0:
         none = np.zeros(0, np.bool_)
@@ -66,10 +70,12 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     Returns
     -------
     cycle : (2n,)
-        Index of the cycle of each half-edge.  Each edge has two entries: the half-edge from its
-        start to its end, then the half-edge back.  The face is on the left.
+        Index of the cycle of each half-edge.  Entry 2i is the half-edge from the start to the end
+        of edge i, and entry 2i + 1 is the half-edge back.  Each half-edge has the face of its cycle
+        on its left.
     swept : (w,)
-        Twice the signed area of each cycle (mm²); not positive for the outside of a component.
+        Twice the signed area of each of w cycles (mm²); not positive for a cycle round the outside
+        of a component.
     component : (n,)
         Index of the connected component of each edge.
     """
@@ -93,9 +99,10 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
 
 
 def _lowest_connected(one: I64, other: I64, count: int) -> I64:
-    """Return the lowest index to which each of ``count`` indices is connected, (count,).
+    """Return the lowest index that is connected to each of the indices 0 to ``count`` - 1,
+    (count,).
 
-    ``one`` and ``other`` are pairs of connected indices, (k,) each.
+    ``one`` and ``other`` are the two indices of each of k connected pairs, (k,) each.
     """
     name = np.arange(count)
     while True:
@@ -109,7 +116,7 @@ def _lowest_connected(one: I64, other: I64, count: int) -> I64:
 
 
 def _swept_areas(edges: Edges) -> F64:
-    """Return twice the signed area that each edge sweeps about a common origin, (n,) mm².
+    """Return twice the signed area between each of n edges and a common origin, (n,) mm².
 
     The origin is the start of the first edge.
     """
@@ -126,16 +133,18 @@ def _swept_areas(edges: Edges) -> F64:
 
 @kernel
 def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
-    """Return the cycle of each half-edge (2n,), and twice the signed area of each cycle (w,) mm².
+    """Return the index of the cycle of each half-edge (2n,), and twice each cycle's area (w,) mm².
+
+    The area is signed: positive for an anticlockwise cycle.
 
     Parameters
     ----------
     order : (2n,)
-        Half-edges sorted anticlockwise about their start vertices.
+        The half-edges of n edges, sorted anticlockwise about their start vertices.
     node : (2n,)
         Start vertex of each half-edge of ``order``.
     swept : (n,)
-        Twice the signed area that each edge sweeps (mm²).
+        Twice the signed area between each edge and a common origin (mm²).
     """
     count = len(order)
     rank = np.empty(count, np.int64)
@@ -163,13 +172,16 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
 
 
 def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
-    """Return the number of other components that enclose each component, (c,).
+    """Return the number of other components that enclose each of c components of cuts, (c,).
 
     Parameters
     ----------
-    curve, closing, component : (n, 6), (n,) and (n,)
-        Cuts as curves, mask of the cuts on the outside of their component, and component of each
-        cut.
+    curve : (n, 6)
+        The n cuts, as curves.
+    closing : (n,)
+        Mask of the cuts on the outside of their component.
+    component : (n,)
+        Index of the connected component of each cut.
     """
     rows = np.flatnonzero(closing)
     rows = rows[np.argsort(component[rows], kind="stable")]
@@ -183,9 +195,9 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
-    """Return the number of components of ``outlined`` whose outlines enclose each point, (n,).
+    """Return the number of components of cuts that enclose each of n points, (n,).
 
-    ``points`` is (n, 2) mm.
+    ``points`` is (n, 2) mm, and ``outlined`` contains the outlines of the components.
     """
     rows = np.flatnonzero(outlined.closing)
     rows = rows[np.argsort(outlined.component[rows], kind="stable")]
@@ -221,11 +233,11 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
     points : (n, 2) mm
         The points.
     around, first
-        Curves of all outlines, and the index of each outline's first curve.
+        Curves of all c outlines, outline by outline, and the index of each outline's first curve.
     boxes : (c, 4) mm
         Bounding box of each outline: least x, least y, greatest x, greatest y.
     own
-        Whether point i belongs to outline i, which then is not counted.
+        If True, point i belongs to outline i, and this outline is not counted for it.
     """
     depth = np.zeros(len(points), np.int64)
     for i in range(len(points)):
@@ -245,7 +257,7 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
 
 @kernel(checks_division=True)
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
-    """Return the number of crossings of a curve with the ray from (x, y) along +X.
+    """Return how often a curve crosses the ray from the point (x, y) along +X.
 
     The curve is divided into pieces that only rise or only fall.  A piece crosses the ray's line if
     one of its ends is above y and the other is not (half-open rule).

@@ -1,4 +1,4 @@
-"""The distances by which V-grooves that end on the board's edge must run out past it.
+"""The distances by which V-grooves that end on the board's edge must run out past that edge.
 
 A groove of width W has two sides in the top face, W/2 to the left and right of its line.  It has
 left the board when both sides have left it.  Let u be the groove's direction, n its normal, and m
@@ -31,7 +31,9 @@ _MIN_SINE: Final = math.sin(math.radians(5.0))
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RunOuts:
-    """Required run-outs at the 2n ends of n straight grooves."""
+    """Required run-outs past the board's edge, one for each of the 2n ends of n straight
+    grooves.
+    """
 
     boundary: Bool  #: (2n,) the groove leaves the board at this end
     least: F64  #: (2n,) mm that the tip must go past the end
@@ -47,7 +49,7 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     cuts
         Cuts, whose outer contours are the board's edge.
     half : mm
-        Half of the groove's width in the top face.
+        Half of the grooves' width in the top face.
     """
     count = len(grooves.ends)
     boundary, least = np.zeros(count, np.bool_), np.zeros(count)
@@ -95,17 +97,18 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
 
 
 def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64) -> F64:
-    """Return how far a side of a groove must go to pass an edge, (n,) mm.
+    """Return how far one side of each of n grooves must go past the groove's end to pass an edge,
+    (n,) mm.
 
-    For a line this is ``straight``.  For an arc it is the distance to its circle or ``straight``,
-    whichever is less.
+    If the edge is a line, this is ``straight``.  If it is an arc, this is the distance to the
+    circle of the arc or ``straight``, whichever is less.
 
     Parameters
     ----------
     curve : (n, 6)
         The edge that each groove must pass.
     end, u : (n, 2)
-        End of each groove (mm) and its unit direction there.
+        End of each groove (mm) and the groove's unit direction there.
     aside : (n, 2) mm
         Vector from the groove's line to its side.
     straight : (n,) mm
@@ -122,10 +125,18 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
 
 
 def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count: int) -> Bool:
-    """Return the mask of the ends of grooves that lie on a convex corner of the outline, (count,).
+    """Return the mask of the ends of grooves that lie on a convex corner of the outline.
 
-    ``end`` and ``edge`` are pairs of an end of a groove and an edge that it touches; ``edge`` is an
-    index into ``outer``, the edges of ``bounds`` on outer contours.
+    The mask has ``count`` entries, one for each end of a groove.
+
+    Parameters
+    ----------
+    bounds, outer
+        Outlines of the cuts, and the indices of the cuts on outer contours.
+    end, edge
+        Pairs of an end of a groove and a cut that it touches; ``edge`` are indices into ``outer``.
+    count
+        Number of ends of grooves.
     """
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")

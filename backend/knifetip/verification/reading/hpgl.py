@@ -55,7 +55,7 @@ class _Instructions:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Track:
-    """n moves of a pen: each goes along X and Y, or lowers or lifts the tool."""
+    """n moves of an HPGL device: each moves a pen along X and Y, or lowers or lifts it."""
 
     line: I64  #: (n,) 1-based
     x: I64  #: (n + 1,) plotter units, before the first move and after each
@@ -101,7 +101,10 @@ READER: Final = HpglReader()
 
 
 def _add_faults(faults: _Faults, lines: I64, message: Message) -> None:
-    """Append one fault with this message for each of the program lines, at most ``_MAX_FAULTS``."""
+    """Append one fault with this message for each of ``lines``, 1-based program lines.
+
+    Faults after the first ``_MAX_FAULTS`` lines are left out.
+    """
     faults.extend((int(line), message) for line in lines[:_MAX_FAULTS])
 
 
@@ -161,17 +164,20 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
 
 
 def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
-    """Return the integers in the program bytes.
+    """Return the k integers in the n bytes of a program.
 
     Parameters
     ----------
+    raw : (n,)
+        The bytes.
     digit, head : (n,)
-        Masks of the bytes that are digits, and of the first bytes of numbers (a sign or a digit).
+        Mask of the bytes that are digits, and mask of the first bytes of numbers (a sign or a
+        digit).
 
     Returns
     -------
     The integers (k,), the positions of their first bytes (k,), and the positions of the first bytes
-    of numbers that have no digits or too many.
+    of those numbers that have no digits or too many.
     """
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:
@@ -194,8 +200,8 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 def _value_in_force(values: I64, where: Bool, before: int) -> I64:
     """Return the value in force after each of k instructions, (k,).
 
-    It is the value of the last instruction up to there that the mask ``where`` contains, or
-    ``before`` if there is none yet.
+    It is the value in ``values`` of the last instruction of the mask ``where`` up to and including
+    that instruction, or ``before`` if there is none yet.
     """
     if len(where) == 0:
         return np.zeros(0, np.int64)
@@ -205,7 +211,9 @@ def _value_in_force(values: I64, where: Bool, before: int) -> I64:
 
 
 def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
-    """Convert instructions to moves; append faults for wrong numbers of arguments."""
+    """Convert instructions to moves; append a fault for each wrong number of arguments to
+    ``faults``.
+    """
     code, count = instructions.code, np.diff(instructions.first)
     single = np.zeros(len(code), np.int64)
     has = count > 0
@@ -255,7 +263,9 @@ def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
 def _check_state(
     instructions: _Instructions, track: _Track, plotter: Plotter, faults: _Faults
 ) -> None:
-    """Append faults for missing IN or PA, unknown pens, bad values, and an unsafe program end."""
+    """Append faults for missing IN or PA, unknown pens, values or positions out of range, and a
+    program that ends with the pen down or selected.
+    """
     code, device = instructions.code, plotter.device
     if len(code) == 0:
         faults.append((1, Message("hpgl.no-instruction")))
@@ -374,7 +384,7 @@ def _make_moves(
 
 
 def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
-    """Return the height above the table of the tip of a lowered pen (mm)."""
+    """Return the height of the tip of a lowered pen's tool above the table (mm)."""
     if pen.work is PenWork.CUT:
         return -machine.into_mat
     if pen.work is PenWork.HALF_CUT:
@@ -383,11 +393,11 @@ def _pen_height(pen: Pen, machine: Machine, board: Board) -> float:
 
 
 def _headings(track: _Track, working: Bool) -> F64:
-    """Return the heading of the tool in each move, (n,) degrees.
+    """Return the heading of the tool in each of n moves, (n,) degrees.
 
-    A move with the tool down, in the mask ``working``, has the direction of its path.  A lift has
-    the direction of the last such move before the lift.  Every other move has the direction of the
-    next such move.
+    The moves along X and Y with the tool down, in the mask ``working``, have the direction of their
+    paths.  A lift has the direction of the last working move before it.  Every other move has the
+    direction of the next working move.
     """
     if not working.any():
         return np.zeros(len(working))

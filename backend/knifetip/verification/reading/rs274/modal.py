@@ -93,7 +93,9 @@ def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[
 
 
 class _Blocks:
-    """The words of a program in columns: one block (row) for each program line that has words."""
+    """The words of a program in columns: one row, called a block, for each program line with
+    words.
+    """
 
     def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
@@ -145,7 +147,9 @@ class _Blocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, where: Bool, message: Message) -> None:
-        """Add a fault with this message for each block in the mask, at most a thousand."""
+        """Add a fault with this message for each block of the mask ``where``, at most a
+        thousand.
+        """
         for block in np.flatnonzero(where)[:1000]:
             self._fault(block, message)
 
@@ -155,10 +159,10 @@ class _Blocks:
         return result
 
     def has_code(self, group: int, code: int | None = None) -> Bool:
-        """Return the mask of the blocks with a word of a modal group, shape (count,).
+        """Return the mask of the blocks with a G or M word of a modal group, shape (count,).
 
-        With ``code``, only blocks with that word are in the mask.  The code of a G word is ten
-        times its number; the code of an M word is its number.
+        With ``code``, only blocks with the word of that code are in the mask.  The code of a G word
+        is ten times its number; the code of an M word is its number.
         """
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
@@ -166,8 +170,9 @@ class _Blocks:
 
 
 def _latest_block(where: Bool) -> I64:
-    """Return, for each block, the last block of the mask ``where`` at or before it, (count,); -1
-    for none.
+    """Return, for each block, the index of the last block of the mask ``where`` up to it, (count,).
+
+    The block itself counts; the index is -1 if there is none.
     """
     rows: I64 = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
     return rows
@@ -176,8 +181,8 @@ def _latest_block(where: Bool) -> I64:
 def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
     """Return the value in force at each block, (count,).
 
-    It is the value of the last block at or before it that the mask ``where`` contains, or
-    ``before`` if there is none yet.
+    It is the value in ``values`` of the last block of the mask ``where`` up to and including that
+    block, or ``before`` if there is none yet.
     """
     rows = _latest_block(where)
     if len(rows) == 0:
@@ -187,7 +192,7 @@ def _value_in_force(values: F64, where: Bool, before: float = np.nan) -> F64:
 
 
 class _ModalState:
-    """The modal state of the controller after each block, in columns."""
+    """The modal state of the controller after each block of a program, in columns."""
 
     def __init__(self, blocks: _Blocks, machine: Machine) -> None:
         count = blocks.count
@@ -316,10 +321,11 @@ def _check_words(blocks: _Blocks, state: _ModalState) -> None:
 
 
 def _settle_times(state: _ModalState, machine: Machine) -> F64:
-    """Return the dwell that is required between the last switching and each block (s), (count,).
+    """Return the dwell (s) that is required before each block after outputs were switched,
+    (count,).
 
-    It is the settling time of the machine or of the selected tool.  A beam needs its piercing time
-    after it is switched on, and none after it is switched off.
+    It is the settling time of the machine or of the selected tool, whichever is longer.  A beam
+    needs its piercing time after it is switched on, and none after it is switched off.
     """
     tools = [expected_tool(held.tool) for held in machine.stations]
     settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
@@ -480,9 +486,20 @@ def _make_moves(blocks: _Blocks, state: _ModalState) -> Moves:
 
 
 def _make_arcs(blocks: _Blocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F64, F64]:
-    """Return the centres of arcs, (n, 2) mm, and their signed sweeps, (n,) radians.
+    """Return the centres of the arcs among n moves, (n, 2) mm, and their signed sweeps, (n,)
+    radians.
 
-    A line has centre NaN and sweep 0.  So has an invalid arc, which is also reported as a fault.
+    A line has centre NaN and sweep 0.  An invalid arc also has centre NaN and sweep 0, and gives a
+    fault.
+
+    Parameters
+    ----------
+    rows : (n,)
+        Indices of the blocks of the moves.
+    code : (n,)
+        Number of the G word of each move.
+    start, end : (n, 4)
+        Joint positions at the start and the end of each move.
     """
     curved = code >= 2
     from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)

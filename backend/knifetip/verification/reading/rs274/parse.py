@@ -93,15 +93,15 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
 @kernel(checks_division=True)
 def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
-    """Scan the bytes of a program once, and return its words and faults.
+    """Scan the bytes of a program once, and return its n words and k faults.
 
-    A line of more than ``longest`` bytes is a fault, and so is a number of more than ``greatest``.
-    A line with a fault keeps its valid words.
+    A line of more than ``longest`` bytes is a fault, and so is a number greater than ``greatest``.
+    The valid words of a line with a fault are returned too.
 
     Returns
     -------
-    Program line, letter and value of each word, (n,) each; program line, fault code and wrong byte
-    of each fault, (k, 3); and the number of lines.
+    Five values: program line, letter and value of each word, (n,) each; program line, fault code
+    and wrong byte of each fault, (k, 3); and the number of lines of the program.
     """
     letters = 0
     for byte in raw:
