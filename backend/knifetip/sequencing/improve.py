@@ -1,7 +1,7 @@
 """improve: shorten a tour of tracks by local search.
 
-The moves 2-opt (reverse a section of the tour) and Or-opt (move a section) are applied until none
-of them improves the tour.  Then two neighbouring sections of the tour, chosen at random, are
+The tour is changed by 2-opt (reverse a section of the tour) and Or-opt (move a section) until
+neither of them improves it.  Then two neighbouring sections of the tour, chosen at random, are
 swapped again and again.  Each swap is followed by the same local search, and undone if the tour is
 not shorter.
 
@@ -87,10 +87,11 @@ def _link_time(
 def _inner_change(
     first: int, last: int, flip: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
 ) -> float:
-    """Return how much the air moves inside a section of the tour lengthen if it is reversed (s).
+    """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
-    The section reaches from position ``first`` to position ``last`` of the tour.  If ``flip`` is 1,
-    each track in it is also run in its other direction; then no time changes and the result is 0.
+    The time is the sum of the air moves between the tracks of the section, which reaches from
+    position ``first`` to position ``last`` of the tour.  If ``flip`` is 1, each track in it is also
+    run in its other direction; then no time changes and the result is 0.
     """
     if flip:
         return 0.0

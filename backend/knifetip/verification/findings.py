@@ -28,7 +28,7 @@ class Findings:
         kind, message
             Kind of the finding, such as "depth", and its text.
         measure
-            Size of the fault, in the unit of the kind: mm, degrees or s.
+            Size of the fault, in the unit of the kind of finding, such as mm or degrees.
         edge
             Row of the edge in the dieline, -1 if the finding concerns no edge.
         line

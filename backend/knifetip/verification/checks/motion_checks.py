@@ -198,10 +198,11 @@ def check_board_moves(
     tolerance: float,
     findings: Findings,
 ) -> None:
-    """Check the moves in the board.
+    """Check the moves of a tool in the board.
 
-    Adds a finding for each rapid, unknown position, slanted plunge or lift, and too wide turn of C.
-    ``tolerance`` is the greatest sideways deviation of the tip in a plunge or lift (mm).
+    Adds a finding for each rapid, slanted plunge or lift, and too wide turn of C in the board, and
+    for each feed move from or to an unknown position.  ``tolerance`` is the greatest sideways
+    deviation of the tip in a plunge or lift (mm).
     """
     lowest = np.fmin(tip.start[:, 2], tip.end[:, 2])
     beam = beam_moves(moves, machine)
