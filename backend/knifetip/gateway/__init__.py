@@ -1,1 +1,1 @@
-"""Gateway: the program on a computer beside a machine that streams jobs to its controller."""
+"""Gateway: the program on a computer beside a machine that streams jobs to the controller."""

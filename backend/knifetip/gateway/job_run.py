@@ -45,7 +45,7 @@ class JobCancelled(Exception):
 
 
 class JobReturned(Exception):
-    """Raised when a job is returned to the queue, because the machine cannot start it."""
+    """Raised when a gateway returns a job to the queue, because the machine cannot start it."""
 
     def __init__(self, cause: Message) -> None:
         super().__init__(cause)

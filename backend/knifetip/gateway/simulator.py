@@ -28,13 +28,13 @@ class Server:
         return f"{self.host}:{self.port}"
 
     async def start(self, host: str, port: int) -> None:
-        """Accept connections and start the simulation clock."""
+        """Open the TCP port, accept connections, and start the clock of the simulation."""
         self._server = await asyncio.start_server(self._serve_client, host, port)
         self.host, self.port = self._server.sockets[0].getsockname()[:2]
         self._running = asyncio.create_task(self.table.run(), name="simulated table")
 
     async def close(self) -> None:
-        """Close the connection and stop the table at its position."""
+        """Close the port and the connection, and stop the simulated table at its position."""
         tasks = [*self._clients]
         if self._running is not None:
             tasks.append(self._running)

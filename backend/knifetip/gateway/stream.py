@@ -44,7 +44,7 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Progress of the machine in a program."""
+    """Progress of the machine in the program that it executes, at the time of a status report."""
 
     executed: int  #: executed lines; the machine is at the next one
     acknowledged: int  #: lines answered by the controller

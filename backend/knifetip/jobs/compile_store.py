@@ -187,7 +187,15 @@ class CompileStore:
             )
 
     def save_result(self, id: str, epoch: int, result: CompileResult) -> None:
-        """Store the result of a compile; move its job to ``ready``, ``queued`` or ``refused``."""
+        """Store the result of a compile; move its job to ``ready``, ``queued`` or ``refused``.
+
+        Parameters
+        ----------
+        id, epoch
+            Id of the job, and its epoch when the worker took it.
+        result
+            Program, tool path, verdict and tools.
+        """
         columns: dict[str, Any] = {
             "program": result.program,
             "program_sha256": result.sha256,

@@ -96,6 +96,11 @@ class DrawingStore:
         """Return the drawing that was stored with an Idempotency-Key, None if there is none.
 
         The import report of the drawing is loaded too.
+
+        Parameters
+        ----------
+        key, fingerprint
+            Idempotency-Key and hash of the present request.
         """
         with self._db.reading() as session:
             row = session.scalar(
@@ -104,7 +109,7 @@ class DrawingStore:
         return None if row is None else same_request(row, key, fingerprint)
 
     def get(self, id: str) -> Drawing:
-        """Return a drawing without its large columns."""
+        """Return the drawing with an id; its large columns are not loaded."""
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:

@@ -14,8 +14,10 @@ def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
 
     Parameters
     ----------
+    row
+        The drawing or the job.
     overrides
-        The column ``overrides`` of the row, which is loaded separately.
+        The column ``overrides`` of ``row``, which the caller has loaded separately.
     """
     corners = row.corners if isinstance(row, Job) else None
     return Interpretation(

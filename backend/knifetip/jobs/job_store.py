@@ -133,13 +133,19 @@ class JobStore:
         return row
 
     def find(self, key: str, fingerprint: str) -> Job | None:
-        """Return the job that was stored with an Idempotency-Key, None if there is none."""
+        """Return the job that was stored with an Idempotency-Key, None if there is none.
+
+        Parameters
+        ----------
+        key, fingerprint
+            Idempotency-Key and hash of the present request.
+        """
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.key == key))
         return None if row is None else same_request(row, key, fingerprint)
 
     def get(self, id: str) -> Job:
-        """Return a job without its large columns."""
+        """Return the job with an id; its large columns are not loaded."""
         with self._db.reading() as session:
             row = session.scalar(sa.select(Job).where(Job.id == id))
         if row is None:
