@@ -42,8 +42,8 @@ class _Cuts:
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     """Return the operations that cut edges of a dieline with a knife, innermost layer first.
 
-    A layer (see ``layers``) gets one or two operations: first the cuts that bound no part, then the
-    outlines and holes of parts.
+    A layer (see ``layers``) gets one or two operations: first the cuts that are no outline of a
+    part, such as holes and slits, then the outlines of parts.
 
     Parameters
     ----------
@@ -113,7 +113,8 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
     """Return the operation that makes the cuts with a knife, with bridges if the board requires
     them.
 
-    A knife with a lead-in travels closed contours with the waste on its left.
+    If the knife has a lead-in or a lead-out and the board requires no bridges, outlines of parts
+    are cut with the waste on the left.
     """
     board, tool = setup.board, setup.station.tool
     paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)

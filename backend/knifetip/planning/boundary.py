@@ -37,7 +37,7 @@ _ALONG = sin(radians(5.0))
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BoardOutline:
-    """The outline of the board: n cuts round parts, each directed with the waste on its left."""
+    """The outline of the board: n cuts that are outlines of parts, with the waste on their left."""
 
     start: F64  #: (n, 2) mm
     end: F64  #: (n, 2) mm
@@ -45,14 +45,14 @@ class BoardOutline:
 
     @classmethod
     def from_cuts(cls, ends: F64, bulge: F64, side: I8) -> BoardOutline:
-        """Return the outline of the board from the cuts that have waste on one side.
+        """Return the outline of the board from those cuts that have waste on one side.
 
         Parameters
         ----------
         ends, bulge : (n, 2, 2) mm and (n,)
             Ends and bulges of all cuts.
         side : (n,)
-            Side of the waste: +1 left, -1 right, 0 for a cut that bounds no part.
+            Side of the waste of each cut: +1 left, -1 right, 0 if the cut is no outline of a part.
         """
         rows = np.flatnonzero(side)
         back = (side[rows] < 0)[:, None]
@@ -178,7 +178,10 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
 
 
 def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
-    """Return the contacts of points, (n, 2) mm, with cuts of the outline within ``GAP`` mm."""
+    """Return the contacts of n points, (n, 2) mm, with cuts of the outline.
+
+    A point and a cut are in contact if their distance is at most ``GAP`` mm.
+    """
     boxes = arc.bounding_boxes(outline.start, outline.end, outline.bulge)
     end, cut = box_pairs(np.hstack([points, points]), boxes, GAP)
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
