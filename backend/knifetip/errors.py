@@ -117,11 +117,11 @@ class NotADrawing(ReadError):
 
 
 class DrawingTooLarge(ReadError):
-    """Raised when a drawing exceeds a limit on size, depth, number of entities or time."""
+    """Raised when a drawing exceeds a limit on size, nesting depth, number of entities or time."""
 
 
 class UnitUnknown(ReadError):
-    """Raised when the unit is neither in the file nor set by the user."""
+    """Raised when the unit of a drawing is neither in the file nor set by the user."""
 
 
 class NoSuchUnit(ReadError):
@@ -137,7 +137,7 @@ class LibraryError(KnifetipError):
 
 
 class GeometryError(KnifetipError):
-    """Raised when a geometric calculation has no valid result for a shape."""
+    """Raised when a geometric calculation has no valid result for a shape, such as an arc."""
 
 
 class ZeroLengthEdge(GeometryError):
@@ -162,7 +162,7 @@ class OpenQuestions(PlanError):
     Attributes
     ----------
     questions
-        The open questions as JSON data.
+        The questions that are not yet answered, as JSON data.
     """
 
     def __init__(self, questions: Sequence[dict[str, object]]) -> None:
@@ -199,7 +199,7 @@ class CurvedGroove(CompensationError):
 
 
 class EdgeTooShort(CompensationError):
-    """Raised when an edge is shorter than its tool."""
+    """Raised when an edge is too short, or its bend too tight, for the dimensions of its tool."""
 
 
 class GrooveTooDeep(CompensationError):
@@ -207,7 +207,7 @@ class GrooveTooDeep(CompensationError):
 
 
 class ProgramError(KnifetipError):
-    """Raised when an emitted program is wrong."""
+    """Raised when a program that was written for a machine is wrong."""
 
 
 class ProgramUnreadable(ProgramError):
@@ -269,7 +269,7 @@ class NoSuchJob(JobError):
 
 
 class WrongState(JobError):
-    """Raised when a transition is not permitted from the present state of the job."""
+    """Raised when the present state of a job or another stored object does not permit a change."""
 
 
 class StaleEpoch(JobError):
@@ -277,7 +277,7 @@ class StaleEpoch(JobError):
 
 
 class StoreError(JobError):
-    """Raised when the database cannot be used."""
+    """Raised when the database cannot be used, or when the server cannot start to listen."""
 
 
 class KeyReused(JobError):

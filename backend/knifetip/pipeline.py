@@ -79,7 +79,7 @@ TOLERANCE = 0.01
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Compiled:
-    """A drawing compiled for one machine and one board."""
+    """Tool path, program and verdict of a drawing that was compiled for one machine and board."""
 
     toolpath: Toolpath
     program: Program
@@ -127,15 +127,15 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
-    """Return the edges of a drawing with the line types that an interpretation gives them.
+    """Return the edges of a drawing, classified with the profile and overrides of the user.
 
-    The interpretation contains the user's profile and overrides.
+    ``interpretation`` contains the profile and the overrides.
     """
     return classify(drawing, rules_of(interpretation), interpretation.override_column)
 
 
 def rules_of(interpretation: Interpretation) -> LineRules:
-    """Return the rules of the profile of an interpretation.
+    """Return the rules of the profile that an interpretation names.
 
     The profile is a customer's profile or a profile of the library.
     """
@@ -145,7 +145,10 @@ def rules_of(interpretation: Interpretation) -> LineRules:
 
 
 def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
-    """Return the open questions about a drawing, and about its tools if a machine is given."""
+    """Return the questions about a drawing that the user must still answer.
+
+    If a machine is given, these include questions about line types for which it has no tool.
+    """
     unit = None if drawing.unit else unit_question(drawing, find_unit(drawing))
     open_questions = ([unit] if unit else []) + list_questions(drawing, dieline)
     return open_questions if machine is None else open_questions + tool_questions(dieline, machine)
@@ -246,7 +249,17 @@ def _toolpath(
     corners: Corners | None,
     progress: Progress,
 ) -> Toolpath:
-    """Return the tool path for cleaned edges; its ``source`` contains rows of the drawing."""
+    """Return the tool path for cleaned edges; its ``source`` contains rows of the drawing.
+
+    Parameters
+    ----------
+    where
+        Offset that is added to the coordinates of the drawing on the sheet (mm).
+    corners
+        Types of the cutter's path round outer corners; None chooses the fastest on the machine.
+    progress
+        Called at the start of each stage.
+    """
     placed = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(where))
     progress(Stage.PLAN, 0.05)
     chosen = None if corners is None else replace(corners, placement=where)
@@ -271,6 +284,17 @@ def _verdict(
     """Return the verdict on a program for the drawn edges.
 
     The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
+
+    Parameters
+    ----------
+    text
+        The program.
+    dieline, cleaned
+        The drawn edges, and the result of cleaning them.
+    where
+        Offset that is added to the coordinates of the drawing on the sheet (mm).
+    tolerance
+        Maximum distance of the tool's tip from the drawn line (mm).
     """
     verdict = verification.verify(text, cleaned.dieline, where, machine, board, tolerance=tolerance)
     mapped = map_to_drawn(verdict, cleaned, dieline)
@@ -283,14 +307,14 @@ def _verdict(
 def _located(
     error: PlanError | CompensationError, drawing: Drawing, source: I32
 ) -> PlanError | CompensationError:
-    """Return the error with handles and layer of the edges that it concerns.
+    """Return the error with handles and layer of the drawn edges that it concerns.
 
-    The rows of cleaned edges in the error are replaced.
+    In ``error.source``, rows of cleaned edges are replaced by handles.
 
     Parameters
     ----------
     source : (m,)
-        Row in the drawing of each cleaned edge.
+        Row in the drawing of each of m cleaned edges.
     """
     rows = [int(source[int(row)]) for row in error.source]
     if rows:

@@ -1,4 +1,4 @@
-"""Find and compile the kernels of which no machine code is on disk.
+"""Find and compile the kernels (compiled functions) of which no machine code is on disk.
 
 A kernel declares the types of its arguments, so it can be compiled before it is used.
 ``GROUPS`` are in the order in which a server needs them.  Each kernel belongs to one group;
@@ -55,7 +55,7 @@ class Part(NamedTuple):
 def missing_parts(*groups: str) -> list[Part]:
     """Return the modules whose kernels must be compiled, in the order in which they are needed.
 
-    No machine code is loaded.
+    The function loads no machine code.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def missing_parts(*groups: str) -> list[Part]:
     Raises
     ------
     KeyError
-        No group has the name.
+        There is no group with one of the names.
     """
     from knifetip.kernels.walk import kernels_of  # imports numba, which ``GROUPS`` does not need
 
@@ -81,7 +81,7 @@ def missing_parts(*groups: str) -> list[Part]:
 
 
 def compile_module(module: str) -> Iterator[float]:
-    """Compile the kernels of a module of which no machine code is on disk.
+    """Compile the kernels of a module that have no machine code on disk, one after the other.
 
     Yields
     ------

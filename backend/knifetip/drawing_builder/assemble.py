@@ -136,9 +136,10 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return layer names, linetype names, and an (s, 5) array of attributes of s styles.
+    """Return the layer names, the linetype names, and the attributes of s styles as numbers (s, 5).
 
-    The columns of the array are layer, layer regardless of case, colour, true colour and linetype.
+    The columns are: index of the layer, index of the layer regardless of case, colour, true colour,
+    and index of the linetype.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
@@ -156,9 +157,21 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
 
 
 def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
-    """Return for each segment the row of the first equal segment, (n,).
+    """Return for each of n segments the row of the first segment that is equal to it, (n,).
 
-    Segments with exchanged ends are equal, too.
+    A segment with exchanged ends is equal, too.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+    bulge : (n,)
+        Segments in file units.
+    alike : (n,)
+        Number of the style; equal segments have the same number.
+    speck : (n,)
+        Mask of segments without length, for which their own row is returned.
+    point
+        Distance within which ends are rounded together (file units).
     """
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
@@ -176,7 +189,19 @@ def _find_survivors(
     slots: OutU64_1,
     first: OutI64_1,
 ) -> None:
-    """Write for each segment the row of the first equal segment to ``first``, (n,)."""
+    """Write for each of n segments the row of the first segment that is equal to it to ``first``.
+
+    Parameters
+    ----------
+    ends, bulge, alike, speck
+        See ``_survivors``.
+    points
+        Reciprocal of the distance to which ends are rounded.
+    slots
+        Empty hash table (zeros); its length is a power of two.
+    first : (n,)
+        Must contain the own row of each segment.
+    """
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
         if speck[row]:
@@ -201,7 +226,10 @@ def _find_survivors(
 
 @kernel
 def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
-    """Return the rounded ends and bulge of a segment, which are the same for both directions."""
+    """Return ends and bulge of the segment in ``row`` as integers, the same for both directions.
+
+    Coordinates are multiplied by ``points`` and rounded.
+    """
     ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
     bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)
     turn = np.rint(bulge[row] / _TURN)
@@ -214,7 +242,16 @@ def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 def _outcomes(
     sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
 ) -> tuple[U8, Repeated[Message]]:
-    """Return the outcome and the reason for each of m rows of the import report, (m,)."""
+    """Return the outcome and the reason for each of m rows of the import report, (m,) each.
+
+    Parameters
+    ----------
+    found
+        n segments of the file, with the report row of each segment.
+    length, speck, twice, first : (n,)
+        Length of each segment, masks of the segments without length and of the duplicates, and row
+        of the first equal segment.
+    """
     rows = len(sheet.handle)
     outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
@@ -303,9 +340,18 @@ def _pieces_drawn_twice(pieces: int, total: int, same: list[str], more: int) -> 
 
 
 def _named(row: int, others: Counter[int], handles: Sequence[str]) -> tuple[list[str], int]:
-    """Return up to 5 handles of entities with equal segments, and the number of further ones.
+    """Return up to 5 handles of entities with equal segments, and the number of further entities.
 
     Entities with the most equal segments come first.
+
+    Parameters
+    ----------
+    row
+        Report row of the entity whose duplicate segments were dropped, named "itself".
+    others
+        Number of equal segments by report row of the entity that has them.
+    handles
+        Handle of the entity of each report row.
     """
     names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
     return names[:5], max(len(others) - 5, 0)

@@ -23,7 +23,10 @@ _INDEX: Final = (
 
 @lru_cache(maxsize=4096)
 def nearest_index(true_colour: int) -> int:
-    """Return the nearest of the first seven colours of the index; 7 for ``UNKNOWN_COLOUR``."""
+    """Return which of the colours 1 to 7 of the index is nearest to ``true_colour`` (0xRRGGBB).
+
+    The result is 7 for ``UNKNOWN_COLOUR``.
+    """
     if true_colour < 0:
         return 7
 

@@ -19,7 +19,7 @@ class Style(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Columns:
-    """Ends, bulges, report rows and styles of n segments, in file units."""
+    """n lines and arcs in file units: ends, bulge, import report row and style of each of them."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)

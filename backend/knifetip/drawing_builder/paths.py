@@ -60,14 +60,20 @@ class Paths:
 def columns(
     sheet: ReportWriter, table: Table, paths: Paths, scale: float, limits: Limits, what: str
 ) -> Columns:
-    """Return the segments of all paths of a file.
+    """Return all segments of the paths of a file as lines and arcs in file units.
 
     The reasons for paths that are dropped are written to ``sheet``.
 
     Parameters
     ----------
+    sheet
+        Import report of the file.
+    table, paths
+        Segments of the paths, and report row, style and matrix of each path.
     scale
         Millimetres per file unit, 0 if unknown.
+    limits
+        Limits of the number of segments and of the time.
     what
         Name of the format in error messages: "SVG" or "PDF".
 
@@ -104,14 +110,14 @@ def columns(
 
 
 def too_many(limits: Limits, what: str) -> DrawingTooLarge:
-    """Return the error for a file with more segments than the limit."""
+    """Return the error for a file with more segments than the limit; ``what`` is its format."""
     return DrawingTooLarge("reading.too-many-segments", format=what, limit=limits.segments)
 
 
 def boxes(table: Table, matrix: F64) -> F64:
-    """Return the bounding box of the ends and control points of each path, (p, 4).
+    """Return the bounding box of each of p paths, (p, 4): x min, y min, x max, y max (file units).
 
-    A path without segments has NaN.
+    It contains ends and control points; it is NaN for a path without segments.
 
     Parameters
     ----------
@@ -135,9 +141,16 @@ def boxes(table: Table, matrix: F64) -> F64:
 
 
 def _farthest(table: Table, matrix: F64, paths: int) -> F64:
-    """Return an upper bound of the largest coordinate of each of p paths, (p,) (file units).
+    """Return for each of p paths an upper bound of its absolute coordinates, (p,) (file units).
 
     It is NaN or infinite if a coordinate of the path is.
+
+    Parameters
+    ----------
+    matrix : (p, 6)
+        Matrix from the coordinates of each path to file units.
+    paths
+        Number p of paths.
     """
     far = np.zeros(paths)
     if not len(table.kind):
@@ -163,7 +176,13 @@ def _farthest(table: Table, matrix: F64, paths: int) -> F64:
 
 
 def _relative(start: F64, end: F64) -> float:
-    """Return the tolerance for a drawing whose unit is unknown (file units)."""
+    """Return the fitting tolerance for a drawing whose unit is unknown (file units).
+
+    Parameters
+    ----------
+    start, end : (n, 2)
+        Ends of the segments of the drawing, whose extent determines the tolerance.
+    """
     if not len(start):
         return CURVE
     both = np.concatenate([start, end])
@@ -172,7 +191,14 @@ def _relative(start: F64, end: F64) -> float:
 
 
 def _linear(by: F64, vectors: F64) -> F64:
-    """Return n vectors (n, 2) multiplied by the linear parts of n matrices (n, 6)."""
+    """Return n vectors multiplied by the linear parts of n matrices, (n, 2).
+
+    Parameters
+    ----------
+    by : (n, 6)
+        Matrices, each as a … f of SVG.
+    vectors : (n, 2)
+    """
     x, y = vectors[:, 0], vectors[:, 1]
     return np.stack([by[:, 0] * x + by[:, 2] * y, by[:, 1] * x + by[:, 3] * y], axis=1)
 
@@ -210,7 +236,15 @@ class _Placed:
 
 
 def _half_chord(numbers: F64) -> tuple[F64, F64]:
-    """Return half the chord of n arcs along both axes of their ellipses, in radii, (n,) each."""
+    """Return half the chord of n elliptic arcs along the first and the second axis, (n,) each.
+
+    The unit of each value is the radius along that axis.
+
+    Parameters
+    ----------
+    numbers : (n, 8)
+        Rows of ``Table.numbers`` that are arcs.
+    """
     angle = np.radians(numbers[:, 6])
     cosine, sine = np.cos(angle), np.sin(angle)
     half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
@@ -259,7 +293,16 @@ def _centred(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
 def _segments(
     placed: _Placed, tolerance: float, limits: Limits, what: str
 ) -> tuple[F64, F64, I64, Bool]:
-    """Return the segments of a drawing as lines and arcs, in the order of the file.
+    """Return the segments of a drawing as n lines and arcs, in the order of the file.
+
+    Parameters
+    ----------
+    placed
+        m segments of the paths of the file.
+    tolerance
+        Maximum distance between a curve and its arcs (file units).
+    what
+        Name of the format in error messages.
 
     Returns
     -------
@@ -316,9 +359,16 @@ def _lines(placed: _Placed, rows: I64) -> tuple[F64, F64, I64]:
 
 
 def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
-    """Return the mask of the curves that are straight, (n,).
+    """Return the mask of the Bézier curves that are straight, (n,).
 
     All control points of a straight curve are within ``tolerance`` of its chord.
+
+    Parameters
+    ----------
+    control : (n, 4, 2)
+        Control points of each curve.
+    chord : (n, 2)
+        Vector from the start to the end of each curve.
     """
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
@@ -333,7 +383,7 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
 
 
 def _circular(placed: _Placed, which: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs as segments of at most 180°: ends, bulge and Table row of each segment.
+    """Return circular arcs as arcs of at most 180°: ends, bulge and Table row of each of these.
 
     Parameters
     ----------
@@ -413,17 +463,21 @@ def _fitted(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit arcs to curves; return ends, bulge and Table row of each arc.
+    """Fit arcs to curves; return ends, bulge and Table row of each fitted arc.
 
-    If the fit of several curves fails, each half of them is fitted separately.  The error of
-    a single curve is written to ``placed.failed``.
+    If several curves cannot be fitted together, each half of them is fitted separately.  The error
+    of a single curve is written to ``placed.failed``.
 
     Parameters
     ----------
     which
-        Indices of the curves, as ``point`` and ``tangent`` take them.
+        Indices of the curves, which are arguments of ``point`` and ``tangent``.
     numbers
-        Table row of each index.
+        Table row of the curve with each index.
+    point, tangent
+        Functions from indices of curves and parameters 0 … 1 to points and derivatives.
+    tolerance
+        Maximum distance between a curve and its arcs (file units).
     """
     try:
         start, end, bulge, of = fit_many(

@@ -17,7 +17,7 @@ from knifetip.model.drawing import LocationBoxes
 
 
 class SharedOutcome(NamedTuple):
-    """An outcome with its reason that applies to many report rows."""
+    """The reason for dropping many entities, or the notes on them, with their report rows."""
 
     rows: I64
     dropped: Message | None  #: reason for dropping the rows; None if they are drawn
@@ -26,9 +26,10 @@ class SharedOutcome(NamedTuple):
 
 @dataclass(slots=True)
 class ReportRows:
-    """Columns with one row per entity, and reasons and notes for some of the rows.
+    """Columns with one row per entity of a file, and reasons and notes for some of the rows.
 
-    A row in ``shared`` may also have notes of its own, which follow the shared notes.
+    A row to which an item of ``shared`` applies may also have notes of its own; these follow the
+    notes of the item.
     """
 
     handle: Sequence[str] = field(default_factory=list)
@@ -44,7 +45,7 @@ class ReportRows:
 
 @dataclass(slots=True)
 class ReportWriter(ReportRows):
-    """Report rows that are added one by one."""
+    """Report rows of a file, to which a reader adds the rows one by one."""
 
     handle: list[str] = field(default_factory=list)
     kind: list[str] = field(default_factory=list)
@@ -58,7 +59,15 @@ class ReportWriter(ReportRows):
         dropped: Message | None = None,
         notes: Iterable[Message] = (),
     ) -> int:
-        """Add the row of an entity to the report and return the number of the row."""
+        """Add the row of an entity to the report and return the number of the row.
+
+        Parameters
+        ----------
+        dropped
+            Reason for dropping the entity; None if the entity is kept.
+        notes
+            Changes made to the entity.
+        """
         self.handle.append(handle)
         self.kind.append(kind)
         self.layer.append(layer)
@@ -70,13 +79,24 @@ class ReportWriter(ReportRows):
         return number
 
     def set_location(self, row: int, box: Sequence[float] | F64) -> None:
-        """Record the bounding box of a row without segments: x min, y min, x max, y max."""
+        """Record the bounding box of an entity without segments.
+
+        Parameters
+        ----------
+        row
+            Number of the entity's row in the report.
+        box : (4,)
+            x min, y min, x max, y max (file units).
+        """
         boxes = np.array([box], np.float64)
         self.location_boxes.append(LocationBoxes(np.array([row], np.int32), boxes))
 
 
 def too_far(coordinate: float, limit: float) -> Message:
-    """Return the reason for leaving out an entity with a coordinate beyond the limit."""
+    """Return the reason for dropping an entity that has a coordinate beyond the limit.
+
+    Coordinate and limit are in file units; the coordinate may be NaN or infinite.
+    """
     if not np.isfinite(coordinate):
         return Message("import.coordinate-not-a-number")
     return Message("import.too-far", coordinate=coordinate, limit=limit)

@@ -48,14 +48,14 @@ _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
 
 @dataclass(frozen=True, slots=True)
 class Beginning:
-    """The first bytes of a file, normalised for detection."""
+    """A file and its first bytes, which are normalised for the detection of the file's format."""
 
     head: bytes  #: without byte order mark and leading blanks; UTF-16 as UTF-8; b"" if empty
     data: bytes  #: the whole file
 
     @classmethod
     def of(cls, data: bytes) -> Beginning:
-        """Return the beginning of a file."""
+        """Return a file (``data``) with its first bytes, normalised for detection."""
         head = data[:_HEAD]
         if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
             head = data[: 4 * _HEAD].decode("utf-16", "ignore").encode()
@@ -84,7 +84,10 @@ def is_cf2(file: Beginning) -> bool:
 
 
 def foreign_kind(file: Beginning) -> str:
-    """Return the name of a foreign format, such as "a PNG picture"; "" if it is unknown."""
+    """Return the name of the format of a file that cannot be imported, such as "a PNG picture".
+
+    The result is "" if the format is unknown.
+    """
     if file.head.startswith(_GZIP):
         return "a gzip archive"
     if file.head.startswith(b"<"):
@@ -95,7 +98,7 @@ def foreign_kind(file: Beginning) -> str:
 
 
 def _unpacked(data: bytes) -> bytes:
-    """Return the first decompressed bytes of a gzip file; b"" if it is damaged."""
+    """Return the first 4 KB of the decompressed content of a gzip file; b"" if it is damaged."""
     try:
         inside = zlib.decompressobj(31).decompress(data, _HEAD)
     except zlib.error:

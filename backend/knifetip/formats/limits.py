@@ -13,7 +13,10 @@ REACH: Final = 1e7
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits for one drawing; a reader raises DrawingTooLarge if a limit is exceeded."""
+    """Limits of the size and the reading time of a drawing.
+
+    A reader raises DrawingTooLarge if a limit is exceeded.
+    """
 
     bytes: int = 64 * 2**20  #: size of the file
     slow_bytes: int = 24 * 2**20  #: size of a DXF that needs ezdxf, which uses 40 times the memory

@@ -22,7 +22,7 @@ _BYTES: Final = "application/octet-stream"
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """An import format: one row of the table."""
+    """An import format: one row of ``FORMATS``."""
 
     name: str  #: "dxf", "svg" …
     title: str  #: name in messages: "DXF (text or binary, any version)"
@@ -72,7 +72,12 @@ def format_of(data: bytes) -> Format:
 
 
 def read_file(data: bytes, unit: str = "") -> Drawing:
-    """Read the drawing in a file; ``unit`` overrides the unit of the file.
+    """Return the drawing in the bytes of a file of any import format.
+
+    Parameters
+    ----------
+    unit
+        Overrides the unit of the file; "" keeps it.
 
     Raises
     ------

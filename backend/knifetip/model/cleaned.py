@@ -29,7 +29,7 @@ class CleaningReason(IntEnum):
 
     @property
     def message(self) -> Message:
-        """Message with the reason in general, without the measured values of an edge."""
+        """Message that names the reason, without the measured values of an edge."""
         return _MESSAGES[self]
 
 
@@ -50,7 +50,7 @@ _MESSAGES = {
 class Stretches:
     """q stretches (parts of drawn edges) that together cover all edges to be machined.
 
-    The order is that of the drawing.
+    They are in the order of the edges in the drawing.
     """
 
     row: I32  #: (q,) row in the drawn dieline
@@ -112,9 +112,9 @@ class Cleaned:
         return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
 
     def into(self, row: int) -> int:
-        """Return the row of the drawn edge with which the edge in a row was merged.
+        """Return the row of the drawn edge that is machined in place of the drawn edge in ``row``.
 
-        It is ``row`` itself if the edge was kept, and -1 if the edge was dropped.
+        It is ``row`` itself if that edge was kept, and -1 if it was dropped.
         """
         cleaned = self.of[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
@@ -149,8 +149,8 @@ class Cleaned:
     def lengths(self) -> dict[str, float]:
         """Total lengths by name (mm).
 
-        ``drawn`` = ``kept`` + ``merged`` + ``dropped``, ``worked`` = ``kept`` + ``added``, and
-        ``no_work`` is the length of edges that are ignored or not classified.
+        ``drawn`` is ``kept`` + ``merged`` + ``dropped``, and ``worked`` is ``kept`` + ``added``.
+        These do not include ``no_work``, the length of edges that are ignored or not classified.
         """
         at_work = self.reason != CleaningReason.NO_WORK
         kept, merged, dropped, added = (
@@ -168,7 +168,7 @@ class Cleaned:
         }
 
     def as_json(self, handles: Sequence[str]) -> dict[str, object]:
-        """Return the cleaning report as JSON data: lengths, counts, one row per changed edge.
+        """Return the cleaning report as JSON data: lengths, counts, and one row per changed edge.
 
         Parameters
         ----------

@@ -46,7 +46,7 @@ class LineType(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Dieline:
-    """n classified edges in the order of the drawing, which are not yet connected to paths."""
+    """n edges with their line types, in the order of the drawing and not yet connected to paths."""
 
     ends: F64  #: (n, 2, 2) mm
     bulge: F64  #: (n,) tan(sweep / 4)

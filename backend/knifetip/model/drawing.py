@@ -87,7 +87,7 @@ class Annotation(NamedTuple):
     layer: str
 
     def scaled(self, divisor: float, factor: float) -> Annotation:
-        """Return the annotation with all lengths divided by ``divisor``, then times ``factor``."""
+        """Return the annotation with all its lengths multiplied by ``factor`` / ``divisor``."""
         if divisor == factor == 1.0:
             return self
         return Annotation(
@@ -134,7 +134,7 @@ class Drawing:
 
     @property
     def handles(self) -> list[str]:
-        """Handle of the entity of each edge, n strings."""
+        """Handle of the entity to which each of the n edges belongs, n strings."""
         every = list(self.import_report.handle)
         return [every[row] for row in self.entity.tolist()]
 
@@ -150,7 +150,9 @@ class Drawing:
 
 
 def extents(ends: F64, bulge: F64) -> F64:
-    """Return the bounding box of edges, (4,): x min, y min, x max, y max; zeros for no edges.
+    """Return the bounding box of n edges, (4,): x min, y min, x max, y max (mm).
+
+    It is zero if there are no edges.
 
     Parameters
     ----------

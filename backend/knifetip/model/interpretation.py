@@ -30,5 +30,5 @@ class Interpretation:
 
     @property
     def override_column(self) -> U8 | None:
-        """Override of each edge, (n,): ``NO_OVERRIDE`` or a LineType; None for no overrides."""
+        """Override of each edge, (n,): ``NO_OVERRIDE`` or a LineType; None without overrides."""
         return np.frombuffer(self.overrides, np.uint8) if self.overrides else None

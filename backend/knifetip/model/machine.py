@@ -40,7 +40,13 @@ class Station:
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return the planner for a line type that the tool of the station makes."""
+        """Return the planner for a line type, which the tool of the station must be able to make.
+
+        Raises
+        ------
+        KeyError
+            The tool does not make the line type.
+        """
         return kind_of(self.tool).planners[line_type]
 
 

@@ -74,7 +74,7 @@ class Repeated(_Column[_T]):
 
 
 def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
-    """Return the distinct strings, and for each string its index among the distinct ones, (m,)."""
+    """Return the distinct strings, and for each of the m strings its index among them, (m,)."""
     number: dict[str, int] = {}
     if isinstance(words, Repeated):
         names = [number.setdefault(name, len(number)) for name in words.names]

@@ -32,7 +32,8 @@ def pack_columns(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]
     Parameters
     ----------
     columns
-        Arrays by name, of any shape; floats become float64, integers int32, unsigned ones uint8.
+        Arrays of any shape, by name; floats become float64, signed integers int32, and unsigned
+        integers uint8.
     meta
         JSON data; all numbers must be finite.
 

@@ -18,7 +18,7 @@ from knifetip.presentation.outcomes import EdgeOutcomes
 
 
 def drawing_json(drawing: Drawing) -> dict[str, Any]:
-    """Return unit, size, number of edges and import outcomes of a drawing as JSON data."""
+    """Return unit, length, bounding box, number of edges and import outcomes of a drawing."""
     min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
     return {
         "unit": drawing.unit or None,
@@ -41,7 +41,10 @@ def classified_json(
     questions: Sequence[Question],
     overrides: U8,
 ) -> dict[str, Any]:
-    """Return the data of ``drawing_json`` with line types, layers, questions and outcomes.
+    """Return the data of ``drawing_json``, and the results of classification and cleaning.
+
+    These are the counts by line type, the layers, the open questions, the number of overrides and
+    the report of the outcomes of all edges.
 
     Parameters
     ----------
@@ -78,7 +81,13 @@ def _unit_finding(drawing: Drawing) -> dict[str, Any]:
 
 
 def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
-    """Return number and total length (mm) of the edges of each line type that occurs."""
+    """Return number and total length (mm) of the edges of each line type that occurs.
+
+    Parameters
+    ----------
+    line_type, lengths : (n,)
+        LineType and length (mm) of each edge.
+    """
     edges = np.bincount(line_type, minlength=len(LineType))
     length = np.bincount(line_type, weights=lengths, minlength=len(LineType))
     return [
@@ -89,7 +98,10 @@ def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
 
 
 def _layers(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
-    """Return name, colour, edges, length (mm) and line types of each pair of layer and colour."""
+    """Return one item for each pair of layer and colour that occurs, as JSON data.
+
+    An item has name and colour, and number, total length (mm) and line types of the edges.
+    """
     pairs, pair = np.unique(
         np.stack([drawing.layer, drawing.colour], axis=1), axis=0, return_inverse=True
     )

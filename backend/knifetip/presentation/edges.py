@@ -25,14 +25,14 @@ _BATCH: Final = 1000
 
 
 class EdgeTable(NamedTuple):
-    """Columns of n edges, and the names to which the indices in the columns refer."""
+    """Columns with one row per edge of a drawing, and the names to which indices in them refer."""
 
     columns: Mapping[str, NDArray[Any]]  #: each has one row per edge
     meta: Mapping[str, Any]  #: handles (n,), layers, linetypes, rules, outcomes, reasons, types
 
     @classmethod
     def of(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
-        """Return the table of a classified drawing and the outcomes of its edges."""
+        """Return the table of the edges of a drawing with their line types and outcomes."""
         return cls(
             {
                 "ends": dieline.ends,
@@ -83,7 +83,10 @@ class EdgeTable(NamedTuple):
         return pack_columns(self.columns, self.meta)
 
     def rows(self, first: int = 0, last: int | None = None) -> list[dict[str, Any]]:
-        """Return edges ``first`` to ``last - 1`` as JSON data of the schema ``EdgeOut``."""
+        """Return the edges in rows ``first`` to ``last - 1`` as JSON data (schema ``EdgeOut``).
+
+        If ``last`` is None, all edges from ``first`` on are returned.
+        """
         values = {name: column[first:last].tolist() for name, column in self.columns.items()}
         meta = self.meta
         alternatives = meta["alternatives"]
@@ -112,7 +115,7 @@ class EdgeTable(NamedTuple):
         return rows
 
     def json_pieces(self) -> Iterator[bytes]:
-        """Yield the JSON text of the schema ``EdgesOut`` in pieces.
+        """Yield the JSON text of all edges (schema ``EdgesOut``) in pieces.
 
         Other threads can run between two pieces.
         """

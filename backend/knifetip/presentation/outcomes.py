@@ -48,8 +48,10 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
 
     Parameters
     ----------
+    dieline
+        The edges of the drawing with their line types.
     cleaned
-        The result of cleaning the dieline; None if it was not cleaned: all edges are kept.
+        Result of cleaning the dieline.  None if it was not cleaned; then all edges are kept.
     """
     lengths = drawing.lengths
     outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
@@ -91,7 +93,7 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
 
 
 def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return groups of the entities that import merged or dropped, by outcome and reason."""
+    """Return the entities that import merged or dropped, in groups by outcome and reason."""
     report = drawing.import_report
     rows = np.flatnonzero(report.outcome != ImportOutcome.KEPT)
     examples: dict[str, Message] = {}
@@ -114,12 +116,14 @@ def _groups(
     length: F64,
     kinds: NDArray[np.object_],
 ) -> list[dict[str, Any]]:
-    """Return n edges or n entities as groups with the same outcome and the same code of the reason.
+    """Return n edges or n entities in groups with equal outcome and equal code of the reason.
+
+    The groups are JSON data of the schema ``ReportGroup``.
 
     Parameters
     ----------
     what
-        "edges" or "entities".
+        What the rows are: "edges" or "entities".
     outcome, reason, length, kinds : (n,)
         ImportOutcome, index into ``reasons``, length in mm and entity kind of each edge or entity.
     """
@@ -159,7 +163,7 @@ def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _summary(groups: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the sorted groups and the total length of each outcome (mm) as JSON data."""
+    """Return groups of edges and entities, sorted, and the total length (mm) of each outcome."""
     groups = sorted(
         groups,
         key=lambda group: (_ORDER.index(group["outcome"]), -group["length"], -group["count"]),

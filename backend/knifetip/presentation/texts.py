@@ -9,10 +9,10 @@ from knifetip.messages import with_text
 
 
 def with_texts(data: Any) -> Any:
-    """Return JSON data in which every message, an object with code and arguments, has its text.
+    """Return JSON data in which every message has its English text and hint.
 
-    ``text`` and ``hint`` are added at every depth, except to messages within the arguments of
-    another message.
+    A message is an object with code and arguments.  ``text`` and ``hint`` are added to it at every
+    depth, except to messages within the arguments of another message.
     """
     if isinstance(data, Mapping):
         if "code" in data and "arguments" in data:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
-    """Return station number, name and tool kind of each station in use, ordered by number."""
+    """Return number, name and tool kind of each station that a program uses, ordered by number."""
     used = set(np.unique(compiled.toolpath.tool).tolist())
     return [
         {"station": station.number, "name": station.name, "kind": kind_of(station.tool).name}

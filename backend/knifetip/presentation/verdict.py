@@ -33,7 +33,7 @@ EDGE_COLUMNS = (
 
 
 def finite_column(measures: F64) -> F64:
-    """Return the measures with ``messages.finite`` applied to each, shape (n,)."""
+    """Return a column (n,) with ±1e9 for ±infinity and 1e9 for NaN, see ``messages.finite``."""
     column: F64 = np.nan_to_num(
         measures, nan=finite(np.nan), posinf=finite(np.inf), neginf=finite(-np.inf)
     )
@@ -41,7 +41,7 @@ def finite_column(measures: F64) -> F64:
 
 
 def verdict_summary(verdict: Verdict) -> dict[str, Any]:
-    """Return the figures of a verdict as JSON data.
+    """Return the maxima and totals of the measurements in a verdict as JSON data.
 
     ``deviation``, ``overcut`` and ``uncut`` are the maximum over all edges (mm), ``uncut_total``
     and ``setback_total`` the sum over all edges (mm).  ``unreached`` is the total of the areas that
@@ -85,7 +85,7 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
 
 
 def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
-    """Return figures, findings with text, unreached areas and edges of a verdict as JSON data.
+    """Return a verdict as JSON data: summary, findings with text, unreached areas, and edges.
 
     Parameters
     ----------
@@ -133,14 +133,14 @@ def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
 def pack_verdict(
     verdict: Verdict, findings: Sequence[Mapping[str, Any]], summary: Mapping[str, Any]
 ) -> bytes:
-    """Return a verdict as a block of columns, with findings and figures as metadata.
+    """Return a verdict as a block of columns, with findings and summary as metadata.
 
     Parameters
     ----------
     findings
         Result of ``findings_json``.
     summary
-        Result of ``verdict_summary``, and further figures.
+        Result of ``verdict_summary``, to which the caller may have added values.
     """
     return pack_columns(
         {

@@ -91,15 +91,15 @@ class Tool(ABC):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start, and the angle added to C at the end (degrees).
+        """The ends of a track at which the tool may start, and an angle (degrees).
 
-        Which ends these are depends on whether the tool also processes a track in reverse.
+        The angle is added to C while the tool follows the track from its end to its start.
         """
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """S word while spindle, oscillation or laser of the tool is on; 0 for tools without one."""
+        """S word while the tool's spindle, oscillation or laser is on; 0 if there is none."""
         return 0
 
     @property
@@ -124,12 +124,12 @@ class Tool(ABC):
 
     @property
     def diameter(self) -> float:
-        """Diameter in the tool table of the controller (mm); 0 for tools without one."""
+        """Diameter in the tool table of the controller (mm); 0 for tools without a diameter."""
         return 0.0
 
     @property
     def footprint(self) -> Footprint:
-        """Shape of the mark of the tool, for the page."""
+        """Shape of the mark of the tool on the board, which the page draws."""
         return Footprint()
 
     @property
@@ -139,11 +139,17 @@ class Tool(ABC):
 
     @property
     def derived(self) -> dict[str, float]:
-        """Dimensions by name that are calculated from the fields of the tool."""
+        """Dimensions that are calculated from the fields of the tool, by name."""
         return {}
 
     def settle(self, usual: float) -> float:
-        """Return the dwell after the tool is switched on (s); ``usual`` is the machine's value."""
+        """Return the dwell after the tool is switched on (s).
+
+        Parameters
+        ----------
+        usual
+            Dwell in the file of the machine (s), which most tools return.
+        """
         return usual
 
     def clearance(self, usual: float) -> float:
@@ -152,12 +158,12 @@ class Tool(ABC):
         Parameters
         ----------
         usual
-            Value of the machine, which most tools return.
+            Height in the file of the machine (mm), which most tools return.
         """
         return usual
 
     @classmethod
     def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return the index of the tool in ``held`` that suits a board ``caliper`` mm thick."""
+        """Return the index of the tool in ``held`` that suits a board ``caliper`` mm thick best."""
         del held, caliper  # all are equally good
         return 0

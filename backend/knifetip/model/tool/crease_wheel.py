@@ -23,19 +23,27 @@ class CreaseWheel(Tool):
     plunge: Positive
 
     def contact(self, depth: float) -> float:
-        """Return half the length of the contact between wheel and board at a depth (mm).
+        """Return half the length of the contact between wheel and board (mm).
 
         Own derivation: s² = δ (2R − δ) for half length s, depth δ and radius R of the wheel.
+
+        Parameters
+        ----------
+        depth
+            Depth δ to which the wheel is pressed into the board (mm).
         """
         return math.sqrt(max(depth * (2.0 * self.radius - depth), 0.0))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return a circle whose diameter is the length of the contact between wheel and board."""
+        """Return the circle that contains the contact between the wheel and the board at a depth.
+
+        The contact is a rectangle with the length of the contact and the width of the rim.
+        """
         return TipCircle(math.hypot(self.contact(max(depth, 0.0)), self.width / 2.0), 0.0, 0.0)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start, and the angle added to C at the end.
+        """The ends of a track at which the wheel may start, and an angle added to C in reverse.
 
         The wheel may start at both ends, because it rolls in both directions.
         """
@@ -48,7 +56,7 @@ class CreaseWheel(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the wheel: a rim as long as its contact with the board."""
+        """The mark of the wheel: that of a rim of ``width`` on a wheel of ``radius``."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod

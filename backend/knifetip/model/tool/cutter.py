@@ -43,13 +43,18 @@ class Cutter(DiscTool):
         return None if self.spindle >= 1 else Message("tool.without-speed")
 
     def settle(self, usual: float) -> float:
-        """Return the longer of ``usual`` and the time until the spindle has its full speed (s)."""
+        """Return the dwell after the spindle is switched on (s).
+
+        It is the longer of ``usual``, the dwell in the file of the machine, and the time until the
+        spindle has its full speed.
+        """
         return max(usual, self.spin_up)
 
     def passes(self, through: float) -> F64:
-        """Return the depths of the passes of a cut that is ``through`` mm deep, (k,) (mm).
+        """Return the depths of the k passes of a cut that is ``through`` mm deep, (k,) (mm).
 
-        All passes have the same increment, which is at most ``step``.
+        All passes have the same increment, which is at most the field ``step`` of the cutter
+        unless the cut would then have more than 200 passes.
         """
         count = 1 if self.step == 0.0 else min(_MOST, int(np.ceil(through / self.step - 1e-9)))
         depths: F64 = through * np.arange(1, count + 1) / count

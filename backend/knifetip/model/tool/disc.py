@@ -34,17 +34,21 @@ class DiscTool(Tool):
         def approach(self) -> float:
             """Angle between lead-in and contour (degrees).
 
-            It is 90 for a lead-in from the tool's side, 0 for one in line with the contour, and
-            −90 for one from the other side.
+            It is 90 if the lead-in comes at a right angle from the side of the contour on which the
+            tool travels, 0 if it is in line with the contour, and −90 if it comes from the opposite
+            side.
             """
 
         @property
         def dwell(self) -> float:
-            """Maximum time at one corner before the board burns (s); 0 for no limit."""
+            """Longest time for which the tool may stay at one corner before the board burns (s).
+
+            0 means that there is no limit.
+            """
 
     @property
     def set_up(self) -> float:
-        """Length of the straight lead-in (mm): ``lead``, or 1.5 times ``radius`` if that is 0."""
+        """Length of the straight lead-in (mm): ``lead``, or 1.5 ``radius`` if ``lead`` is 0."""
         return self.lead or 1.5 * self.radius
 
     @property
@@ -55,11 +59,14 @@ class DiscTool(Tool):
         return None
 
     def passes(self, through: float) -> F64:
-        """Return the depth of each pass of a cut that is ``through`` mm deep, (k,) (mm)."""
+        """Return the depths of the k passes of a cut that is ``through`` mm deep, (k,) (mm).
+
+        A tool of the base class cuts in one pass.
+        """
         return np.array([through])
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle of the disc, which is the same at every depth."""
+        """Return the circle of the disc, which does not depend on ``depth``."""
         del depth  # the same at any depth
         return TipCircle(self.radius, 0.0, 0.0)
 

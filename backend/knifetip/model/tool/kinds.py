@@ -42,7 +42,7 @@ class Engine(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """One row of the registry: a kind of tool."""
+    """One row of the registry: a class of tools with its name, line types, planners and engine."""
 
     name: str  #: name in files of machines and in REST
     tool: type[Tool]
@@ -73,5 +73,5 @@ _BY_TOOL: Final = {kind.tool: kind for kind in KINDS}
 
 
 def kind_of(tool: Tool) -> Kind:
-    """Return the row of the registry for the class of a tool."""
+    """Return the row of the registry that belongs to the class of ``tool``."""
     return _BY_TOOL[type(tool)]

@@ -28,11 +28,13 @@ class Knife(Tool):
 
     @property
     def led(self) -> bool:
-        """Whether outer contours have a lead-in or a lead-out in the waste."""
+        """Whether the knife has a lead-in or a lead-out in the waste at outer contours."""
         return self.lead_in > 0.0 or self.lead_out > 0.0
 
     def lead(self, thickness: float) -> float:
         """Return how far the cut in the top face is ahead of the cut in the bottom face (mm).
+
+        "Ahead" is in the direction of travel.
 
         Parameters
         ----------
@@ -42,13 +44,16 @@ class Knife(Tool):
         return thickness * math.tan(math.radians(self.blade_angle))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle that contains blade and trail, which is the same at every depth."""
+        """Return the circle about the head's axis that contains the blade, the same at every depth.
+
+        Its radius is the trail of the tip plus the width of the blade.
+        """
         del depth  # the same at any depth
         return TipCircle(self.trail + self.blade_width, 0.0, 0.0)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start, and the angle added to C at the end.
+        """The ends of a track at which the knife may start, and an angle added to C in reverse.
 
         A slanted or trailing blade starts only at the start of a track, other blades at both ends.
         """
@@ -58,7 +63,7 @@ class Knife(Tool):
 
     @property
     def spindle(self) -> int:
-        """S word: 0, or 1 for an oscillating knife, as controllers treat M3 S0 as off."""
+        """S word: 1 for an oscillating knife, since controllers treat M3 S0 as off; otherwise 0."""
         return int(self.oscillating)
 
     @property

@@ -28,7 +28,7 @@ class Laser(DiscTool):
 
     @property
     def radius(self) -> float:
-        """Half the kerf, r (mm)."""
+        """Radius r of the laser's disc (mm), which is half the kerf."""
         return self.kerf / 2.0
 
     @property
@@ -62,11 +62,17 @@ class Laser(DiscTool):
         return Footprint("disc", radius=self.radius, any_height=True)
 
     def clearance(self, usual: float) -> float:
-        """Return the height of the focus above the board between cuts (mm), the same as in cuts."""
+        """Return the height of the focus above the board between cuts (mm).
+
+        It is the same as in cuts; ``usual``, the height in the file of the machine, is not used.
+        """
         del usual
         return self.focus
 
     def passes(self, through: float) -> F64:
-        """Return the depth of the only pass, (1,) (mm): minus the height of the focus."""
+        """Return the depth of the focus in the only pass of a cut, (1,) (mm).
+
+        It is negative if the focus is above the board; ``through`` is not used.
+        """
         del through
         return np.array([-self.focus])

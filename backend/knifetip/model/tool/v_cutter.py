@@ -27,7 +27,7 @@ class VCutter(Tool):
 
     @property
     def length(self) -> float:
-        """Length of the blade from pivot to tip (mm): ``back`` / sin(``tilt``)."""
+        """Length of the blade (mm) from the head's axis to the tip: ``back`` / sin(``tilt``)."""
         return self.back / math.sin(math.radians(self.tilt))
 
     @property
@@ -36,13 +36,16 @@ class VCutter(Tool):
         return math.tan(math.radians(self.tilt))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle about the tilted axis, which is the same at every depth."""
+        """Return the circle with radius ``half_width`` about the tilted axis of the blade.
+
+        It is the same at every depth.
+        """
         del depth  # the same at any depth
         return TipCircle(self.half_width, self.back, self.tilt)
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends at which a track may start, and the angle added to C at the end.
+        """The ends of a track at which the V-cutter may start, and an angle added to C in reverse.
 
         The V-cutter may start at both ends, because either flank can be cut first.
         """
