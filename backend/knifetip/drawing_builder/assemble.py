@@ -189,7 +189,7 @@ def _find_survivors(
     slots: OutU64_1,
     first: OutI64_1,
 ) -> None:
-    """Write for each of n segments the row of the first segment that is equal to it to ``first``.
+    """Write the row of the first equal segment for each of n segments to ``first``.
 
     Parameters
     ----------

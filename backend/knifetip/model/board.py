@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Deflection:
-    """Measured maximum deflection of one cutter under load in one board.
+    """Measured maximum deflection of one cutter under load in one board (mm), along X and Y.
 
     ΔXmax and ΔYmax of the radius compensation paper (``compensation.deflection``).
     """

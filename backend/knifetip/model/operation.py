@@ -27,7 +27,10 @@ class End(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """Parameters for one tool on p paths with n segments, in coordinates of the sheet."""
+    """p paths with n segments that one tool machines with one line type, and their parameters.
+
+    All coordinates are those of the sheet.
+    """
 
     paths: Paths  #: p paths of n segments, which the tip must follow
     line_type: LineType

@@ -11,7 +11,7 @@ from knifetip.geometry.columns import I32, freeze
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """A program for one controller, with the row of the tool path for each program line."""
+    """A program for one controller, and for each program line the row of the tool path."""
 
     text: bytes  #: all program lines, each with a newline at its end
     dialect: str

@@ -46,7 +46,7 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """Deviations of the tip at m points along the edges, for the page; m ≤ 200,000."""
+    """Deviations of the tip from the edges at m ≤ 200,000 points of the edges, for the page."""
 
     edge: I32 = field(
         default_factory=lambda: np.zeros(0, np.int32)

@@ -123,7 +123,7 @@ def _groups(
     Parameters
     ----------
     what
-        What the rows are: "edges" or "entities".
+        "edges" or "entities", whichever the rows are.
     outcome, reason, length, kinds : (n,)
         ImportOutcome, index into ``reasons``, length in mm and entity kind of each edge or entity.
     """
@@ -152,7 +152,10 @@ def _groups(
 
 
 def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return the groups with equal outcome and reason merged: counts and lengths are added."""
+    """Return the groups after merging those with equal outcome and reason.
+
+    The number and the length of a merged group are the sums over its groups.
+    """
     merged: dict[tuple[ImportOutcome, str], dict[str, Any]] = {}
     for group in groups:
         first = merged.setdefault((group["outcome"], group["reason"]["code"]), group)

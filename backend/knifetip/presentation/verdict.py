@@ -33,7 +33,7 @@ EDGE_COLUMNS = (
 
 
 def finite_column(measures: F64) -> F64:
-    """Return a column (n,) with ±1e9 for ±infinity and 1e9 for NaN, see ``messages.finite``."""
+    """Return the column with ±1e9 in place of ±infinity and 1e9 in place of NaN, shape (n,)."""
     column: F64 = np.nan_to_num(
         measures, nan=finite(np.nan), posinf=finite(np.inf), neginf=finite(-np.inf)
     )

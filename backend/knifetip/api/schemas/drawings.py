@@ -81,7 +81,7 @@ class CleaningLengths(BaseModel):
 
 
 class CleaningCounts(BaseModel):
-    """Number of edges by outcome of cleaning."""
+    """Number of edges that cleaning kept, merged and dropped."""
 
     kept: int
     merged: int
@@ -138,7 +138,7 @@ class UnitFindingOut(BaseModel):
 
 
 class ReportGroup(BaseModel):
-    """Edges or entities with the same outcome and the same reason."""
+    """Edges or entities that have the same outcome of cleaning or import, for the same reason."""
 
     outcome: OutcomeWord
     reason: MessageOut = Field(
@@ -267,7 +267,7 @@ class EdgesOut(BaseModel):
 class Override(Strict):
     """Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
 
-    Null as ``type`` removes earlier overrides of the edges.
+    If ``type`` is null, earlier overrides of the selected edges are removed.
     """
 
     type: LineTypeWord | None

@@ -93,7 +93,7 @@ class Tool(ABC):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the tool may start, and an angle (degrees).
 
-        The angle is added to C while the tool follows the track from its end to its start.
+        The angle is added to C if the tool starts at the end of the track.
         """
         return Reversal.ONE, 0.0
 

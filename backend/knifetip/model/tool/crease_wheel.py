@@ -43,9 +43,10 @@ class CreaseWheel(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends of a track at which the wheel may start, and an angle added to C in reverse.
+        """The ends of a track at which the wheel may start, and an angle (degrees).
 
-        The wheel may start at both ends, because it rolls in both directions.
+        The angle is added to C if the wheel starts at the end of the track.  The wheel may start at
+        both ends, because it rolls in both directions.
         """
         return Reversal.EITHER, 0.0
 

@@ -53,9 +53,10 @@ class Knife(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends of a track at which the knife may start, and an angle added to C in reverse.
+        """The ends of a track at which the knife may start, and an angle (degrees).
 
-        A slanted or trailing blade starts only at the start of a track, other blades at both ends.
+        The angle is added to C if the knife starts at the end of the track.  A slanted or trailing
+        blade starts only at the start of a track, other blades at both ends.
         """
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0

@@ -45,9 +45,10 @@ class VCutter(Tool):
 
     @property
     def reversal(self) -> tuple[Reversal, float]:
-        """The ends of a track at which the V-cutter may start, and an angle added to C in reverse.
+        """The ends of a track at which the V-cutter may start, and an angle (degrees).
 
-        The V-cutter may start at both ends, because either flank can be cut first.
+        The angle is added to C if the V-cutter starts at the end of the track.  Both ends are
+        possible, because either flank can be cut first.
         """
         return Reversal.SIDES, 0.0
 
