@@ -23,7 +23,7 @@ _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """Colour and linetype of the BYLAYER entities on a layer, and notes for all its entities."""
+    """A layer: colour and linetype of its BYLAYER entities, and notes for the import report."""
 
     colour: int
     true_colour: int

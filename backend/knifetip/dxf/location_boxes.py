@@ -1,4 +1,4 @@
-"""location_boxes: bounding boxes of entities that produce no geometry, to show where they are.
+"""location_boxes: bounding boxes that show where entities without geometry to cut are.
 
 A box contains the points at which the entity is located, in its own coordinates: the vertices of a
 hatch or a solid, the corner of an image.  Directions, scales and seed points are not included,
@@ -58,16 +58,18 @@ _EXTRUSION_Z: Final = 230
 
 
 def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) -> F64:
-    """Return the bounding boxes of k entities, (k, 4), NaN for entities without a point.
+    """Return the bounding boxes of k entities, (k, 4); NaN for an entity without points.
 
     Parameters
     ----------
+    data
+        Content of the file.
     kinds
         Names of kinds of entities.
     kind : (k,)
         Index into ``kinds`` for each entity.
     spans : (k, 2)
-        First and last position of the bytes of each entity, including its vertices.
+        For each entity the position of its first byte and of the byte after its last vertex.
     """
     rules = np.array([_RULES.get(one, _OTHERS) for one in kinds], np.int64).reshape(-1, 4)
     box, sure = _boxes(np.frombuffer(data, np.uint8), spans, rules[kind])
@@ -79,7 +81,10 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
 
 
 def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
-    """Return the bounding box of an entity, (4,), given its tags; NaN if it has no point."""
+    """Return the bounding box of one entity, (4,), given its tags; NaN if it has no points.
+
+    ``kind`` is the kind of the entity; ``codes`` and ``values`` are its group codes and values.
+    """
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
     rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
     _write_box(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
@@ -88,10 +93,11 @@ def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
 
 
 def transformed_box(box: F64, linear: F64, shift: F64) -> F64:
-    """Return the bounding box, (4,), of k transformed copies of a box.
+    """Return the bounding box, (4,), of k transformed copies of the box ``box``, (4,).
 
-    ``linear`` (k, 2, 2) and ``shift`` (k, 2) transform the copies.  If ``box`` has the shape (k,
-    4), each box is transformed once, and the result has the shape (k, 4).
+    ``linear``, (k, 2, 2), and ``shift``, (k, 2), are linear maps and translations of the copies.
+    If ``box`` contains k boxes, (k, 4), box i is transformed by map i, and the returned array
+    contains the k transformed boxes, (k, 4).
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
     at, reach = moved(linear, shift, middle), moved(np.abs(linear), np.zeros(2), half)
@@ -114,7 +120,17 @@ def _number(code: int, value: Any) -> float:
 def _write_box(
     codes: I64_1, numbers: F64_1, count: int, rules: I64_2, row: int, box: OutF64_2
 ) -> None:
-    """Write the bounding box of the points of one entity into ``box``, if the entity has any."""
+    """Write the bounding box of the points of one entity into ``box[row]``.
+
+    Nothing is written if the entity has no points.
+
+    Parameters
+    ----------
+    codes, numbers, count
+        Group codes and numbers of the tags of the entity, and the number of these tags.
+    rules
+        ``rules[row]`` determines which group codes of the entity are coordinates of its points.
+    """
     bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
@@ -148,7 +164,19 @@ def _write_box(
 
 @kernel
 def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
-    """Return the boxes of k entities, (k, 4), and the mask of entities with valid numbers."""
+    """Return the bounding boxes of k entities, (k, 4), and the mask of the certain ones, (k,).
+
+    A box is not certain if a tag of the entity cannot be parsed here.
+
+    Parameters
+    ----------
+    data
+        Bytes of the file.
+    spans : (k, 2)
+        For each entity the position of its first byte and of the byte after its last vertex.
+    rules : (k, 4)
+        For each entity a rule that determines which group codes are coordinates of its points.
+    """
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0
     for row in range(len(spans)):
@@ -163,7 +191,11 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
 
 @kernel(allocates=False)
 def _tags(data: U8_1, low: int, high: int, codes: OutI64_1, numbers: OutF64_1) -> tuple[int, bool]:
-    """Write group codes and numbers of an entity; return their count, and whether all are valid."""
+    """Write the group codes and numbers of the entity in ``data[low:high]``.
+
+    They are written into ``codes`` and ``numbers``.  Returns the number of tags, and whether all
+    of them were parsed with certainty.
+    """
     at: Any = np.uint64(low)
     size: Any = np.uint64(high)
     sure = True

@@ -30,12 +30,14 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     data
         Content of the file, ASCII or binary.
     unit
-        "mm", "cm", "m", "in" or "ft": overrides the unit of the file.
+        Unit that replaces the unit of the file: "mm", "cm", "m", "in" or "ft"; None or empty for
+        the unit of the file.
 
     Returns
     -------
     Drawing
-        In mm; in file units, with ``unit`` empty, if neither file nor caller states a unit.
+        In mm.  If neither the file nor ``unit`` names a unit, the drawing is in file units, and its
+        attribute ``unit`` is empty.
 
     Raises
     ------
@@ -70,7 +72,10 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
 
 
 def _stripped(data: bytes) -> bytes:
-    """Return the content without byte order mark and leading blank lines; UTF-16 becomes UTF-8."""
+    """Return the content of a file without byte order mark and without leading blank lines.
+
+    Content in UTF-16 is converted to UTF-8.
+    """
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         data = data.decode("utf-16", "replace").encode("utf-8")
     # Most files begin with a group code and are not copied.

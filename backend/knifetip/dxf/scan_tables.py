@@ -16,7 +16,7 @@ from knifetip.kernels import (
 
 
 class ScanTables(NamedTuple):
-    """Arrays filled by a scan; the number of used rows of each array is in ``state``."""
+    """Arrays that a scan fills; the array ``state`` contains the number of rows used in each."""
 
     entity: OutI32_2F  #: (e, ``fields.WIDTH``) attributes of each entity, as written
     value: OutF64_2F  #: (e, ``fields.VALUES``) decimal numbers of each entity

@@ -21,9 +21,9 @@ _DEGREE: Final = math.pi / 180.0
 
 @kernel
 def swept(first: float, last: float) -> float:
-    """Return the sweep of an arc between two angles (degrees), in (0, 360].
+    """Return the angle (degrees), in (0, 360], from angle ``first`` counter-clockwise to ``last``.
 
-    The sweep is 360 if the angles differ by a multiple of 360.
+    It is 360 if the two angles differ by a multiple of 360.
     """
     sweep = (last - first) % 360.0
     return 360.0 if sweep == 0.0 and last != first else sweep
@@ -31,7 +31,7 @@ def swept(first: float, last: float) -> float:
 
 @kernel
 def round_count(sweep: float) -> int:
-    """Return the number of rows for an arc: each row turns by at most 180 degrees."""
+    """Return the number of segments of at most 180 degrees for an arc of ``sweep`` degrees."""
     return 1 if sweep <= 180.0 + 1e-9 else 2
 
 
@@ -46,9 +46,16 @@ def round_rows(
     bulge: OutF64_1,
     at: int,
 ) -> int:
-    """Write the rows of an arc from row ``at`` on; return the index of the row after them.
+    """Write the segments of an arc into ``ends`` and ``bulge``, from row ``at`` on.
 
-    ``first`` and ``sweep`` are in degrees.
+    Returns the index of the row after the last segment.
+
+    Parameters
+    ----------
+    x, y, radius
+        Centre and radius of the arc.
+    first, sweep
+        Start angle and sweep of the arc (degrees).
     """
     rows = round_count(sweep)
     turn = min(math.tan(sweep * _DEGREE / rows / 4.0), 1.0)
@@ -70,9 +77,10 @@ def round_rows(
 
 @kernel
 def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
-    """Return the number of rows for a polyline; an arc of more than 180 degrees has two rows.
+    """Return the number of segments of a polyline; an arc of more than 180 degrees becomes two.
 
-    The vertices of the polyline are the rows ``low`` to ``high`` of ``vertex``.
+    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, the last
+    vertex is connected to the first vertex.
     """
     rows = 0
     for i in range(low, high if closed else high - 1):
@@ -84,9 +92,10 @@ def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
 def chain_rows(
     vertex: F64_2, low: int, high: int, closed: bool, ends: OutF64_3, bulge: OutF64_1, at: int
 ) -> int:
-    """Write the rows of a polyline from row ``at`` on; return the index of the row after them.
+    """Write the segments of a polyline into ``ends`` and ``bulge``, from row ``at`` on.
 
-    The vertices (x, y, bulge) are the rows ``low`` to ``high`` of ``vertex``.
+    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, the last
+    vertex is connected to the first vertex.  Returns the index of the row after the last segment.
     """
     for i in range(low, high if closed else high - 1):
         j = i + 1 if i + 1 < high else low
@@ -111,7 +120,10 @@ def chain_rows(
 
 @kernel
 def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
-    """Negate x in the rows ``low`` to ``high``, as an extrusion of −Z does."""
+    """Negate x in the segments ``low`` … ``high`` - 1 and reverse the sign of their bulges.
+
+    An entity with an extrusion of −Z is mirrored in this way.
+    """
     for i in range(low, high):
         ends[i, 0, 0] = -ends[i, 0, 0]
         ends[i, 1, 0] = -ends[i, 1, 0]
@@ -120,19 +132,24 @@ def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
 
 @kernel
 def turning(rotation: float) -> tuple[float, float]:
-    """Return cosine and sine of an angle in degrees."""
+    """Return the cosine and the sine of the angle ``rotation`` (degrees)."""
     return math.cos(rotation * _DEGREE), math.sin(rotation * _DEGREE)
 
 
 def moved(linear: F64, shift: F64, points: F64) -> F64:
-    """Return transformed points: ``linear @ p + shift`` for each p.
+    """Return the points ``linear @ p + shift``, (..., 2), for each point p of ``points``.
+
+    The matrix product is computed with single multiplications, because the rounding of NumPy's
+    matrix product depends on the processor.
 
     Parameters
     ----------
     linear : (..., 2, 2)
+        Linear maps.
     shift : (..., 2)
+        Translations.
     points : (..., 2)
-        Written out, because rounding of matrix products depends on the processor.
+        Points to transform.
     """
     x, y = points[..., 0], points[..., 1]
     result: F64 = np.stack(

@@ -47,7 +47,10 @@ _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0,
 
 
 def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
-    """Return the unit in $INSUNITS, "" if there is none, and the message that explains it."""
+    """Return the unit that the header variable $INSUNITS names, and a message that explains it.
+
+    The unit is "" if the variable is missing or does not name a supported unit.
+    """
     written = variables.get("$INSUNITS")
     if written is None:
         return "", Message("unit.header-missing")
@@ -65,7 +68,7 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
 
 
 def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
-    """Return the evidence for a unit in header variables other than $INSUNITS."""
+    """Return evidence for the unit of a file, from header variables other than $INSUNITS."""
     found = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
@@ -88,7 +91,10 @@ def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
 
 
 def known_unit(unit: str, variables: Mapping[str, str]) -> KnownUnit:
-    """Return the unit that the caller gives, or the unit of the file if ``unit`` is empty."""
+    """Return ``unit`` if it is not empty, otherwise the unit that the header variables name.
+
+    ``variables`` contains the values of the header variables by name.
+    """
     written, evidence = stated(variables)
     if unit:
         return KnownUnit(factor(unit), unit, Message("unit.given"), written, hints(variables))

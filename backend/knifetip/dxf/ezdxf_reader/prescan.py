@@ -68,7 +68,7 @@ class Prescan:
 
     @property
     def annotations(self) -> tuple[Annotation, ...]:
-        """Texts and dimensions in model space."""
+        """The annotations of the texts and dimensions in model space."""
         return tuple(one.words for one in self.entities if one.words and not one.paper)
 
 

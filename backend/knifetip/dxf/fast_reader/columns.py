@@ -178,7 +178,7 @@ def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
 
 
 class SheetRows(NamedTuple):
-    """The k entities of model space in file order."""
+    """The k entities of model space in file order, with the positions of their segments."""
 
     entity: I64_1  #: (k,) row of each entity
     report_row: I64_1  #: (k,) row of each entity in the import report
@@ -206,7 +206,7 @@ class PlacedBlocks(NamedTuple):
 
 
 class SheetSegments(NamedTuple):
-    """Output arrays for the m segments of the drawing."""
+    """Arrays into which the m segments of the drawing are written."""
 
     ends: OutF64_3  #: (m, 2, 2) file units
     bulge: OutF64_1  #: (m,)

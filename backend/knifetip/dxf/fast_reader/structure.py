@@ -25,7 +25,7 @@ from knifetip.kernels import (
 
 @inline_kernel
 def context(state: I64_1) -> Any:
-    """Return the row of ``group_codes.ACTION`` that applies in the current state."""
+    """Return the index of the row of ``group_codes.ACTION`` that applies to the next tag."""
     mode, kind = state[s.MODE], state[s.OPEN_KIND]
     if state[s.GROUP] != 0 or mode < s.IN_ENTITY:
         return g.ELSEWHERE
@@ -36,7 +36,7 @@ def context(state: I64_1) -> Any:
 
 @inline_kernel
 def mark_unsupported(entity: OutI32_2F, state: OutI64_1) -> None:
-    """Mark the open entity as unsupported, in the column ``UNSUPPORTED``."""
+    """Mark the entity whose tags are being read as unsupported, in the column ``UNSUPPORTED``."""
     entity[state[s.ROW], f.UNSUPPORTED] = 1
     state[s.OPEN_KIND] = f.OTHER
     state[s.CONTEXT] = context(state)
@@ -44,9 +44,9 @@ def mark_unsupported(entity: OutI32_2F, state: OutI64_1) -> None:
 
 @inline_kernel
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Close the open entity, which ends before position ``start``.
+    """Complete the row of the entity or vertex whose tags were read; it ends before byte ``start``.
 
-    The entity is marked as unsupported if it is incomplete.
+    An entity with missing tags is marked as unsupported.
     """
     row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
     if row < 0:
@@ -74,16 +74,16 @@ def begin(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Handle a tag of group code 0: close the open entity and start the next record.
+    """Handle a tag of group code 0: complete the open entity and start the next record.
 
-    Returns ON, REFUSED, or DONE at the end of the file.
+    Returns ON, DONE at the end of the file, or REFUSED if the fast reader cannot read the file.
 
     Parameters
     ----------
     start
-        Position of the group code.
+        Position of the line with the group code.
     low, high
-        Span of bytes of the value.
+        The value of the tag is ``data[low:high]``.
     """
     if state[s.GROUP] == 1:
         return s.REFUSED
@@ -141,7 +141,10 @@ def begin(
 
 @inline_kernel
 def _open_block(tables: ScanTables, state: OutI64_1) -> int:
-    """Start a block with an empty header; return ON or REFUSED."""
+    """Start a block definition without name and layer.
+
+    Returns ON, or REFUSED if the fast reader cannot read the file.
+    """
     row = state[s.BLOCKS]
     if state[s.INSIDE] >= 0 or row == len(tables.block):
         return s.REFUSED
@@ -156,7 +159,10 @@ def _open_block(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
-    """Start a vertex of the open polyline; return ON or REFUSED."""
+    """Start a vertex of the open polyline.
+
+    Returns ON, or REFUSED if there is no open polyline or the array of vertices is full.
+    """
     chain, row = state[s.CHAIN], state[s.VERTICES]
     if chain < 0 or row == state[s.MOST_VERTICES]:
         return s.REFUSED
@@ -171,16 +177,18 @@ def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: OutI64_1) -> int:
-    """Start an entity with default attributes; return ON or REFUSED.
+    """Start an entity with default attributes.
+
+    Returns ON, or REFUSED if the fast reader cannot read the file.
 
     Parameters
     ----------
     start
         Position of the first group code of the entity.
     word
-        Number of the entity's kind among ``keywords``, -1 for other kinds.
+        Number of the keyword for the kind of the entity, -1 if the kind is not a keyword.
     name
-        Index of the entity's kind among the names of the file.
+        Index of the kind in the table of names of the file, -1 if it cannot be stored.
     """
     entity, value, row = tables.entity, tables.value, state[s.ENTITIES]
     if row == state[s.MOST_ENTITIES] or name < 0:
@@ -214,12 +222,16 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 
 @inline_kernel
 def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
-    """End a part of the file before position ``start``; return whether it may end there.
+    """Complete the open entity at the end of a part of the file.
+
+    Returns whether the file may be split at this position.
 
     Parameters
     ----------
+    start
+        Position of the first byte after the part.
     last
-        Group code of the preceding tag.
+        Group code of the last tag of the part.
     """
     if state[s.GROUP] == 1 or state[s.SECTION] != w.ENTITIES or g.IS_POINT[last]:
         return False
@@ -229,7 +241,10 @@ def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
 
 @inline_kernel
 def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
-    """Start or end a table, or start a row of the open table; return ON or REFUSED."""
+    """Start or end a table, or start a row of the open table, depending on ``data[low:high]``.
+
+    Returns ON, or REFUSED if the fast reader cannot read the file.
+    """
     is_table = is_word(data, low, high, w.TABLE)
     if is_table == (state[s.TABLE] >= 0):
         return s.REFUSED
@@ -260,7 +275,17 @@ def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1
 
 @inline_kernel
 def _frame(low: int, word: int, state: OutI64_1) -> int:
-    """Start or end a section; return ON or REFUSED."""
+    """Start a section, or end a section or the file.
+
+    Returns ON, DONE at the end of the file, or REFUSED if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    low
+        Position of the value of the tag.
+    word
+        Number of the keyword: ``SECTION``, ``ENDSEC`` or ``EOF``.
+    """
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED
     if word == w.EOF:

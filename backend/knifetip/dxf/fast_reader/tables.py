@@ -1,6 +1,6 @@
-"""tables: names, layers, handles and blocks of a Scan.
+"""tables: decoded names, layers, handles and blocks of a Scan.
 
-Text is decoded and checked here once per name instead of once per entity.
+Each name is decoded and checked once, and not for every entity that uses it.
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ class Unsupported(Exception):
 
 
 class Tables:
-    """Names, layers, handles and blocks of one file.
+    """Decoded names, layers, handles and blocks of one file.
 
     Raises
     ------
     Unsupported
-        A name, a handle or the version is not supported.
+        A name, a handle, a block or the version is not supported.
     """
 
     def __init__(self, found: Scan) -> None:
@@ -76,16 +76,16 @@ class Tables:
         self.blocks = self._blocks()
 
     def layer(self, row: int) -> str:
-        """Return the name of an entity's layer, as written."""
+        """Return the layer name of the entity in row ``row`` of the Scan, as written."""
         number = self.found.entity[row, f.LAYER]
         return self.names[number] if number >= 0 else "0"
 
     def block_name(self, block: int) -> str:
-        """Return the name of a block, as written."""
+        """Return the name of the block in row ``block`` of the Scan, as written."""
         return self.names[int(self.found.block[block, f.NAME])]
 
     def style(self, row: int, insert_style: Style | None = None) -> Style:
-        """Return the style of an entity.
+        """Return the style of the entity in row ``row`` of the Scan.
 
         ``insert_style`` is the style of the INSERT that places the entity, None in model space.
         """
@@ -100,7 +100,10 @@ class Tables:
         )
 
     def _words(self) -> dict[int, str]:
-        """Return the kinds of entities, as written, by the indices of their names."""
+        """Return the kinds of entities that the file contains, such as LINE.
+
+        The keys of the dictionary are the indices of the kinds in the table of names.
+        """
         column = self.found.entity[:, f.WORD]
         words = {
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
@@ -141,7 +144,7 @@ class Tables:
         return table
 
     def _blocks(self) -> dict[str, int]:
-        """Return the rows of the blocks by their names in lower case."""
+        """Return the row in the Scan of each block, by name in lower case."""
         blocks: dict[str, int] = {}
         if self.found.block[:, f.EXTERNAL].any():
             raise Unsupported

@@ -39,7 +39,12 @@ from knifetip.kernels import (
 
 @inline_kernel
 def _of_header(code: int, before: int, data: U8_1, low: int, high: int) -> bool:
-    """Return whether a tag of section HEADER is valid: a name is followed by one value."""
+    """Return whether a tag may follow its preceding tag in the section HEADER.
+
+    In this section a tag with the name of a variable is followed by one value or one point.
+    ``code`` and ``before`` are the group codes of the tag and of the preceding tag, and
+    ``data[low:high]`` is the value of the tag.
+    """
     if code == 9:
         return before != 9 and high > low and data[low] == 36
     return before == 9 or (code == 20 and before == 10) or (code == 30 and before == 20)
@@ -56,7 +61,11 @@ def _of_layer(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of a row in the layer table; return ON or REFUSED."""
+    """Store a tag of the last row of the layer table.
+
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
+    if the fast reader cannot read the file.
+    """
     row = state[s.LAYERS] - 1
     if code == 2 or code == 6:
         name = name_at(data, low, high, spans, slots, state)
@@ -98,7 +107,11 @@ def _of_block(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the header of a block; return ON or REFUSED."""
+    """Store a tag of the open block that precedes the entities of the block.
+
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
+    if the fast reader cannot read the file.
+    """
     row = state[s.INSIDE]
     if code == 5:
         block[row, f.BLOCK_HANDLE], block[row, f.BLOCK_HANDLE_SIZE] = low, high - low
@@ -117,7 +130,11 @@ def _of_block(
 
 @inline_kernel
 def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1) -> int:
-    """Check and skip a tag of a group {…} or of extension data; return ON or REFUSED."""
+    """Check and skip a tag of a group in braces or of extension data of other programs.
+
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
+    if the fast reader cannot read the file.
+    """
     if code == 102:
         opens = high > low and data[low] == 123
         if state[s.GROUP] == 2 or opens == (state[s.GROUP] == 1):
@@ -148,7 +165,10 @@ def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: Ou
 
 @inline_kernel
 def _is_handle(code: int, state: I64_1) -> bool:
-    """Return whether a tag is the handle of an object that is not an entity."""
+    """Return whether a tag contains the handle of an object that is not an entity.
+
+    ``code`` is the group code of the tag.
+    """
     named = 105 if state[s.MODE] == s.IN_STYLE else 5
     # After a subclass marker the code has another meaning.
     if code != named or state[s.GROUP] != 0 or state[s.OPEN_MARKS] > 0:
@@ -160,9 +180,16 @@ def _is_handle(code: int, state: I64_1) -> bool:
 def _of_structure(
     code: int, data: U8_1, low: int, high: int, after: int, tables: ScanTables, state: OutI64_1
 ) -> int:
-    """Store a tag of the open section, table, block or entity; return ON or REFUSED.
+    """Store a tag of the open section, table, block or entity.
 
-    ``after`` is the position of the next tag.
+    Returns ON, or REFUSED if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    code
+        Group code of the tag; its value is ``data[low:high]``.
+    after
+        Position of the next tag.
     """
     spans, slots = tables.spans, tables.slots
     mode = state[s.MODE]
@@ -199,16 +226,18 @@ def _of_structure(
 
 @kernel(allocates=False)
 def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: OutI64_1) -> bool:
-    """Fill the tables from a part of a file; return whether this part is supported.
+    """Write the content of a part of a file into ``tables``; return whether the part is supported.
 
     Parameters
     ----------
     data : (m,) uint8
         Bytes of the file.
     begins, ends
-        Span of bytes to scan, from one group code to another or to the end of the file.
+        The part is ``data[begins:ends]``; it begins with a group code.
+    tables
+        Arrays for entities, vertices, blocks, layers and names.
     state : (``STATES``,) int64
-        Initial state; on return, the numbers of rows from ``ENTITIES`` on.
+        Initial state of the scan; on return, it contains the numbers of rows that were written.
     """
     entity, block = tables.entity, tables.block
     spans, slots, others = tables.spans, tables.slots, tables.others

@@ -1,4 +1,4 @@
-"""Sample cartons, and a writer of the DXF files that CAD programs write."""
+"""Sample cartons, and a function that writes them as DXF files like those of CAD programs."""
 
 from __future__ import annotations
 

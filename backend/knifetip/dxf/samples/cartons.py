@@ -1,10 +1,9 @@
-"""samples: three cartons of our own design, as functions of their inside or outside dimensions.
+"""cartons: three sample cartons of our own design, drawn for given inside or outside dimensions.
 
-    length, width, depth, caliper -> layers with Paths -> DXF bytes
-
-A tuck-end carton in folding boxboard, a tray with rolled-over ends in corrugated board and a
-grooved blank for a rigid box in greyboard.  They close when they are folded: every allowance for
-the caliper is given here with its reason.
+They are a tuck-end carton in folding boxboard, a tray with rolled-over end walls in corrugated
+board, and a grooved blank for a rigid box in greyboard.  Each is a list of layers with paths, which
+``write`` converts to a DXF file.  The cartons close when they are folded: every allowance for the
+caliper is given here with its reason.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ V_GROOVE = Layer("V-GROOVE", 6, "DASHDOT")
 
 
 def samples() -> dict[str, bytes]:
-    """Return the sample drawings, DXF bytes by file name."""
+    """Return the content of the sample DXF files by file name."""
     return {
         "tuck-end-carton.dxf": drawn(tuck_end_carton()),
         "corrugated-tray.dxf": drawn(corrugated_tray()),
@@ -36,16 +35,18 @@ def samples() -> dict[str, bytes]:
 def tuck_end_carton(
     length: float = 90.0, width: float = 45.0, depth: float = 130.0
 ) -> list[tuple[Layer, Paths]]:
-    """Return a reverse tuck-end carton with slit locks, for folding boxboard up to 0.5 mm.
+    """Return the layers, with their paths, of a reverse tuck-end carton with slit locks.
 
-    From the left: glue flap, front, side, back, side.  The upper lid hangs on the back and tucks
-    in behind the front, the lower one the other way round.  The lid's slits hold the shoulders of
-    the dust flaps.
+    The carton is for folding boxboard up to 0.5 mm.  Its panels from the left: glue flap, front,
+    side, back, side.  The upper lid is attached to the back panel and its tuck flap is inserted
+    behind the front panel; the lower lid is attached to the front panel and is inserted behind the
+    back panel.  The slits in each lid hold the shoulders of the dust flaps.
 
     Parameters
     ----------
     length, width, depth : float, mm
-        Crease to crease; ``length`` is the front's, ``depth`` the height of the carton.
+        Distances between creases: width of the front panel, width of a side panel, and height of
+        the carton.
     """
     glue, step, slit, tuck = 15.0, 0.5, 6.0, 16.0
     # The last panel lies outside the glue flap's fold: narrower, or its edge would stand out.
@@ -56,7 +57,11 @@ def tuck_end_carton(
     ease = 0.8  # each side of the lid, so that it slides in between the side panels
 
     def lid_at(left: float, right: float, crease: float, out: float) -> F64:
-        """Corners of lid and tuck flap, left to right; ``out`` is +1 upwards, -1 downwards."""
+        """Return the corners of a lid with its tuck flap, from left to right, as for ``_contour``.
+
+        The lid is between x = ``left`` and x = ``right``, and its crease is at y = ``crease``.
+        ``out`` is +1 if the lid points upwards from its crease, -1 if it points downwards.
+        """
         return np.array(
             [
                 (left, crease - out * step, 0.0, 0.0),
@@ -69,7 +74,12 @@ def tuck_end_carton(
         )
 
     def dust_at(tucked: float, hinged: float, crease: float, out: float) -> F64:
-        """Corners of a dust flap, from the side where the tuck flap goes in to the lid's hinge."""
+        """Return the corners of a dust flap, as for ``_contour``.
+
+        They are ordered from x = ``tucked``, the side at which a tuck flap is inserted, to
+        x = ``hinged``, the side of the panel to which the lid is attached.  The crease of the dust
+        flap is at y = ``crease``.  ``out`` is +1 if the flap points upwards, -1 if downwards.
+        """
         reach = (width + tuck) / 2.0
         shoulder = slit + 2.0
         taper = reach * math.tan(math.radians(15.0))
@@ -125,15 +135,18 @@ def tuck_end_carton(
 def corrugated_tray(
     length: float = 280.0, width: float = 200.0, height: float = 80.0, caliper: float = 3.0
 ) -> list[tuple[Layer, Paths]]:
-    """Return a tray after FEFCO 0422: the end walls roll over the corner flaps and lock in slots.
+    """Return the layers, with their paths, of a corrugated tray after FEFCO 0422.
+
+    The end walls are rolled over the corner flaps, and tabs on them lock in slots of the base.
 
     Parameters
     ----------
     length, width, height : float, mm
-        Inside.
+        Inside dimensions of the tray.
     caliper : float, mm
-        Of the board, t.  A crease lies in the middle of the board, so each wall between the inside
-        and a crease adds t, and the wall itself t/2.
+        Thickness t of the board.  Creases are in the middle of the board.  The distance from the
+        inside of the tray to a crease is therefore longer by t for each wall between them, and by
+        t/2 for the wall with the crease.
     """
     t = caliper
     side = width / 2.0 + t / 2.0
@@ -197,18 +210,19 @@ def corrugated_tray(
 def rigid_box_blank(
     length: float = 220.0, width: float = 150.0, height: float = 50.0, caliper: float = 2.0
 ) -> list[tuple[Layer, Paths]]:
-    """Return the blank of a rigid box in one piece: four V-grooves round the base.
+    """Return the layers, with their paths, of a rigid box in one piece with four V-grooves.
 
-    The board folds at the foot of the groove, so the grooves are the outside of the box.  The long
-    walls keep their full length and the short ones stand between them; a mitre at each corner lets
-    the short wall's end past the flank of the long wall's groove.
+    The grooves surround the base.  The board folds at the bottom of the grooves, so that the
+    distances between the grooves are the outside dimensions of the box.  The long walls have their
+    full length, and the short walls are between them; a mitre at each corner makes room for the end
+    of the short wall beside the flank of the long wall's groove.
 
     Parameters
     ----------
     length, width, height : float, mm
-        Outside.
+        Outside dimensions of the box.
     caliper : float, mm
-        Of the greyboard.
+        Thickness of the greyboard.
     """
     x, y = length / 2.0, width / 2.0
     mitre = caliper + 0.2  # room for the wrap's turn-in
@@ -239,13 +253,13 @@ def rigid_box_blank(
 
 
 def _contour(*parts: ArrayLike) -> Paths:
-    """Return one closed path through corners.
+    """Return one closed path through the corners in ``parts``, with fillets at the corners.
 
     Parameters
     ----------
     *parts : (k, 4)
-        Corners in order: x, y, radius of the fillet there (mm), and bulge of the side that
-        follows.  A fillet lies between straight sides only.
+        Arrays of successive corners: x, y, radius of the fillet at the corner (mm), 0 for none, and
+        bulge of the side that follows the corner.  The two sides at a fillet must be straight.
     """
     corners = np.concatenate([np.asarray(part, np.float64) for part in parts])
     again = np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T) < 1e-9
@@ -264,11 +278,13 @@ def _contour(*parts: ArrayLike) -> Paths:
 
 
 def _notch(radius: float, depth: float, lead: float) -> F64:
-    """Return a thumb notch into the board to the left of an edge along u, (4, 4) corners.
+    """Return the corners of a thumb notch in the edge of a panel, (4, 4), as for ``_contour``.
 
-    A circle of ``radius`` that reaches ``depth`` into the board, led into by fillets of radius
-    ``lead``.  Its centre stands ``radius - depth`` outside the edge, so the two circles touch where
-    the travel has turned by φ, cos φ = (radius - depth + lead) / (radius + lead).
+    The edge is the u axis, and the notch extends into the board on the left of the edge.  It is an
+    arc of radius ``radius`` that reaches ``depth`` into the board, with a fillet of radius ``lead``
+    at each side (mm).  The centre of the arc is ``radius - depth`` outside the board, so the arc
+    and a fillet touch where their direction differs from the edge by φ,
+    cos φ = (radius - depth + lead) / (radius + lead).
     """
     turned = math.acos((radius - depth + lead) / (radius + lead))
     half = (radius + lead) * math.sin(turned)
@@ -285,14 +301,25 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
 
 
 def _placed(corners: F64, at: tuple[float, float], along: tuple[float, float]) -> F64:
-    """Return corners, given as u along an edge and v to its left, in sheet coordinates."""
+    """Return corners in the coordinates of the sheet.
+
+    Parameters
+    ----------
+    corners : (k, 4)
+        Corners as for ``_contour``, with the coordinates u along an edge and v to its left.
+    at, along
+        Origin of u and v in the coordinates of the sheet, and unit vector along the edge.
+    """
     u = np.array(along)
     xy = at + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
     return np.hstack([xy, corners[:, 2:]])
 
 
 def _four(quarter: F64) -> list[F64]:
-    """Return the corners of all four quarters, counter-clockwise, from those of the first."""
+    """Return the corners of all four quarters of a contour that is symmetrical to both axes.
+
+    ``quarter`` contains the corners of the first quarter.  All quarters are counter-clockwise.
+    """
     backwards = quarter[::-1]
     return [
         quarter,
@@ -303,7 +330,10 @@ def _four(quarter: F64) -> list[F64]:
 
 
 def _oblong(centre: tuple[float, float], length: float, radius: float) -> Paths:
-    """Return a hole with round ends, ``length`` along y."""
+    """Return the closed path of a hole with semicircular ends, ``length`` mm long in y.
+
+    ``centre`` is the centre of the hole, and ``radius`` the radius of its ends (mm).
+    """
     x, y = centre
     straight = length / 2.0 - radius
     xy = np.array(
@@ -324,19 +354,22 @@ def _rectangle(x: float, y: float, width: float, height: float) -> Paths:
 
 
 def _lines(rows: ArrayLike) -> Paths:
-    """Return lines, each a path of its own, (k, 4): from x, y to x, y."""
+    """Return a separate path for each row of ``rows``, (k, 4): x, y of the start and of the end."""
     ends = np.asarray(rows, np.float64)
     return _apart(Paths(ends[:, :2], ends[:, 2:], np.zeros(len(ends)), np.array([0, len(ends)])))
 
 
 def _apart(paths: Paths) -> Paths:
-    """Return each segment as a path of its own."""
+    """Return the segments of ``paths``, each as a separate path."""
     each = np.arange(len(paths.bulge) + 1, dtype=np.int32)
     return Paths(paths.start, paths.end, paths.bulge, each)
 
 
 def _moved(paths: Paths, by: F64) -> Paths:
-    """Return the shifted paths, rounded to nanometres: no 251.00000000000003 in the file."""
+    """Return paths shifted by the vector ``by``, (2,) mm, with coordinates rounded to nanometres.
+
+    Without rounding, the file would contain numbers such as 251.00000000000003.
+    """
     start, end = (paths.start + by).round(6), (paths.end + by).round(6)
     # Adding 0 makes a zero of minus zero.
     return Paths(start + 0.0, end + 0.0, paths.bulge.round(12), paths.first)

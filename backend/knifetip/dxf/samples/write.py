@@ -1,9 +1,8 @@
-"""write: lines and arcs on layers, as a DXF file like those of CAD programs.
+"""write: write lines and arcs on layers as a DXF file like those of CAD programs.
 
-    layers with Paths -> bytes: R2010, millimetres, LINE, ARC and LWPOLYLINE with bulges
-
-The same paths give the same bytes on every run and every machine, so that a sample can be named by
-its hash and compared in a test.
+The file has version R2010 and the unit mm, and contains LINE, ARC and LWPOLYLINE with bulges.  The
+same paths give the same bytes on every run and every machine, so that a sample can be named by its
+hash and compared in a test.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ _DASHES = {
 
 @dataclass(frozen=True, slots=True)
 class Layer:
-    """A layer of the file: everything on it is BYLAYER."""
+    """A layer of the DXF file, with the colour and the linetype of all entities on it."""
 
     name: str
     colour: int  #: AutoCAD colour index
@@ -41,13 +40,14 @@ class Layer:
 
 
 def drawn(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
-    """Return a DXF file with these paths.
+    """Return the content of a DXF file that contains the given paths.
 
     Parameters
     ----------
     sheet
-        Layers and what lies on them, in the order of the file; a layer may come again.  A path of
-        one segment becomes a LINE or an ARC, a longer one an LWPOLYLINE, closed where it is closed.
+        Layers with the paths on them, in the order of the file; a layer may occur more than once.
+        A path with one segment becomes a LINE or an ARC, a longer path an LWPOLYLINE, which is
+        closed if the path is closed.
 
     Returns
     -------
@@ -57,7 +57,7 @@ def drawn(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     Raises
     ------
     GeometryError
-        A coordinate is not a number.
+        A coordinate is not a finite number.
     """
     for layer, paths in sheet:
         if not all(np.isfinite(column).all() for column in (paths.start, paths.end, paths.bulge)):
