@@ -16,7 +16,7 @@ from knifetip.topology.subdivision import subdivide
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutSides:
-    """The waste and the faces on the two sides of n cuts."""
+    """The waste beside n cuts, and the parts and holes that the cuts bound."""
 
     waste: I8  #: (n,) side of the waste around a part: +1 left, -1 right, 0 if it bounds no part
     face: I64  #: (n,) part or hole that the cut bounds, -1 for none
@@ -24,12 +24,13 @@ class CutSides:
 
 
 def cut_sides(ends: F64, bulge: F64) -> CutSides:
-    """Return the waste and the faces on the two sides of each cut.
+    """Return for each cut the side of the waste, the part or hole that the cut bounds, and whether
+    the cut lies between two parts.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Cuts in any order and direction.
+        Ends and bulges of the cuts, in any order and direction.
     """
     subdivision = subdivide(ends, bulge)
     face = subdivision.face
