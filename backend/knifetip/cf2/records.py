@@ -1,6 +1,6 @@
 """records: parse the records of a CF2 into sections, one for MAIN and one for each subroutine.
 
-    text -> Cf2File: unit, scale and corners of the header; a Section for each section
+    text -> Cf2File: unit, scale and corners of the drawing from the header, and the sections
 
 A record is one text line with fields between commas::
 
@@ -87,7 +87,7 @@ class Section:
 
 @dataclass(slots=True)
 class Cf2File:
-    """The parsed content of a CF2: unit, scale and corners from its header, and its sections."""
+    """A parsed CF2: its sections, and from its header unit, scale and corners of the drawing."""
 
     main: Section | None = None
     subs: dict[str, Section] = field(default_factory=dict)  #: by upper-case name

@@ -114,8 +114,8 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
 def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[Message]:
     """Return a warning for each contradiction to the unit in which the drawing was read.
 
-    One warning says that the header states a different unit, another that the evidence supports a
-    different unit.  The list is empty without contradictions, or if the drawing has no unit.
+    There may be one warning that the header states a different unit, and one that the evidence
+    supports a unit that is neither of the two.  The list is empty if the drawing has no unit.
 
     Parameters
     ----------
@@ -161,9 +161,9 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for each unit, except the least likely, from the header of the file.
+    """Return the evidence for units from the unit that the header of the file states, if any.
 
-    The header states one unit or none.
+    The least likely unit gets no evidence.
     """
     share = weights.STATED[drawing.stated]
     least = min(share.values())
@@ -175,9 +175,7 @@ def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
 
 
 def _header_message(stated: str, unit: str, share: float) -> Message:
-    """Return the message that states which fraction of drawings with such a header are in ``unit``.
-
-    Such a header is one that states the unit ``stated``, or no unit.
+    """Return the message that states how often drawings with a given header are in ``unit``.
 
     Parameters
     ----------
@@ -186,7 +184,7 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
     unit
         The unit for which the message is evidence.
     share
-        The fraction, 0…1.
+        Fraction (0…1) of the drawings whose header states ``stated`` that are in ``unit``.
     """
     if not stated:
         return Message("unit.share-unstated", unit=unit, percent=100.0 * share)
@@ -194,7 +192,7 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from the settings of the file, other than the unit it states.
+    """Return the evidence for units from settings in the file, except the unit that it states.
 
     An example of such a setting is a choice between metric and imperial measures.
     """

@@ -177,7 +177,7 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return the weight of each unit minus the least of the weights, which are given by unit.
+    """Return for each unit its weight in ``weight`` minus the least of all weights.
 
     Weights more than ``weights.HEAVIEST`` below the greatest weight are first raised to this limit.
     """
@@ -271,7 +271,7 @@ def grid_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def grid_likelihood(found: Lengths) -> dict[str, float]:
-    """Return the log-likelihood of the lengths of the edges for each unit of the drawing."""
+    """Return the log-likelihood of the lengths of the edges for each unit the drawing may be in."""
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
@@ -316,7 +316,7 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
 
 
 def _grid_message(found: Lengths, unit: str) -> Message:
-    """Return the message that names the best grid spacing and the number of its multiples.
+    """Return the message that names the best grid spacing and how many lengths are multiples of it.
 
     The best grid spacing is the one for which the edges whose length is a multiple of it have the
     greatest total length.  ``unit`` is the unit in which the drawing is assumed to be.

@@ -138,10 +138,10 @@ def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Messa
 
 
 def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
-    """Return the log-likelihood of the edge lengths of one part for each unit and system.
+    """Return the log-likelihood of one part's edge lengths for each pair of unit and system.
 
-    The keys are pairs of a unit in which the part is assumed to be drawn, "mm", "in", "pt" or "px",
-    and the system in which its lengths are assumed to be round numbers, "metric" or "imperial".
+    The unit, "mm", "in", "pt" or "px", is the one in which the part is assumed to be drawn.  The
+    system, "metric" or "imperial", is the one in which its lengths are assumed to be round numbers.
     Other units are omitted: lengths that are round in cm or m are round in mm, and lengths that are
     round in feet are round in inches.
     """

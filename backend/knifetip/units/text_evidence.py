@@ -69,9 +69,9 @@ class TextEvidence:
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A number in a text on the sheet, with the length that the dimension measures, if any.
+    """A number in a text on the sheet; for the text of a dimension, also the measured length.
 
-    A dimension has a measured length and a text; the text normally states the measured length.
+    A dimension has a text and a length that it measures; the text normally states this length.
     """
 
     written: WrittenLength
