@@ -163,10 +163,11 @@ def _simulate(
     jolt: F64_1,
     stops: Bool_1,
 ) -> Any:
-    """Return the time of each row, (n,) s.
+    """Return the time that the machine takes for each of n rows of a toolpath, (n,) s.
 
-    The highest permitted speed at each joint is reduced from the last row back to the first, so
-    that the machine can always slow down in time.  Then each row gets a trapezoidal speed profile.
+    The highest permitted speed at each joint between two rows is reduced from the last row back to
+    the first, so that the machine can always slow down in time.  Then each row gets a trapezoidal
+    speed profile.
 
     Parameters
     ----------
@@ -174,11 +175,11 @@ def _simulate(
         Length of each row, and its greatest velocity and acceleration; rows of length 0 take no
         time.
     first, last : (n, 4)
-        Change of each axis per unit of length at the start and the end of each row.
+        Change of each axis per unit of length at the start and at the end of each row.
     jolt : (4,)
         Greatest permitted jump of the velocity of each axis at a joint.
     stops : (n,)
-        Whether the machine is at rest at the start of each row.
+        Mask of the rows at whose start the machine is at rest.
     """
     count = len(length)
     times = np.zeros(count)

@@ -74,7 +74,8 @@ def _link_time(
 
     The move leads from the track at position ``before`` to the track at position ``after``.
     ``flip_before`` and ``flip_after`` are 1 if the track at that position is run opposite to its
-    ``side``.  The time is 0 if ``after`` is beyond the end of the tour.
+    ``side``.  The time is 0 if ``after`` is beyond the end of the tour.  The arrays are as in
+    ``improve_tour``.
     """
     if after >= len(tour):
         return 0.0
@@ -134,7 +135,8 @@ def _removal_gain(
     """Return the time saved if a section of the tour is removed (s).
 
     The section reaches from position ``first`` to position ``last`` of the tour.  The result is 0
-    if the section contains the origin or reaches beyond the end of the tour.
+    if the section contains the origin or reaches beyond the end of the tour.  The arrays are as in
+    ``improve_tour``.
     """
     if first < 1 or last >= len(tour):
         return 0.0
@@ -169,7 +171,8 @@ def _swap(
 ) -> None:
     """Swap two neighbouring sections of the tour in place.
 
-    The sections are positions ``first`` to ``middle - 1``, and ``middle`` to ``last``.
+    The first section reaches from position ``first`` to position ``middle - 1`` of the tour, the
+    second from ``middle`` to ``last``.  The entries of ``tour`` and of ``side`` are swapped, and
     ``position``, the position of each track in the tour, is updated.
     """
     _reverse(first, middle - 1, 0, tour, side, position)
@@ -346,25 +349,27 @@ def improve_tour(
     least_time: F64_2,
     trials: int,
 ) -> None:
-    """Shorten a tour of t tracks in place.
+    """Shorten a tour of t tracks in place, by changing their order and directions.
 
     Parameters
     ----------
     tour, side : (t + 1,) and (t + 1,)
-        Tracks in their order, with the origin (number t) first, and whether each is run backwards.
+        ``tour`` contains the tracks in their order, with the origin (number t) first.  ``side`` is
+        0 at each position of the tour whose track is run forwards, and 1 if it is run backwards.
     ends : (2, 2, t + 1, 3)
-        x, y in mm and c in degrees of each track.  Axis 0 is the side; axis 1 is the start or the
-        end.
+        Poses of the head, x and y in mm and c in degrees.  Axis 0 is the side (0 or 1), axis 1 is
+        the start (0) or the end (1) of the track, and axis 2 is the track or the origin.
     rates : (4, 4)
         Rows 0 to 2 are X, Y and C, with velocity v and acceleration a.  The columns are the
         shortest distance on which the axis reaches v, 4/a, 1/v and v/a.  Entry (3, 0) is the period
         of C (degrees).
     reversal : int
-        ``Reversal``: which tracks may be run backwards.
+        ``Reversal``: the ends of a track at which the tool may start.
     near, least_time : (t, k) and (t, k)
-        k neighbours of each track, nearest first, and lower bounds of the link times to them (s).
+        k neighbours of each track, nearest first, and lower bounds of the times of the air moves to
+        them (s).
     trials : int
-        Number of random swaps.
+        Number of random swaps of two sections.
     """
     last = len(tour) - 1
     position = np.empty(len(tour), np.int64)

@@ -149,7 +149,10 @@ def _trace(
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
-    """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
+    """Return the placement that the program's comments state, or None if they state none.
+
+    The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
+    """
     return _reader(machine).placement(text)
 
 

@@ -72,7 +72,10 @@ class HpglReader:
     """Reader of HPGL programs for the device (plotter or flat cutter) in the machine's file."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
+        """Return the placement that the program's comments state, or None if they state none.
+
+        The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
+        """
         found = _PLACEMENT.search(text)
         return (float(found[1]), float(found[2])) if found else None
 

@@ -59,7 +59,10 @@ class ProgramReader(Protocol):
     """Interface of the reader for one controller language."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
+        """Return the placement that the program's comments state, or None if they state none.
+
+        The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
+        """
         ...
 
     def read(

@@ -51,7 +51,10 @@ class ProgramWords:
 
 
 def comment_placement(text: bytes) -> tuple[float, float] | None:
-    """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
+    """Return the placement that the program's comments state, or None if they state none.
+
+    The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
+    """
     found = _PLACEMENT.search(text)
     return (float(found[1]), float(found[2])) if found else None
 

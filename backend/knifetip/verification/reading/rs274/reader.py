@@ -17,7 +17,10 @@ class Rs274Reader:
     """Reader of RS274/NGC programs, for LinuxCNC (with T words) and grblHAL (without them)."""
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
-        """Return the placement in the program's comments, (x, y) mm, or None if there is none."""
+        """Return the placement that the program's comments state, or None if they state none.
+
+        The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
+        """
         return comment_placement(text)
 
     def read(
