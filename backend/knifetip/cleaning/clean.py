@@ -91,8 +91,8 @@ class _State:
     def remove_overlaps(self, drawn: Dieline) -> bool:
         """Replace the current edges by pieces that do not overlap each other.
 
-        ``drawn`` contains the drawn edges of the stretches.  Returns whether the number of edges
-        increased because an edge was split.
+        ``drawn`` contains the drawn edges of the stretches.  Returns whether any current edge was
+        divided because only a part of it overlaps another edge.
         """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
         if not pieces.given.any():
