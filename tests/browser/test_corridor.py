@@ -375,7 +375,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("unreached")).to_contain_text(
         re.compile(r"16\d\smm² in 5 places cannot be reached")
     )
-    expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"save \d+\.\d\ss \(\d+\s%\)"))
+    expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"saves \d+\.\d\ss \(\d+\s%\)"))
     expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
     page.screenshot(path=screenshots / "router-1-auto.png")
     shown = colours(page)
