@@ -88,6 +88,9 @@ function column<T extends Column>(from: Columns, name: string, kind: new (n: num
 
 const strings = (value: unknown): string[] => (Array.isArray(value) ? value.map(String) : []);
 
+const codes = (messages: unknown): string[] =>
+  (Array.isArray(messages) ? messages : []).map((message) => String(message?.code ?? ""));
+
 const isLineType = (word: string): word is LineType => LINE_TYPES.some((type) => type === word);
 
 const lineTypeLists = (value: unknown): LineType[][] =>
@@ -109,6 +112,7 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     handles: strings(from.meta.handles),
     layers: strings(from.meta.layers),
     rules: strings(from.meta.rules),
+    ruleCodes: codes(from.meta.rule_messages),
     linetypes: strings(from.meta.linetypes),
     alternatives: lineTypeLists(from.meta.alternatives),
     // Drawings of older versions have no outcome columns: all edges were kept.

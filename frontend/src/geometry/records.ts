@@ -48,6 +48,8 @@ export interface Edges extends Segments {
   readonly handles: readonly string[];
   readonly layers: readonly string[];
   readonly rules: readonly string[];
+  /** Message codes of `rules`. */
+  readonly ruleCodes: readonly string[];
   readonly linetypes: readonly string[];
   /** Other possible line types by rule, most likely first. */
   readonly alternatives: readonly (readonly LineType[])[];

@@ -50,6 +50,7 @@ const EDGES = {
   handles: ["A", "B", "C"],
   layers: ["0"],
   rules: [""],
+  ruleCodes: [""],
   linetypes: ["Continuous"],
   alternatives: [],
   outcome: new Uint8Array(3),

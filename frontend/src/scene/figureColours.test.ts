@@ -35,6 +35,7 @@ const EDGES: Edges = {
   handles: ["A", "B", "C", "D"],
   layers: ["0"],
   rules: [""],
+  ruleCodes: [""],
   linetypes: ["Continuous"],
   alternatives: [],
   outcome: new Uint8Array(4),

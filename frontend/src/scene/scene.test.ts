@@ -33,6 +33,7 @@ const EDGES: Edges = {
   handles: ["A", "B"],
   layers: ["0"],
   rules: [""],
+  ruleCodes: [""],
   linetypes: ["Continuous"],
   alternatives: [],
   outcome: new Uint8Array(2),

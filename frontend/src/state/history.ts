@@ -8,9 +8,10 @@
 
 import type { Drawing, Override, Unit } from "../api/client";
 import { type Edges, type LineType, lineTypeOf } from "../geometry/records";
+import type { Code } from "../messages/catalogue";
 
-/** Name that the server gives as the rule of an edge with an override. */
-export const OVERRIDE_RULE = "override";
+/** Message code of the rule of an edge whose line type the user has set. */
+const OVERRIDE_CODE: Code = "classification.override";
 
 /** The line type of edges was changed. */
 export interface RetypeChange {
@@ -56,7 +57,7 @@ export interface ProfileRef {
 export type Change = RetypeChange | SettingsChange | ProfileChange;
 
 export const isSetByHand = (edges: Edges, row: number): boolean =>
-  edges.rules[edges.rule[row] ?? -1] === OVERRIDE_RULE;
+  edges.ruleCodes[edges.rule[row] ?? -1] === OVERRIDE_CODE;
 
 /** The change that sets the type of rows (null: resets them to the profile). */
 export function retypeChange(

@@ -59,6 +59,7 @@ const EDGES: Edges = {
   handles: ["A", "B", "C"],
   layers: ["CUT", "0"],
   rules: ['layer "CUT"', "shape: it divides two panels"],
+  ruleCodes: ["classification.rule", "classification.shape"],
   linetypes: ["Continuous"],
   alternatives: [["half-cut"], ["cut", "crease", "perforation"]],
   outcome: Uint8Array.of(0, 2, 0),

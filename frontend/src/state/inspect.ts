@@ -1,7 +1,6 @@
 /** Summary of some edges: types, reasons, layers, colours. */
 
 import { type Edges, type LineType, lineTypeOf, outcomeOf } from "../geometry/records";
-import { OVERRIDE_RULE } from "./history";
 import { layerOf } from "./rows";
 
 export interface TypeReason {
@@ -33,11 +32,7 @@ const LISTED = 4;
 
 /** Text for the rule or evidence that decided an edge. */
 export const ruleText = (rule: string): string =>
-  rule === OVERRIDE_RULE
-    ? "set by hand"
-    : rule === ""
-      ? "no rule matches, and the shape is not conclusive"
-      : rule;
+  rule === "" ? "no rule matches, and the shape is not conclusive" : rule;
 
 export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSummary {
   const reasons = new Map<

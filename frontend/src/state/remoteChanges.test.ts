@@ -23,6 +23,7 @@ const edgesOf = (types: readonly number[], revision: number): Edges => ({
   length: new Float64Array(types.length),
   handles: types.map((_, row) => `H${row}`),
   layers: ["0"],
+  ruleCodes: [""],
   rules: ["layer CUT"],
   linetypes: ["Continuous"],
   alternatives: [],
