@@ -122,7 +122,7 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     "on along a rapid": (lambda text: text.replace("M5\nG0 X", "G0 X", 1), "during a rapid move"),
     "on from the job before": (
         lambda text: text.replace("M5\nG0 Z", "G0 Z", 1),
-        "may be on from an earlier program",
+        "so a laser beam may still be on",
     ),
     "on at the end": (
         lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while a tool oscillates"
