@@ -135,7 +135,11 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "dxf: a program": (422, "not a DXF", lambda: b"\x7fELF\x02\x01\x01" + bytes(range(256)) * 99),
     "binary dxf: nested INSERTs": (413, "entities", lambda: binary(nested_inserts())),
     "binary dxf: INSERT array": (413, "entities", lambda: binary(array_of_a_million())),
-    "binary dxf: cut short": (422, "DXF file is incomplete", lambda: binary(nested_inserts())[:-300]),
+    "binary dxf: cut short": (
+        422,
+        "DXF file is incomplete",
+        lambda: binary(nested_inserts())[:-300],
+    ),
     "svg: entity bomb": (422, "contains markup", entity_bomb),
     "svg: external entity": (422, "is not loaded", external_entity),
     "svg: use bomb": (413, "expand to more than 1,000,000 elements", use_bomb),
