@@ -326,7 +326,7 @@ def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page:
     choose(page, ("short.dxf", cut_short), ("whole.dxf", MESSY))
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("short.dxf")
-    expect(report).to_contain_text(re.compile(r"in section ENTITIES, after \d+ entities"))
+    expect(report).to_contain_text(re.compile(r"in the section ENTITIES, after \d+ entities"))
     expect(report).to_contain_text("Send the complete file, or export the drawing again.")
     report.get_by_role("button", name="Close this message").click()
     expect(report).to_be_hidden()
@@ -351,7 +351,7 @@ def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: P
     page.set_viewport_size({"width": 1440, "height": 1290})
     for folded in ("Line types", "Layers in the file"):
         page.get_by_role("button", name=folded).first.click()
-    page.get_by_text("Text is not cut").click()
+    page.get_by_text("Texts are not cut").click()
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "3,100,3,100")
     page.keyboard.press("f")
@@ -369,7 +369,7 @@ def test_a_filled_area_that_was_dropped_is_framed_where_it_lies(
         for code, value in zip((10, 20), corner, strict=True)
     ]
     choose(page, ("filled.dxf", carton(text.entity("SOLID", (8, "ART"), *tags))))
-    page.get_by_text("A filled area has no line of its own").click()
+    page.get_by_text("is a filled area without a line").click()
     page.get_by_test_id("entity").click()
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "260,40,340,90")
     page.screenshot(path=screenshots / "import-6-area.png")

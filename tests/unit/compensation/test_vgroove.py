@@ -121,5 +121,5 @@ def test_a_groove_through_the_board_is_refused() -> None:
 
 
 def test_a_blade_that_overruns_the_ends_by_more_than_allowed_is_refused() -> None:
-    with pytest.raises(GrooveTooDeep, match=r"cuts 3\.00 mm beyond each end"):
+    with pytest.raises(GrooveTooDeep, match=r"cuts 3\.00 mm too far at each end"):
         grooved(EAST, overcut=2.9)
