@@ -247,7 +247,11 @@ def test_the_fault_of_an_invalid_board_is_reported(
         ("number = 3", 'number = "three"', "number is 'three', but must be a whole number"),
         ("width = 1300.0", "width = inf", "width is inf"),
         ("origin = [20.0, 20.0]", "origin = 20.0", "origin is 20.0, but must be a list"),
-        ("high = 1400.0", "high = -1.0", "axes → x → high is -1, but must be greater than low"),
+        (
+            "high = 1400.0",
+            "high = -1.0",
+            "axes → x → high is -1, but must be greater than the value of low, 0",
+        ),
         (
             "velocity = 500.0",
             "velocity = 0.0",
@@ -313,7 +317,7 @@ def test_a_machine_with_an_unknown_language_is_refused(put: Put) -> None:
 
 def test_two_stations_with_one_number_are_refused(put: Put) -> None:
     station = MACHINE[MACHINE.index("[[station]]") :]
-    with pytest.raises(LibraryError, match=r"station contains the numbers 3, 3"):
+    with pytest.raises(LibraryError, match=r"station has the numbers 3, 3"):
         load.machine(put(MACHINE + station))
 
 
