@@ -37,14 +37,14 @@ export interface paths {
         };
         /**
          * Get Drawing
-         * @description Get a drawing with its questions and its import report.
+         * @description Get a drawing with its open questions and its import report; 304 if the client has it.
          */
         get: operations["get_drawing"];
         put?: never;
         post?: never;
         /**
          * Delete Drawing
-         * @description Delete a drawing that no job uses; 409 otherwise.
+         * @description Delete a drawing; the status is 409 if a job uses the drawing.
          */
         delete: operations["delete_drawing"];
         options?: never;
@@ -233,7 +233,7 @@ export interface paths {
         };
         /**
          * Get Verdict
-         * @description Get the verdict with measurements for each edge, as JSON or as binary columns.
+         * @description Get the verdict on a job's program, with measurements per edge, as JSON or binary columns.
          */
         get: operations["get_verdict"];
         put?: never;
@@ -253,10 +253,11 @@ export interface paths {
         };
         /**
          * Get Toolpath
-         * @description Get the path of the head as binary columns.
+         * @description Get the tool path of a job as binary columns with one row per move of the head.
          *
-         *     The columns are ``pose`` (X, Y of the head's axis, Z of the tip, C), ``bulge``, ``motion``,
-         *     ``feed``, ``source`` (row of the edge), ``tool`` (station number) and ``line`` (program line).
+         *     The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip, C; one row more),
+         *     ``bulge``, ``motion``, ``feed``, ``source`` (row of the edge), ``tool`` (station number) and
+         *     ``line`` (program line).
          */
         get: operations["get_toolpath"];
         put?: never;
@@ -278,7 +279,7 @@ export interface paths {
         put?: never;
         /**
          * Release Job
-         * @description Queue a job that is ready.
+         * @description Queue a job that has the state ``ready``.
          */
         post: operations["release_job"];
         delete?: never;
@@ -301,8 +302,8 @@ export interface paths {
          * @description Confirm that table, board and tools are ready; then the machine starts.
          *
          *     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
-         *     of the gateway.  The status is 409 if the job does not wait for a confirmation, or if another
-         *     board is named.
+         *     of the gateway.  The status is 409 if the job does not wait for a confirmation, or if the
+         *     request names another board than the job.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -402,7 +403,7 @@ export interface paths {
         put?: never;
         /**
          * Requeue Job
-         * @description Queue an interrupted job again from its first line; the table must be clear.
+         * @description Queue an interrupted job again, from its first program line; the table must be clear.
          */
         post: operations["requeue_job"];
         delete?: never;
@@ -562,7 +563,7 @@ export interface paths {
         put?: never;
         /**
          * Calibrate
-         * @description Compute the deflection of a cutter in a board from measured points by least squares.
+         * @description Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
          *
          *     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.
          */
@@ -647,7 +648,7 @@ export interface paths {
         get: operations["get_profile"];
         /**
          * Keep Profile
-         * @description Create or replace the profile of a customer, which is sent as TOML or JSON.
+         * @description Create or replace the profile of a customer; the request body is the profile as TOML or JSON.
          *
          *     To replace a profile, send the version on which the change is based in the header ``If-Match``.
          */
@@ -714,7 +715,7 @@ export interface paths {
         put?: never;
         /**
          * Claim
-         * @description Wait for the next job of a machine and claim it; 204 after ``wait`` seconds without one.
+         * @description Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
          *
          *     If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
          */
@@ -776,7 +777,10 @@ export interface paths {
         put?: never;
         /**
          * Finish
-         * @description Report the end of a job; a late report of the last owner corrects an interrupted job.
+         * @description Report the end of a job.
+         *
+         *     A late report of the gateway that owned an interrupted job last ends the job, or corrects the
+         *     last executed line and the message of the job.
          */
         post: operations["finish"];
         delete?: never;
@@ -814,7 +818,7 @@ export interface paths {
         };
         /**
          * Ready
-         * @description Report whether the server can process requests; the status is 503 if it cannot.
+         * @description Report whether the server can process requests; the HTTP status is 503 if it cannot.
          */
         get: operations["ready"];
         put?: never;
@@ -834,7 +838,7 @@ export interface paths {
         };
         /**
          * Status
-         * @description Get the progress of the compilation of kernels after an installation.
+         * @description Get the version of the server, and how many of its parts are compiled after installation.
          */
         get: operations["status"];
         put?: never;
@@ -963,7 +967,7 @@ export interface components {
         };
         /**
          * ChangeOut
-         * @description Edges whose line type a profile would change.
+         * @description Edges whose line type a profile would change, with their line types before and after.
          */
         ChangeOut: {
             /**
@@ -1049,7 +1053,7 @@ export interface components {
         };
         /**
          * CleaningCounts
-         * @description Number of edges by outcome of cleaning.
+         * @description Number of edges that cleaning kept, merged and dropped.
          */
         CleaningCounts: {
             /** Kept */
@@ -1061,10 +1065,10 @@ export interface components {
         };
         /**
          * CleaningLengths
-         * @description Total lengths of all edges (mm).
+         * @description Total lengths of the edges of a drawing by outcome of cleaning (mm).
          *
-         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``; ``worked`` that of ``kept`` and
-         *     ``added``.
+         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.  ``worked`` is the sum of ``kept``
+         *     and ``added``.
          */
         CleaningLengths: {
             /**
@@ -1245,7 +1249,7 @@ export interface components {
         };
         /**
          * Corners
-         * @description Path of a cutter or a laser round outer corners.
+         * @description Types of the outer corners of a job: the path of a cutter or a laser round these corners.
          *
          *     Type B is an arc.  Type C consists of straight lines with a stop at each bend.  Type D consists
          *     of a line, an arc and a line.  ``auto`` chooses for each corner the type that is fastest on the
@@ -1454,7 +1458,9 @@ export interface components {
         };
         /**
          * EdgeOut
-         * @description One edge with its line type, the deciding rule, and the outcome of import or cleaning.
+         * @description One edge with its line type, the rule that decided the line type, and the edge's outcome.
+         *
+         *     The outcome is that of import or cleaning: kept, merged or dropped.
          */
         EdgeOut: {
             /**
@@ -2124,7 +2130,7 @@ export interface components {
         };
         /**
          * LayerOut
-         * @description The edges of one layer that have the same colour.
+         * @description Number, total length and line types of the edges that have the same layer and colour.
          */
         LayerOut: {
             /** Name */
@@ -2327,7 +2333,7 @@ export interface components {
          * Override
          * @description Sets the line type of edges, which are selected by row, by handle, or by layer and colour.
          *
-         *     Null as ``type`` removes earlier overrides of the edges.
+         *     If ``type`` is null, earlier overrides of the selected edges are removed.
          */
         Override: {
             /** Type */
@@ -2373,7 +2379,7 @@ export interface components {
         };
         /**
          * PreviewRule
-         * @description A rule with the number and total length of the edges that it matches.
+         * @description A rule, with the number and total length of the edges that the rule matches.
          */
         PreviewRule: {
             /**
@@ -2508,7 +2514,7 @@ export interface components {
         };
         /**
          * ProposalOut
-         * @description A proposed rule that gives the line types which the user set by hand.
+         * @description A proposed rule that gives edges the line types that the user set for them by hand.
          */
         ProposalOut: {
             rule: components["schemas"]["RuleOut"];
@@ -2580,7 +2586,7 @@ export interface components {
         };
         /**
          * ReportGroup
-         * @description Edges or entities with the same outcome and the same reason.
+         * @description Edges or entities that have the same outcome of cleaning or import, for the same reason.
          */
         ReportGroup: {
             /**
@@ -2632,7 +2638,7 @@ export interface components {
         };
         /**
          * RuleIn
-         * @description A rule that gives its line type to all edges that meet all its conditions.
+         * @description A rule of a profile: an edge that meets all conditions of the rule gets its line type.
          *
          *     Conditions on names are shell patterns that ignore case; an empty list is no condition.
          */
@@ -2753,7 +2759,9 @@ export interface components {
         Stage: "prepare" | "read" | "classify" | "store" | "clean" | "plan" | "compensate" | "sequence" | "process" | "verify" | "done";
         /**
          * StationOut
-         * @description A station of the head; its joint position is the programmed position plus the datum.
+         * @description A tool station on the head of a machine.
+         *
+         *     With this station, the joint position of the machine is the programmed position plus the datum.
          */
         StationOut: {
             /**
@@ -2868,7 +2876,7 @@ export interface components {
         };
         /**
          * UnitFindingOut
-         * @description The unit in the header of the file, and the evidence for each unit.
+         * @description The unit in the header of the file, all units ranked by likelihood, and the evidence.
          */
         UnitFindingOut: {
             /**
@@ -2933,9 +2941,9 @@ export interface components {
          * @description A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
          *
          *     ``format=columns`` also contains samples of the deviation: ``sample_edge``, ``sample_place``
-         *     (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  It has
-         *     the outlines of ``areas`` as ``area_ends``, ``area_bulge``, ``area_first`` (first row of each
-         *     outline) and ``area_size`` (mm²).
+         *     (position along the edge, 0 … 1) and ``sample_deviation`` (mm, positive to the left).  The
+         *     outlines of the areas that no cutter reaches are in the columns ``area_ends``, ``area_bulge``,
+         *     ``area_first`` (first row of each outline) and ``area_size`` (mm²).
          */
         VerdictOut: {
             /**
@@ -3057,7 +3065,7 @@ export interface components {
         };
         /**
          * VerdictSummary
-         * @description Maximum and total measurements of a verdict (mm, mm², s).
+         * @description Measurements of a program by the verifier: maxima over all edges, and totals (mm, mm², s).
          */
         VerdictSummary: {
             /**
