@@ -1,4 +1,4 @@
-"""Files and requests that mean harm, sent to a server in a process of its own: it says what is
+"""Malicious files and requests, sent to a server in a process of its own: it reports what is
 wrong, soon and in little memory, and goes on serving."""
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def datum(engine: Engine, number: int, **by: float) -> Engine:
 def drawn(
     engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], tuple[float, float]]
 ) -> Engine:
-    """Return the engine with more lines than the verifier knows of."""
+    """Return the engine with program lines added that the verifier does not expect."""
     more = dieline((kind, edges(*lines)))
     line = engine.line
     both = Dieline(

@@ -129,7 +129,7 @@ def serve(
 def _listen(host: str, port: int) -> list[socket.socket]:
     """Return the sockets on which the server listens: one for ``host``, and one for loopback.
 
-    There is only one socket if ``host`` is a loopback address or stands for all addresses.  If
+    There is only one socket if ``host`` is a loopback address or a wildcard address.  If
     ``port`` is 0, a free port is used.
     """
     first = _bind(host, port)

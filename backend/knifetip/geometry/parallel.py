@@ -34,7 +34,7 @@ def chunks(count: int, min_size: int, max_chunks: int | None = None) -> list[tup
     min_size
         Smallest size of a chunk that is worth handing to another thread.
     max_chunks
-        Largest number of chunks; None stands for the number of cores.
+        Largest number of chunks; None means the number of cores.
     """
     number = max(1, min(max_chunks or core_count(), count // min_size))
     return list(pairwise(count * chunk // number for chunk in range(number + 1)))
