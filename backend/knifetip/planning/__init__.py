@@ -1,1 +1,1 @@
-"""Plan the operations that make a dieline on a machine: paths, depths and working order."""
+"""Plan the operations that make a dieline on a machine: their paths, depths and working order."""

@@ -4,7 +4,7 @@ A chord of angle φ deviates from an arc of radius R at two points.  In its midd
 the sagitta R (1 - cos φ/2).  Beyond its end, where a blade of width 2r continues straight, it is
 √((R cos φ/2)² + (R sin φ/2 + 2r)²) - R.  The board's ``groove_curve`` limits both deviations.
 
-Source: our derivation.
+Both formulas were derived for knifetip.
 """
 
 from __future__ import annotations
@@ -19,10 +19,11 @@ from knifetip.model.tool import VCutter
 
 
 def widest_chord_angle(radius: F64, cutter: VCutter, error: float) -> F64:
-    """Return the widest angle of a chord that is cut within ``error`` mm of its arc, (n,) radians.
+    """Return the greatest angle that a chord of each arc may span, (n,) radians.
 
-    There is one angle for each of n arcs; ``radius`` is the radius of each arc, (n,) mm.  The angle
-    is zero or negative if the blade of the cutter is too wide for the radius.
+    A V-groove that is cut along such a chord deviates from its arc by at most ``error`` mm.  The
+    angle is zero or negative if the blade of ``cutter`` is too wide for the arc.  ``radius`` is the
+    radius of each of the n arcs, (n,) mm.
     """
     blade = 2.0 * cutter.half_width
     middle = 2.0 * np.arccos(np.clip(1.0 - error / radius, -1.0, 1.0))

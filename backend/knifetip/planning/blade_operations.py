@@ -42,15 +42,16 @@ class _Cuts:
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     """Return the operations that cut edges of a dieline with a knife, innermost layer first.
 
-    A layer (see ``layers``) gets one or two operations: first the cuts that are no outline of a
-    part, such as holes and slits, then the outlines of parts.
+    A layer is a set of cuts that may be made in any order (see the module ``layers``).  Each layer
+    gives one or two operations: first the cuts that are no outline of a part, such as holes and
+    slits, then the outlines of parts.
 
     Parameters
     ----------
     sides
         For each of the m edges: the side of the waste, and the part or hole that the edge bounds.
     rows : (m,)
-        Rows of the edges in the dieline.
+        Indices of the edges in the dieline.
     setup
         Machine, board and station of the knife.
     """
@@ -69,16 +70,16 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
 
 
 def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int, Operation]]:
-    """Split an operation by the rank of its paths; return pairs (rank, operation), lowest rank
-    first.
+    """Split an operation into one operation for each rank; return pairs (rank, operation), lowest
+    rank first.
 
-    The rank of an edge is its position in the working order.  A path has the rank of its first
-    edge.
+    The rank of an edge is a number by which the edges are put in working order.  Each path has the
+    rank of its first edge.
 
     Parameters
     ----------
     rows, rank : (m,) and (m,)
-        Rows in the dieline of the edges of the operation, and the rank of each edge.
+        Indices in the dieline of the m edges of the operation, and the rank of each of these edges.
     """
     rank_of_edge = np.zeros(int(rows.max()) + 1, np.int64)
     rank_of_edge[rows] = rank
@@ -104,17 +105,25 @@ def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int
 
 
 def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that makes the half-cuts in these rows of a dieline, (m,)."""
+    """Return the operation that cuts edges of a dieline to the board's half-cut depth with a knife.
+
+    Parameters
+    ----------
+    rows : (m,)
+        Indices of the edges in the dieline.
+    setup
+        Machine, board and station of the knife.
+    """
     cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
     return _cut(dieline, cuts, setup)
 
 
 def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
-    """Return the operation that makes the cuts with a knife, with bridges if the board requires
-    them.
+    """Return one operation that makes all of the given cuts with a knife.
 
-    If the knife has a lead-in or a lead-out and the board requires no bridges, outlines of parts
-    are cut with the waste on the left.
+    The operation leaves bridges in the outlines of parts if the board requires bridges.  If it
+    requires none, and the knife has a lead-in or a lead-out, the outlines of parts are cut with the
+    waste on the left.  ``setup`` contains the machine, the board and the station of the knife.
     """
     board, tool = setup.board, setup.station.tool
     paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)
@@ -186,7 +195,16 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
 
 
 def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that perforates the edges in these rows of a dieline, (m,)."""
+    """Return the operation that cuts edges of a dieline as perforations, with the board's dash
+    length.
+
+    Parameters
+    ----------
+    rows : (m,)
+        Indices of the edges in the dieline.
+    setup
+        Machine, board and station of the knife.
+    """
     paths, source = chain_edges(dieline, rows, ANGLE)
     dashes, segment = _split_into_dashes(paths, *setup.board.perforation)
     depth = np.full((len(segment), 1), setup.through)
@@ -195,8 +213,8 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
-    """Return the dashes of p perforated paths, one path for each dash, and the segment of ``paths``
-    from which each segment of a dash comes.
+    """Split p perforated paths into dashes; return one path for each dash, and for each segment of
+    these new paths the index of the segment in ``paths`` of which it is a part.
 
     Every perforated path starts and ends with a dash, so that the board tears from the path's ends.
     The dashes are ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.

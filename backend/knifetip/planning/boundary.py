@@ -11,7 +11,8 @@ both edges.  A groove that continues into the board, or runs along its edge with
 run-out.  The end of such a groove counts as inside the board; there the board's ``groove_overcut``
 limits how far the blade may cut beyond the end.
 
-Source: the turning paper, section 1 (run-out and back-up); corners and arcs are our derivation.
+Source of the run-out at a straight edge: "A new method of turning processing in multi axis linkage
+NC machining", section 1.  The formulas for corners and round edges were derived for knifetip.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ _ALONG = sin(radians(5.0))
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BoardOutline:
-    """The outline of the board: n cuts that are outlines of parts, with the waste on their left."""
+    """The outline of the board: n edges of parts, each directed with the waste on its left."""
 
     start: F64  #: (n, 2) mm
     end: F64  #: (n, 2) mm
@@ -78,18 +79,19 @@ class _Contacts:
 def run_out_lengths(
     points: F64, ahead: F64, width: float, outline: BoardOutline, source: I32
 ) -> tuple[F64, Bool]:
-    """Return the run-out of each of n ends of grooves, and which ends lie on the board's edge.
+    """Return how far a tool must run out beyond each of n ends of grooves, and which of these ends
+    lie on the board's edge.
 
     Parameters
     ----------
     points, ahead : (n, 2) mm and (n, 2)
         Ends of grooves, and at each end the unit vector that points out of the groove.
     width : mm
-        W, the width of the tool or of the groove.
+        Width of the tool or of the groove.
     outline
         Outline of the board.
     source : (n,)
-        Edge to which each end belongs; errors name it.
+        Index in the dieline of the edge to which each end belongs, for error messages.
 
     Returns
     -------
@@ -134,10 +136,23 @@ def _check_run_outs(
     outline: BoardOutline,
     source: I32,
 ) -> None:
-    """Raise ``FlankOutside`` if a run-out enters the board again, behind a slot or in another part.
+    """Raise ``FlankOutside`` if the run-out of a groove enters the board again, behind a slot or in
+    another part.
 
-    ``size`` is the run-out of each end, (n,) mm; ``contacts`` are the contacts of the ends with the
-    outline.  The other arguments are as in ``run_out_lengths``.
+    Parameters
+    ----------
+    points, ahead : (n, 2) mm and (n, 2)
+        Ends of grooves, and at each end the unit vector that points out of the groove.
+    size : (n,) mm
+        Length of the run-out of each end.
+    width : mm
+        Width of the tool or of the groove.
+    contacts
+        Contacts of the ends with the outline; the run-out may cross the cuts of these contacts.
+    outline
+        Outline of the board.
+    source : (n,)
+        Index in the dieline of the edge to which each end belongs, for the error message.
     """
     rows = np.flatnonzero(size > GAP)
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]
@@ -164,7 +179,8 @@ def _check_run_outs(
 
 
 def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
-    """Raise ``FlankOutside`` if a groove meets one edge of the board (no corner) at less than 5°.
+    """Raise ``FlankOutside`` if a groove ends on one edge of the board, not at a corner, and the
+    angle between the two is less than 5°.
 
     ``sine`` is the sine of the angle between the groove and the board's edge at each contact, (k,).
     ``source`` is the edge of the drawing to which each end of a groove belongs; the error names it.

@@ -2,10 +2,10 @@
 
 Bridges are first spaced equally around the contour.  Then each is moved to the nearest permitted
 position: on a straight segment, 5 mm away from sharp corners, or in the middle of a segment that is
-too short for this.  Arcs are used only if the straight segments do not suffice.  A slot that the
-cutter clears completely from its other side gets no bridge.  At a point at which a slit opens into
-the contour, or a crease ends on it, the board is weak.  Bridges stay 5 mm away from such points, if
-possible.
+too short for this.  Arcs are used only if the straight segments do not suffice.  A narrow slot that
+the cutter clears completely while it cuts the slot's other side gets no bridge.  At a point at
+which a slit opens into the contour, or a crease ends on it, the board is weak.  Bridges stay 5 mm
+away from such points, if possible.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def place_bridges(
     spacing
         Length of the bridges, and the greatest distance between them.
     source : (n,)
-        Edge of each segment; errors name it.
+        Index in the dieline of the edge of each segment, for error messages.
     avoid : (m, 2) mm
         Ends of other edges.  If possible, bridges keep away from the ends that lie on the paths.
     reachable
@@ -69,7 +69,7 @@ def place_bridges(
     Raises
     ------
     NoRoomForBridges
-        A contour has no room for two bridges, or they would be too far apart.
+        A contour has no room for two bridges, or two neighbouring bridges would be too far apart.
     """
     on, at = _positions_along(paths, which, avoid)
     found = [
@@ -82,9 +82,9 @@ def place_bridges(
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
-    """Return the ends, (m, 2) mm, of the edges of a dieline that are not in ``rows``.
+    """Return the start and end points, (m, 2) mm, of all edges of a dieline but those in ``rows``.
 
-    Ignored and unclassified edges are left out.
+    ``rows`` are indices of edges in the dieline.  Ignored and unclassified edges are left out too.
     """
     worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     worked[rows] = False
@@ -132,7 +132,7 @@ class _FreeRanges:
         """Return the parts of the ranges that are at least ``clear`` mm away from all positions
         ``at``.
 
-        ``length`` is the length of the closed contour (mm).
+        ``at`` are positions along the closed contour, and ``length`` is its length (mm).
         """
         low, high = self.low, self.high
         for place in np.concatenate([at - length, at, at + length]):
@@ -144,7 +144,9 @@ class _FreeRanges:
         return _FreeRanges(low, high)
 
     def nearest(self, wanted: F64) -> F64:
-        """Return the permitted position nearest to each wanted position, (n,) mm."""
+        """Return, for each of n desired positions on the contour, the nearest permitted one, (n,)
+        mm.
+        """
         clipped = np.clip(wanted[:, None], self.low, self.high)
         # Of two equally near positions the first is taken, whatever the rounding.
         far = np.abs(clipped - wanted[:, None])
@@ -158,9 +160,23 @@ def _place_on_contour(
 ) -> F64:
     """Return the positions of the middles of the bridges along one closed path, ascending (mm).
 
-    ``at`` are the positions on the path from which bridges keep away, if possible (mm).  ``path``
-    is the index of the path, ``bridge`` the length and spacing of the bridges.  The other arguments
-    are as in ``place_bridges``.
+    Parameters
+    ----------
+    path
+        Index of the path in ``paths``.
+    bridge
+        Length of the bridges, and the greatest distance between neighbouring bridges.
+    source : (n,)
+        Index in the dieline of the edge of each segment, for error messages.
+    at : (k,) mm
+        Positions along the path from which bridges keep away, if possible.
+    reachable
+        Stretches of the segments that the tool can reach; bridges lie only there.
+
+    Raises
+    ------
+    NoRoomForBridges
+        The path has no room for two bridges, or two neighbouring bridges would be too far apart.
     """
     gap, spacing = bridge
     length = float(paths.lengths[path])
@@ -187,7 +203,7 @@ def _place_on_contour(
 
 
 def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
-    """Return the positions of bridges that remain if superfluous bridges are removed (mm).
+    """Remove superfluous bridges; return the positions of the remaining ones along a contour (mm).
 
     A bridge is superfluous if the bridges before and after it are not more than ``spacing`` mm
     apart.  At least two bridges remain.  ``middle`` are the positions of the bridges along a closed

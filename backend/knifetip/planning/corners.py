@@ -39,7 +39,7 @@ class Bends:
 
 
 def find_bends(paths: Paths, side: int) -> Bends:
-    """Return the bend at the start of every segment of the paths.
+    """Return the bend between every segment of the paths and the segment before it.
 
     ``side`` is +1 if the tool is on the left of the paths, and -1 if it is on the right.
     """
@@ -53,7 +53,9 @@ def find_bends(paths: Paths, side: int) -> Bends:
 
 
 def check_choices(corners: Corners) -> None:
-    """Raise ``PlanError`` if a corner choice has an invalid type, k, position or interference."""
+    """Raise ``PlanError`` if the corner type, parameter k, position or interference mode that the
+    user chose for a corner is invalid.
+    """
     if corners.interference not in INTERFERENCES:
         raise PlanError("corner.bad-interference", interference=corners.interference)
     for kind, k, where in [(corners.type, corners.k, None)] + [
@@ -70,16 +72,16 @@ def check_choices(corners: Corners) -> None:
 
 
 def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
-    """Return the distance of each position that the user chose from the nearest corner, mm.
+    """Return the distance between each position that the user chose and the nearest corner, mm.
 
     The result has one entry for each of ``corners.at``.
 
     Parameters
     ----------
     corners
-        Corner choices; ``at`` contains the choices for single positions.
+        Corner types that the user chose; ``at`` contains the choices for single positions.
     contours
-        Bends of every operation that mills beside its edges.
+        Bends of every operation in which the cutter runs beside the edges.
 
     Raises
     ------
@@ -115,17 +117,18 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
 
 
 def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
-    """Return the chosen corner type and the chosen k at the start of each of n segments, (n,) each.
+    """Return the corner type and the type's parameter k that the user chose for the bend at the
+    start of each of n segments, (n,) each.
 
-    Without a choice they are ``AS_OTHERS`` and NaN.  A choice applies to all corners at its point,
-    for instance if two contours touch there.
+    Segments without a choice get ``AS_OTHERS`` and NaN.  A choice applies to all corners at its
+    point, for instance if two contours touch there.
 
     Parameters
     ----------
     corners
-        Corner choices; ``at`` contains the choices for single positions.
+        Corner types that the user chose; ``at`` contains the choices for single positions.
     nearest : mm
-        Distance of each position in ``corners.at`` from the nearest corner.
+        Distance between each position in ``corners.at`` and the nearest corner.
     bends
         Bends of one operation, one for each segment.
     """

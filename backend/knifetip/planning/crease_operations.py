@@ -18,10 +18,17 @@ from knifetip.planning.setup import Setup
 
 
 def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that rolls the creases in these rows of a dieline, (m,).
+    """Return the operation that rolls the creases of a dieline.
 
     The depth depends on the angle φ between a segment's chord and the grain of the board:
     d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.
+
+    Parameters
+    ----------
+    rows : (m,)
+        Indices of the creases in the dieline.
+    setup
+        Machine, board and station of the crease wheel.
     """
     board = setup.board
     paths, source, ends = _crease_paths(dieline, rows)
@@ -36,10 +43,12 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8]]:
-    """Return the paths of creases, the dieline row of each segment, and the kinds of the path ends.
+    """Return the paths of creases, the index in the dieline of the edge of each segment, and the
+    kinds of the path ends.
 
     Dashes are merged, coincident creases become one, and creases are split where cuts cross them.
     The kinds are two arrays of ``End``, (p,) each: of the starts and of the finishes of p paths.
+    ``rows`` are the indices of the creases in the dieline.
     """
     cut = dieline.line_type == LineType.CUT
     cut_ends, cut_bulge = dieline.ends[cut], dieline.bulge[cut]

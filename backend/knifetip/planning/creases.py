@@ -1,7 +1,7 @@
 """creases: split creases where cuts cross them, and replace creases by double creases.
 
-The two parts of a split crease keep the end clearance from the cut.  The two lines of a double
-crease end at the same positions as the drawn crease.
+Both parts of a split crease end at the board's end clearance from the cut.  The two lines of a
+double crease end at the same positions as the drawn crease.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ _CHORDS_PER_ARC = 128
 def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool]:
     """Return the paths, split where cuts cross them.
 
-    A path is not split by a cut that only touches it from one side, nor by a cut on which it ends.
+    A path is not split by a cut that only touches it from one side, nor by a cut on which the path
+    ends.
 
     Parameters
     ----------
@@ -258,11 +259,11 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
 
 
 def _mitre_offset(one: F64, other: F64) -> F64:
-    """Return the vector from each joint of two lines to the point at distance 1 from both lines,
-    (n, 2).
+    """Return the offset from each of n joints of two lines to the joint of their parallels at
+    distance 1, (n, 2).
 
-    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).  The point
-    lies on the side to which the normals point.
+    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).  The
+    parallels lie on the side to which the normals point.
     """
     both = one + other
     result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]

@@ -24,8 +24,8 @@ class CutSides:
 
 
 def cut_sides(ends: F64, bulge: F64) -> CutSides:
-    """Return for each cut the side of the waste, the part or hole that the cut bounds, and whether
-    the cut lies between two parts.
+    """Return the side of each cut on which the waste lies, the part or hole that the cut bounds,
+    and whether the cut lies between two parts.
 
     Parameters
     ----------

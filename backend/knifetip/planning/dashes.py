@@ -78,10 +78,11 @@ def merge_dashes(
     begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
-        """Return the points at positions ``along`` (k,) mm on the lines of k edges, (k, 2) mm.
+        """Return a point on the line of each of k edges, (k, 2) mm.
 
-        ``piece`` are the indices of the edges.  If an edge is a dash, its line runs from the start
-        of the first dash to the end of the last dash of its row.
+        ``piece`` are the indices of the edges, and ``along`` the distance of each point from the
+        start of the edge's line, (k,) mm.  If an edge is a dash, its line runs from the start of
+        the first dash to the end of the last dash of the dashed line.
         """
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
@@ -178,9 +179,10 @@ def _number_clusters(group: I64_1, value: F64_1, gap: float) -> Any:
 
 
 def distinct_edges(ends: F64, bulge: F64) -> I32:
-    """Return the rows of the edges that do not coincide with an earlier edge, ascending.
+    """Return the indices of the edges that do not coincide with an earlier edge, ascending.
 
-    ``ends`` is (n, 2, 2) mm and ``bulge`` (n,).
+    ``ends`` are the start and end points of n edges, (n, 2, 2) mm, and ``bulge`` their bulges,
+    (n,).
     """
     if len(ends) == 0:
         return np.zeros(0, np.int32)
@@ -197,14 +199,14 @@ def distinct_edges(ends: F64, bulge: F64) -> I32:
 def _merge_along_lines(
     line: I64_1, low: F64_1, high: F64_1, low_barred: Bool_1, high_barred: Bool_1
 ) -> Any:
-    """Remove overlaps of edges along each line, and find rows of dashes.
+    """Remove overlaps between edges along each line, and find rows of dashes.
 
     Parameters
     ----------
     line, low, high : (n,)
         Line of each edge, and its start and end along that line (mm), sorted by line and start.
     low_barred, high_barred : (n,)
-        Whether a cut forbids to fill the gap before, and after, each edge.
+        Whether the gap before, and the gap after, each edge must stay open because of a cut.
 
     Returns
     -------
@@ -213,8 +215,8 @@ def _merge_along_lines(
     kept : (n,)
         Mask of the edges that earlier edges do not cover completely.
     first, last : (n,) and (n,)
-        First and last dash of the row to which each edge belongs, or the edge itself if it is no
-        dash.
+        Index of the first and of the last dash of the row of dashes to which each edge belongs.
+        Both are the index of the edge itself if it is no dash.
     """
     count = len(line)
     begin = low.copy()

@@ -42,7 +42,9 @@ class _NearbyChords:
     high: F64  #: (k,) parameter on the chord, 0 … 1
 
     def select(self, rows: I64 | Bool) -> _NearbyChords:
-        """Return the chords that ``rows``, an array of indices or a mask, selects."""
+        """Return some of the pairs of groove and chord: those with the indices, or the mask,
+        ``rows``.
+        """
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
@@ -134,8 +136,14 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     """Return the chords of the cuts near straight grooves, in coordinates along and across each
     groove.
 
-    ``begin`` and ``finish`` are the ends of p grooves, (p, 2) mm; ``reach`` is the distance of the
-    flanks from the groove's line (mm).
+    Parameters
+    ----------
+    begin, finish : (p, 2) mm
+        Start and end points of the grooves.
+    reach : mm
+        Distance of the flanks from the groove's line; a cut is near if it is nearer than this.
+    dieline
+        Dieline that contains the cuts.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]
@@ -184,10 +192,10 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
 
 
 def _crosses_between_flanks(strip: _NearbyChords, reach: float) -> Bool:
-    """Return the mask of the chords of cuts that cross the groove and end between its flanks, (k,).
+    """Return the mask of the chords whose cut crosses the groove and ends between its flanks, (k,).
 
-    The part of the cut in ``strip`` must extend at least as far across the groove as along it.
-    ``reach`` is the distance of the flanks from the groove's line (mm).
+    A cut crosses the groove if the part of it in ``strip`` extends at least as far across the
+    groove as along it.  ``reach`` is the distance of the flanks from the groove's line (mm).
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)

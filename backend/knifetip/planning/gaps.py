@@ -96,7 +96,7 @@ def _choose_links(
         Edge on which each candidate lies, its parameter on that edge (0 … 1), its position, and
         whether it is a dangling end.
     points, length : (2n, 2) and (n,) mm
-        Ends and lengths of all edges.
+        Ends and lengths of all edges; edge i has the ends 2i and 2i + 1.
     node, by_node, begin
         Vertex of each end, ends sorted by vertex, and index in ``by_node`` of each vertex's first
         end.

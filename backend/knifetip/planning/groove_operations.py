@@ -21,9 +21,16 @@ from knifetip.planning.setup import Setup
 
 
 def plan_grooves(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that cuts the V-grooves in these rows of a dieline, (m,).
+    """Return the operation that cuts the V-grooves of a dieline.
 
-    ``outline`` is the outline of the board.
+    Parameters
+    ----------
+    outline
+        Outline of the board, beyond which grooves run out.
+    rows : (m,)
+        Indices of the V-grooves in the dieline.
+    setup
+        Machine, board and station of the V-cutter.
 
     Raises
     ------

@@ -28,7 +28,7 @@ from knifetip.topology.subdivision import subdivide
 
 
 def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
-    """Return the layer of each cut, (n,); higher layers are cut first.
+    """Return the layer of each cut, (n,); the cuts of higher layers are made first.
 
     Parameters
     ----------
@@ -36,8 +36,9 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
         Ends and bulges of the cuts, in any order and direction.  Contours may have gaps of up to
         ``CONTOUR_GAP``.
     contour : (n,)
-        Closed contour of each cut, -1 for none.  All cuts of a contour get one layer, unless
-        contours enclose each other in a cycle; then each cut gets its own layer.
+        Number of the closed contour to which each cut belongs, -1 for none.  All cuts of a contour
+        get one layer, unless contours enclose each other in a cycle; then each cut gets its own
+        layer.
 
     Raises
     ------
@@ -77,17 +78,17 @@ def _assign_layers(
     """Return the layer of each of ``count`` units of work, and whether no cycle was found.
 
     A unit of work is a closed contour or a single edge; it consists of stretches between faces.  A
-    cycle is a set of units each of which would have to be cut before another one.
+    cycle is a set of units each of which would have to be cut before another one of the set.
 
     Parameters
     ----------
     face : (m, 2)
         Faces on the two sides of each of m stretches; 0 is the plane outside.
     unit_of : (m,)
-        Unit of work of each stretch, -1 for links.
+        Unit of work to which each stretch belongs, -1 if the stretch only closes a gap.
     size_of : (m,) mm
-        Length of each stretch.  Stretches up to ``CONTOUR_GAP`` break a cycle only if no longer one
-        does.
+        Length of each stretch.  A cycle is broken at a stretch that is longer than ``CONTOUR_GAP``,
+        if there is one.
     piece_of, first
         Stretches sorted by the faces beside them, and index in ``piece_of`` of each face's first
         stretch.
@@ -172,10 +173,23 @@ def _assign_layers(
 
 @kernel
 def _enqueue(unit: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: int) -> int:
-    """Append a unit of work to the queue unless it is or was queued; return the queue's new length.
+    """Append a unit of work, a contour or a single edge, to a queue; return the queue's new length.
 
-    ``layer`` is the layer of each unit, -1 for none yet.  ``waiting`` is set to -1 for the unit
-    when it is queued.  ``size`` is the length of the queue before the call.
+    A unit that has a layer or was appended before is not appended again; then the length is
+    unchanged.
+
+    Parameters
+    ----------
+    unit
+        Index of the unit of work.
+    layer
+        Layer of each unit, -1 if it has none yet.
+    waiting
+        Is set to -1 for each unit that this function appends, and is not negative for other units.
+    queue
+        Indices of the queued units; only the first ``size`` entries are used.
+    size
+        Length of the queue before the call.
     """
     if layer[unit] >= 0 or waiting[unit] < 0:
         return size

@@ -1,11 +1,11 @@
-"""milling: plan the operations of a router bit or a laser beam, which cuts by removing a disc.
+"""milling: plan the operations of a router bit or a laser beam, which removes a disc of material.
 
 Each layer of cuts gives up to two operations: first open cuts, then contours.  Beside a contour the
 centre of the cutter runs in the waste: outside a part, inside a hole.  The waste is on the left of
 travel, so the cutter runs clockwise round a part and counter-clockwise round a hole.  With a
 spindle that turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut
-on its line, and each side loses the cutter's radius.  An edge between two parts is refused, since
-the disc would cut into one of them.
+on its line, and each side loses the cutter's radius.  An edge between two parts raises
+``PlanError``, since the disc would cut into one of them.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ def plan_milling(
     rows: I32,
     setup: Setup,
 ) -> list[Operation]:
-    """Return the operations that mill the given cuts, layer by layer from the innermost layer.
+    """Return the operations that mill cuts of a dieline, layer by layer from the innermost layer.
 
-    Every contour is chained separately, so that two contours may touch at a point.
+    Contours that touch at a point stay separate paths.
 
     Parameters
     ----------
@@ -50,7 +50,9 @@ def plan_milling(
         Corner type for all corners of the contours; ``apply_choices`` sets the types of single
         corners later.
     rows : (m,)
-        Rows of the cuts in the dieline.
+        Indices of the cuts in the dieline.
+    setup
+        Machine, board and station of the cutter.
 
     Raises
     ------
@@ -115,7 +117,8 @@ def _bridge_positions(
     source: I32,
     avoid: F64,
 ) -> F64:
-    """Return the segment of each of k bridges, and the position of the bridge on it, (k, 2).
+    """Return the index of the segment on which each of k bridges lies, and the position of the
+    bridge on that segment, (k, 2).
 
     The position is the distance from the start of the segment to the middle of the bridge (mm).
     At both ends of a bridge, the disc cuts one radius farther than the centre of the disc travels.
@@ -126,7 +129,7 @@ def _bridge_positions(
     held : (p,)
         Mask of the paths that get bridges.
     source : (n,)
-        Edge of each segment; errors name it.
+        Index in the dieline of the edge of each segment, for error messages.
     avoid : (m, 2) mm
         Positions from which bridges keep away, if possible.
     """
@@ -146,7 +149,8 @@ def _bridge_positions(
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return all operations, with the user's choices for single corners set in those that mill.
+    """Return the operations; those that mill contain the corner types of single corners from
+    ``corners``, which the user chose.
 
     Raises
     ------
@@ -174,9 +178,9 @@ def apply_choices(operations: list[Operation], corners: Corners) -> list[Operati
 
 
 def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
-    """Return three columns with one entry for every edge of a dieline, as in ``CutSides``.
+    """Return three arrays with one entry for every edge of a dieline.
 
-    The columns are the side of the waste (+1 left, -1 right, 0 none), the number of the part or
+    The arrays contain the side of the waste (+1 left, -1 right, 0 none), the number of the part or
     hole that the edge bounds (-1 for none), and whether the edge lies between two parts.  An edge
     that is no cut has 0, -1 and False.
     """
@@ -193,9 +197,10 @@ def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
 
 
 def _check_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise ``PlanError`` unless ``rows``, the edges that lie between two parts, is empty.
+    """Raise ``PlanError`` if there is an edge that lies between two parts.
 
-    The error gives the diameter of the ``cutter``.
+    ``rows`` are the indices in the dieline of all such edges.  The error gives the diameter of the
+    ``cutter``.
     """
     if len(rows):
         raise PlanError(
@@ -207,10 +212,10 @@ def _check_shared(rows: I32, cutter: DiscTool) -> None:
 
 
 def _close_joints(paths: Paths) -> Paths:
-    """Return the paths with small gaps removed.
+    """Return the paths without the small gaps that the drawing leaves between segments.
 
-    Each segment ends exactly at the start of the next one.  A path whose two ends are within
-    ``JOIN`` is closed.
+    Each segment ends exactly at the start of the next one.  A path whose start and end are less
+    than ``JOIN`` mm apart is closed.
     """
     end = paths.end.copy()
     first, last = paths.first[:-1], paths.first[1:] - 1

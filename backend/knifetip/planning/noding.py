@@ -22,7 +22,7 @@ _MOST_PAIRS: Final = 5_000_000
 
 
 def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges, split where ends of other edges lie on them.
+    """Split edges at the points at which ends of other edges lie on them; return the m pieces.
 
     Parameters
     ----------
@@ -31,13 +31,14 @@ def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 
     Returns
     -------
-    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece (m,).
     """
     return _split_at(ends, bulge, *_end_contacts(ends, bulge))
 
 
 def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
-    """Return edges, split where other edges end on them or cross them.
+    """Split edges at the points at which other edges end on them or cross them; return the m
+    pieces.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 
     Returns
     -------
-    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece (m,).
 
     Raises
     ------

@@ -17,12 +17,13 @@ from knifetip.model.operation import End
 def chain_edges(
     dieline: Dieline, rows: I32, kink: float, group: I64 | None = None
 ) -> tuple[Paths, I32]:
-    """Chain edges of a dieline into paths; return the paths and the dieline row of each segment.
+    """Chain edges of a dieline into paths; return the paths, and the index in the dieline of the
+    edge of each segment.
 
     Parameters
     ----------
     rows : (m,)
-        Rows of the edges in the dieline.
+        Indices of the edges in the dieline.
     kink : degrees
         Two edges are not chained if the path would turn by more than this angle between them.
     group : (m,)
@@ -58,8 +59,9 @@ def end_directions(paths: Paths) -> F64:
 def end_kinds(paths: Paths, marked: Bool, kind: End) -> tuple[U8, U8]:
     """Return the kinds of the starts and of the finishes of p paths, (p,) and (p,).
 
-    Both ends of a closed path are CLOSED.  Every other end has the kind ``kind`` if ``marked``, a
-    mask of the ends (2p,), is true for it, and the kind FREE if not.
+    Both ends of a closed path have the kind ``End.CLOSED``.  An end of an open path has the kind
+    ``kind`` if the mask ``marked`` is true for it, else ``End.FREE``.  The mask, (2p,), has the
+    starts of all paths first, then the finishes.
     """
     kinds = np.where(marked, kind, End.FREE)
     start, finish = np.split(np.where(np.tile(paths.closed, 2), End.CLOSED, kinds), 2)

@@ -40,17 +40,18 @@ _STEPS: Final[Mapping[LineType, tuple[LineType, ...]]] = {
 
 
 def lacks_tool(machine: Machine, line_type: LineType) -> bool:
-    """Return whether a machine has no tool for a line type."""
+    """Return whether no station of a machine has a tool that makes a line type."""
     return any(machine.station_for(step) is None for step in _STEPS.get(line_type, (line_type,)))
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:
-    """Check corner choices against a machine.
+    """Check the corner types that the user chose, and that the machine has a cutter for which they
+    matter.
 
     Raises
     ------
     PlanError
-        A choice is invalid, or the machine has no milling cutter.
+        A corner type is invalid, or the machine has no milling cutter.
     """
     if not machine.offset_cuts:
         raise PlanError("corner.no-cutter", machine=machine.title)

@@ -1,9 +1,9 @@
 """reachable: find the stretches of a contour's segments that the tool can reach.
 
 A knife reaches every point of a contour.  A disc does not reach into inner corners, slots and necks
-that are narrower than itself.  ``offset.offset_paths`` computes the path of the disc's centre, at
-the distance of the radius, without these positions.  The disc reaches the stretches beside this
-path.
+that are narrower than itself.  ``offset.offset_paths`` computes the path of the disc's centre; this
+path leaves out the places into which the disc does not fit.  The disc reaches each point of the
+contour whose distance from the path of the centre is the radius.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""setup: the machine, the board and the station for which an operation is planned."""
+"""setup: the record of the machine, the board and the station for which an operation is planned."""
 
 from __future__ import annotations
 

@@ -5,8 +5,8 @@ along its own axis by exactly the depth at which it would cut the board.  It is 
 whole turn is outside the board.
 
 Source: "A new method of turning processing in multi axis linkage NC machining", sections 1 to 3.
-The limits of C, tilted blades and the test whether a turn stays outside the board are our
-derivation.
+The limits of C, tilted blades and the test whether a turn stays outside the board are not from
+this source; they were derived for knifetip.
 """
 
 from __future__ import annotations
@@ -30,9 +30,10 @@ _FLATTEST: Final = 89.0
 
 
 def tool_axis(c: F64, circle: TipCircle) -> F64:
-    """Return the unit vector along the tool's axis, from its tip upwards, at each heading, (n, 3).
+    """Return the unit vector along the tool's axis, from its tip upwards, for each of n headings,
+    (n, 3).
 
-    ``c`` are the headings (degrees); ``circle`` contains the tilt of the tool.
+    ``c`` are the headings, (n,) degrees; ``circle`` contains the tilt of the tool.
     """
     tilt, heading = math.radians(circle.tilt), np.radians(c)
     sideways = math.sin(tilt)
@@ -46,10 +47,12 @@ def tool_axis(c: F64, circle: TipCircle) -> F64:
 
 
 def interpolate_turn(start: F64, end: F64, step_c: float, step: float) -> F64:
-    """Return N + 1 poses along one turn, (N + 1, 4), with equal steps of position and heading.
+    """Return N + 1 poses along one turn of the head, (N + 1, 4), with equal steps of position and
+    heading.
 
-    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δs| / δ_s⌉), where ΔC is the turn and Δs the travel of the head (section
-    2 of the source).  One rapid along X, Y, Z and C passes through all of these poses.
+    N = max(⌈|ΔC| / δ_c⌉, ⌈|Δs| / δ_s⌉, 1), where ΔC is the turn of C and Δs the travel of the head
+    (section 2 of the source in the module's docstring).  One rapid along X, Y, Z and C passes
+    through all of these poses.
 
     Parameters
     ----------
@@ -100,7 +103,8 @@ def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
         d' = D / cos b        r' = r + d' a                        eqs 1, 2
 
     Here r is the position, a the unit vector from the tip into the tool, and b the tilt of the
-    tool.  The source prints equation 2 without its sign.
+    tool.  The equations are from the source in the module's docstring, which prints equation 2
+    without its sign.
 
     Parameters
     ----------
@@ -155,10 +159,11 @@ def turns_outside_board(start: F64, end: F64, circle: TipCircle, outline: Paths)
 
 
 def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
-    """Return the toolpath with the head lifted to travel height for every turn, for comparison.
+    """Return the toolpath with every rapid below the machine's travel height replaced by three
+    moves.
 
-    The source lifts the head in this way.  Every rapid below the machine's travel height is
-    replaced by a lift to that height, a move at that height, and a descent.
+    The moves are a lift to the travel height, a move at that height, and a descent.  The source in
+    the module's docstring lifts the head in this way; the result serves to compare the times.
     """
     rapid = toolpath.motion == Motion.RAPID
     height = machine.travel_z

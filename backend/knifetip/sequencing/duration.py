@@ -1,8 +1,8 @@
 """duration: estimate the time that the machine takes for each row of a toolpath.
 
 Every move has a trapezoidal speed profile within the limits of all axes.  Look-ahead keeps the
-speed at tangent joints and stops the head at corners.  Dwells for pistons and the oscillation to
-settle are included, and so are the halts of the controller (see ``timing``).
+speed at tangent joints and stops the head at corners.  The dwells in which pistons and the
+oscillation settle are included, and so are the halts of the controller (see ``timing``).
 
 As in grblHAL, the length of a move is computed from all four axes, with mm and degrees added alike.
 The speed is limited for each axis separately, so the time of a move does not depend on this
@@ -35,7 +35,7 @@ def duration(toolpath: Toolpath, machine: Machine) -> float:
 
 
 def durations(toolpath: Toolpath, machine: Machine) -> F64:
-    """Return the time of each row of a toolpath, (n,) s.
+    """Return the time of each of the n rows of a toolpath, (n,) s.
 
     The time of a station change is added to the first row of the new station, and the time of a
     halt to the row before the halt.
@@ -56,8 +56,8 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
     On an arc, Δx and Δy are the length of the arc, and v² ≤ a R limits the centripetal
     acceleration, with the radius R.  At a joint the velocity of axis i jumps by at most aᵢ ·
-    ``JOLT``.  The simulated table agrees within 2 %.  LinuxCNC took 12 to 21 % longer on the
-    samples, because its blending of moves is not modelled.
+    ``JOLT``.  The times agree with those of the simulated table within 2 %.  LinuxCNC took 12 to 21
+    % longer for the sample programs, because its blending of moves is not modelled.
     """
     if len(toolpath) == 0:
         return np.zeros(0)
@@ -134,11 +134,11 @@ def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:
 
 
 def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
-    """Return the change of X, Y, Z and C per unit of length, at the start and at the end of each
-    row.
+    """Return the change of X, Y, Z and C per unit of length at the start of each row of a toolpath,
+    and the same at the end of each row.
 
-    ``length`` is the length of each row of the toolpath over all four axes, (n,).  Both returned
-    arrays are (n, 4).
+    ``length`` is the length of each of the n rows over all four axes, (n,) mm and degrees added
+    alike. Both returned arrays are (n, 4).
     """
     change = np.diff(toolpath.pose, axis=0)
     first, last = change.copy(), change.copy()

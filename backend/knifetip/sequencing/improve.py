@@ -6,7 +6,7 @@ swapped again and again.  Each swap is followed by the same local search, and un
 not shorter.
 
 A track is run forwards (side 0) or backwards (side 1).  ``improve_tour`` describes the arrays that
-the functions share.
+most functions of this module take.
 
 Source: Croes 1958 (2-opt), Or 1976, Martin, Otto & Felten 1991 (perturb and repair).
 """
@@ -92,7 +92,8 @@ def _inner_change(
 
     The time is the sum of the air moves between the tracks of the section, which reaches from
     position ``first`` to position ``last`` of the tour.  If ``flip`` is 1, each track in it is also
-    run in its other direction; then no time changes and the result is 0.
+    run in its other direction; then no time changes and the result is 0.  The arrays are as in
+    ``improve_tour``.
     """
     if flip:
         return 0.0
@@ -113,7 +114,7 @@ def _reversal_change(
     each track in it is also run in its other direction.  The section cannot be reversed if it
     contains the origin, or if ``flip`` is 0 and it is longer than ``_LONGEST_SECTION``; the result
     is 0 then.  If the two air moves at its ends do not become shorter in total, only these are
-    counted, not the air moves inside it.
+    counted, not the air moves inside it.  The arrays are as in ``improve_tour``.
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0

@@ -18,7 +18,7 @@ BLENDED: Final = 0.005
 
 
 def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return the time for which LinuxCNC halts after each row of a toolpath, (n,) s.
+    """Return the time for which LinuxCNC halts after each of n rows of a toolpath, (n,) s.
 
     At a joint where the turn of C per mm changes by Δκ, the trajectory planner of LinuxCNC overlaps
     the two rows for a time t, in which the slower axis changes its speed.  The tip then deviates by
@@ -29,7 +29,9 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     Parameters
     ----------
     travel, seconds : (n,) and (n,)
-        Length of each row along XYZ (mm), and the time of each row at its feed.
+        Length of each row along XYZ (mm), and the time of each row at its feed (s).
+    machine
+        Machine whose accelerations of X, Y and C determine t.
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL

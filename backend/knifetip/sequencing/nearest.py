@@ -1,6 +1,7 @@
-"""nearest: find nearest-neighbour tours of tracks, and the neighbours of each track.
+"""nearest: find nearest-neighbour tours of tracks, and the nearest other tracks of each track.
 
-The starts and ends of the tracks are sorted into a grid of cells, which is searched in rings.
+The starts and ends of the tracks are sorted into a grid of cells.  The cells are searched in rings
+of growing size round a position.
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ def nearest_neighbour(start: F64, end: F64, origin: F64) -> I32:
 
 
 def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
-    """Return the nearest-neighbour tour of ``count`` tracks, (count,), each in its best direction.
+    """Return a nearest-neighbour tour: ``count`` tracks in their order, each in its best direction.
 
-    Candidate i is track i run forwards, and candidate i + ``count`` is track i run backwards.  The
-    result contains one candidate of each track.
+    The result, (count,), contains one candidate of each track: i for track i run forwards, or
+    i + ``count`` for track i run backwards.
 
     Parameters
     ----------
@@ -70,10 +71,12 @@ def _search_rings(
     key: I32_1,
     count: int,
 ) -> Any:
-    """Return the nearest-neighbour tour, (count,), by searching a grid in growing rings round the
-    head.
+    """Return a nearest-neighbour tour, (count,); the next track is searched in growing rings round
+    the head.
 
-    When a candidate is chosen, all candidates of its track are removed from their cells.
+    The entries are candidates: i is track i run forwards, and i + ``count`` is track i run
+    backwards. The candidates are listed in the cells of a grid.  When a candidate is chosen, all
+    candidates of its track are removed from the grid.
 
     Parameters
     ----------
@@ -130,9 +133,9 @@ def _search_rings(
 def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
     """Return the ``wanted`` nearest other tracks of each of t tracks, and their distances (mm).
 
-    Both arrays are (t, wanted), nearest first.  The distance of two tracks is the least distance
-    between an end of one and an end of the other.  ``start`` and ``end`` are the positions of the
-    head at the start and the end of each track, (t, 2) mm.
+    Both arrays are (t, wanted), nearest first.  The distance of two tracks is the shortest distance
+    between a start or end of one track and a start or end of the other.  ``start`` and ``end`` are
+    the positions of the head at the start and the end of each track, (t, 2) mm.
     """
     count = len(start)
     point = np.concatenate((start, end))
@@ -179,12 +182,20 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
 
 @kernel
 def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
-    """Insert a track into a list of nearest tracks sorted by distance; return the list's new
+    """Insert a track into the list of the nearest tracks found so far; return the list's new
     length.
 
-    ``near`` and ``best`` are the tracks and their distances (mm); the first ``found`` entries are
-    used.  A track that is already in the list keeps the smaller distance.  A track that is farther
-    than all entries of a full list is not inserted.
+    The list is sorted by distance.  A track that is already in it keeps the smaller distance.  A
+    track that is farther than all entries of a full list is not inserted.
+
+    Parameters
+    ----------
+    near, best
+        Tracks in the list and their distances (mm); both are changed in place.
+    found
+        Number of tracks in the list before the call; later entries of the arrays are unused.
+    other, distance
+        Track to be inserted, and its distance (mm).
     """
     at = found
     for place in range(found):

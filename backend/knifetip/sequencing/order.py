@@ -26,10 +26,10 @@ _MOST_TRIALS: Final = 3_000
 
 
 def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tuple[I32, Bool]:
-    """Return the indices of t tracks in nearest-neighbour order, (t,), and a mask, (t,).
+    """Return t tracks in nearest-neighbour order, and which of them are run from their far end.
 
-    The mask marks the tracks that are run from their far end.  The parameters are as for
-    ``short_order``.
+    The first array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
+    a mask with one entry per entry of the first.  The parameters are those of ``short_order``.
     """
     count = entry.shape[1]
     if reversal == Reversal.ONE:
@@ -44,9 +44,10 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
 def short_order(
     entry: F64, leave: F64, origin: F64, pace: F64, period: float, reversal: Reversal
 ) -> tuple[I32, Bool]:
-    """Return the indices of t tracks in a short order, (t,), and a mask, (t,).
+    """Return t tracks in a short order, and which of them are run from their far end.
 
-    The mask marks the tracks that are run from their far end.
+    The first array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
+    a mask with one entry per entry of the first.
 
     Parameters
     ----------
@@ -95,14 +96,18 @@ def short_order(
 
 
 def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) -> F64:
-    """Return the time of the air move before each track, (t,) s, for tracks in the given order.
+    """Return the time of the air move before each of t tracks, (t,) s; the tracks keep their order.
 
     Parameters
     ----------
     entry, leave : (t, 3) x y in mm, c in degrees
         Poses at the start and the end of each track.
-    origin, pace, period
-        As for ``short_order``.
+    origin : (3,) x y in mm, c in degrees
+        Pose of the head before the first track.
+    pace : (2, 3)
+        Velocities (row 0) and accelerations (row 1) of X, Y and C.
+    period : degrees
+        Rotation of C after which the tool is the same.
 
     Notes
     -----

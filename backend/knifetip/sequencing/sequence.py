@@ -35,9 +35,7 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of n moves, as in ``Toolpath``, but with n poses: the pose at the end of each
-    move.
-    """
+    """Columns of n moves, as in ``Toolpath``, but ``pose`` has only the pose at each move's end."""
 
     pose: F64
     bulge: F64
@@ -123,9 +121,7 @@ def _parking_pose(station: Station, machine: Machine) -> F64:
 
 
 def _air_move(pose: F64, tool: int) -> _Moves:
-    """Return one rapid to the pose ``pose``, (4,), with the tool of station number ``tool``
-    selected.
-    """
+    """Return one rapid to ``pose``, (4,), with the tool of the station whose number is ``tool``."""
     return _Moves(
         pose=pose[None],
         bulge=np.zeros(1),
@@ -140,7 +136,8 @@ def _air_move(pose: F64, tool: int) -> _Moves:
 def _order_tracks(
     toolpath: Toolpath, station: Station, machine: Machine, current: F64, count: int
 ) -> _Moves:
-    """Return the tracks of a toolpath in a short order, with an air move before each track.
+    """Return the moves of a toolpath with its tracks in a short order, and an air move before each
+    track.
 
     Parameters
     ----------
@@ -149,7 +146,7 @@ def _order_tracks(
     current : (4,)
         Pose of the head before the first track.
     count
-        Number that the first of the returned tracks gets.
+        Number that the first of the returned tracks gets; the tracks are numbered in their order.
     """
     # A pass is a run of rows between two rapids; the passes with one track number are one track.
     # Old rapids are dropped; new ones lead to the start of each pass.
@@ -279,10 +276,10 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
 
 
 def _has_own_lift(toolpath: Toolpath, turns: I64) -> Bool:
-    """Return the mask of the t turns whose lift and plunge use the turn's tool and leave C
-    unchanged.
+    """Return the mask of the turns that have their own lift and plunge, (t,).
 
-    ``turns`` are the rows of the turns in the toolpath, (t,); the mask is (t,).
+    A turn has its own lift and plunge if the moves before and after it use the turn's tool and
+    leave C unchanged.  ``turns`` are the rows of the t turns in the toolpath, (t,).
     """
     c, tool = toolpath.pose[:, 3], toolpath.tool
     same: Bool = (tool[turns - 1] == tool[turns]) & (tool[turns + 1] == tool[turns])

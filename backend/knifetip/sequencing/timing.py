@@ -1,4 +1,4 @@
-"""timing: functions that return the time for which a controller halts between moves."""
+"""timing: the type of the functions that estimate for how long a controller halts between moves."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ STILL: Final = 1e-9
 
 
 class Timing(Protocol):
-    """A function that estimates the halts of a controller that runs programs in one language."""
+    """A function that estimates how long a controller halts between moves."""
 
     def __call__(self, toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-        """Return the time for which the controller halts after each row of the toolpath, (n,) s.
+        """Return the time for which the controller halts after each of n rows of the toolpath, (n,)
+        s.
 
         Parameters
         ----------
@@ -26,15 +27,15 @@ class Timing(Protocol):
             The toolpath, and the machine that runs it.
         travel : (n,) mm
             Length of each row along XYZ.
-        seconds : (n,)
+        seconds : (n,) s
             Time of each row at its feed.
         """
         ...
 
 
 def no_halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F64:
-    """Return an array of zeros, (n,) s, one for each row: the controller never halts between
-    moves.
+    """Return an array of zeros, (n,) s, for a controller that never halts between the n rows of the
+    toolpath.
     """
     del travel, seconds, machine
     return np.zeros(len(toolpath))

@@ -1,7 +1,7 @@
-"""travel: check that the axes stay within their limits.
+"""travel: check that no axis of the machine leaves its limits.
 
-The joint position is the programmed position plus the datum of the station, so each station has its
-own limits.
+The position of an axis is the programmed position plus the datum of the station, so each station
+has its own limits.
 """
 
 from __future__ import annotations
@@ -19,13 +19,10 @@ _ROUNDING = 1e-6
 
 
 def check_travel(toolpath: Toolpath, machine: Machine) -> None:
-    """Raise an error if a toolpath takes an axis of the machine beyond its limits.
+    """Raise ``TravelExceeded`` if a toolpath takes an axis of the machine beyond its limits.
 
-    Raises
-    ------
-    TravelExceeded
-        The error names the first station that exceeds a limit, the axis with the greatest excess,
-        and the edge at which that happens.
+    The error names the first station that exceeds a limit, the axis with the greatest excess, and
+    the edge at which that happens.
     """
     boxes = arc.bounding_boxes(toolpath.pose[:-1, :2], toolpath.pose[1:, :2], toolpath.bulge)
     low = np.minimum(toolpath.pose[:-1], toolpath.pose[1:])
