@@ -127,9 +127,10 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
-    """Return the edges of a drawing, classified with the profile and overrides of the user.
+    """Return the edges of a drawing with the line types that a profile and the user give them.
 
-    ``interpretation`` contains the profile and the overrides.
+    ``interpretation`` contains the name or content of the classification profile, and the line
+    types that the user has set for single edges.
     """
     return classify(drawing, rules_of(interpretation), interpretation.override_column)
 
@@ -169,8 +170,11 @@ def compile(
 
     Parameters
     ----------
+    drawing, dieline
+        The drawing, and its edges with their line types.
     corners
-        Types of the cutter's path round outer corners; None chooses the fastest on the machine.
+        Types of the cutter's path round outer corners (B, C or D); None chooses the types that are
+        fastest on the machine.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
@@ -256,9 +260,10 @@ def _toolpath(
     where
         Offset that is added to the coordinates of the drawing on the sheet (mm).
     corners
-        Types of the cutter's path round outer corners; None chooses the fastest on the machine.
+        Types of the cutter's path round outer corners (B, C or D); None chooses the types that are
+        fastest on the machine.
     progress
-        Called at the start of each stage.
+        Called at the start of each stage with the completed fraction of the compile, 0 … 1.
     """
     placed = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(where))
     progress(Stage.PLAN, 0.05)
@@ -309,7 +314,7 @@ def _located(
 ) -> PlanError | CompensationError:
     """Return the error with handles and layer of the drawn edges that it concerns.
 
-    In ``error.source``, rows of cleaned edges are replaced by handles.
+    In ``error.source``, rows of cleaned edges are replaced by handles of entities in the drawing.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
 
 
 class Part(NamedTuple):
-    """A module that contains kernels without machine code on disk."""
+    """A module with kernels that have no machine code on disk, and the number of these kernels."""
 
     group: str  #: name of the group
     module: str  #: full name of the module

@@ -44,7 +44,7 @@ _FAR: Final = 1e9
 class _Placed(NamedTuple):
     """Rows of the k edges after cleaning and of the q stretches of the n drawn edges.
 
-    A stretch is a part of a drawn edge that belongs to one edge after cleaning.
+    A stretch is a part of a drawn edge that belongs to one edge after cleaning, or is debris.
     """
 
     row: I64  #: (q,) drawn edge of each stretch
@@ -56,7 +56,11 @@ class _Placed(NamedTuple):
 
 
 class _Lengths(NamedTuple):
-    """Three lengths (mm) for each of n drawn edges that decide the outcome of the edge."""
+    """Lengths (mm) that decide the outcome of each of n drawn edges.
+
+    They are the length that is kept, the length that is merged with other edges, and the largest
+    displacement of an end.
+    """
 
     kept: F64  #: length of stretches that overlap no other edge
     merged: F64  #: length of stretches that overlap other edges
@@ -83,7 +87,7 @@ class _State:
     met: EndPoints | None = None  #: points of the ends, None before they are first used
 
     def end_points(self) -> EndPoints:
-        """Return the points that the ends of the current edges share."""
+        """Return the points at which current edges meet, and pairs of ends near each other."""
         if self.met is None or self.met.of is not self.ends:
             self.met = find_end_points(self.ends, GAP)
         return self.met
@@ -155,9 +159,9 @@ class _State:
         self.moved, self.fitted = self.moved[keep], self.fitted[keep]
 
     def merge(self, *, curves_only: bool = False) -> None:
-        """Merge edges that continue each other.
+        """Merge current edges that continue each other, and update the stretches.
 
-        ``curves_only`` restricts this to the segments of flattened curves.
+        If ``curves_only`` is True, only the segments of flattened curves are merged.
         """
         made = merge_collinear(
             self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
@@ -344,8 +348,8 @@ def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
     Parameters
     ----------
     row, size, target, given : (q,)
-        For each stretch: its drawn edge, its length (mm), the row of its cleaned edge (-1 for
-        debris), and whether it overlaps another edge.
+        For each of q stretches: its drawn edge, its length (mm), the row of its cleaned edge (-1
+        for debris), and whether it overlaps another edge.
     count
         Number n of drawn edges.
     """
@@ -360,7 +364,14 @@ def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
 def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
     """Return the outcome of each of n drawn edges, (n,), and the reason for that outcome, (n,).
 
-    ``at_work``, (n,), is the mask of the edges whose line type is cut or creased.
+    Parameters
+    ----------
+    state, placed
+        The current edges after the last step of cleaning, and their rows in the cleaned dieline.
+    lengths
+        Kept length, merged length and displacement of each drawn edge.
+    at_work : (n,)
+        Mask of the edges whose line type is cut or creased.
     """
     row, edge, given, slot, source, of = placed
     kept, merged, moved = lengths
@@ -406,11 +417,11 @@ def _deviation(
     ----------
     dieline
         The n drawn edges.
-    ends, bulge
+    ends, bulge : (m, 2, 2) mm and (m,)
         The cleaned edges.
     row, low, high, target : (q,)
-        For each stretch: its drawn edge, its start and its end as fractions of that edge's length,
-        and the row of its cleaned edge (-1 for debris).
+        For each of q stretches: its drawn edge, its start and its end as fractions of that edge's
+        length, and the row of its cleaned edge (-1 for debris).
     """
     off = np.zeros(len(dieline))
     live = target >= 0

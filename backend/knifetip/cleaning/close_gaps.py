@@ -58,12 +58,12 @@ def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
 
 
 def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
-    """Return the edges with closed gaps.
+    """Return the ends of k edges after gaps between ends were closed, and how far they moved.
 
     Parameters
     ----------
     ends : (k, 2, 2)
-        Start and end points of k edges (mm).
+        Start and end points of the edges (mm).
     bulge, kind : (k,)
         Bulges and line types of the edges.
     settled : (k,)
@@ -142,7 +142,7 @@ def _find_debris(
             continue
         a, b = place[2 * edge], place[2 * edge + 1]
         if a == b and math.hypot(spot[a, 2] - spot[a, 0], spot[a, 3] - spot[a, 1]) < same:
-            # Smaller than the tolerance as a whole.
+            # The whole group is smaller than the tolerance.
             debris[edge] = True
             continue
         g = find(group, a)
@@ -350,6 +350,8 @@ def _may_move(
         Index of the point of each end, and the ends ordered by this index.
     first
         Index into ``by_place`` of the first end at each point.
+    at
+        Index of the point whose ends are to be moved.
     """
     for p in range(first[at], first[at + 1]):
         i = by_place[p]
@@ -365,7 +367,8 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
     """Return whether the end with index ``end`` touches the inside of the edge ``edge``.
 
     The end touches the inside if it is within ``join`` mm of the edge, but at least ``same`` mm
-    away from both ends of the edge.
+    away from both ends of the edge.  ``points`` (2k, 2) mm and ``bulge`` (k,) are the ends and the
+    bulges of k edges.
     """
     x0, y0 = points[2 * edge, 0], points[2 * edge, 1]
     x1, y1 = points[2 * edge + 1, 0], points[2 * edge + 1, 1]
@@ -396,6 +399,15 @@ def _meeting_point(
 
     It is the intersection of two lines if their angle has a sine greater than ``slant`` and the
     intersection is within ``gap`` mm of both ends, otherwise the point halfway between the ends.
+
+    Parameters
+    ----------
+    points, out : (2k, 2)
+        Ends of k edges (mm), and unit vectors that point out of the edge at each end.
+    bulge : (k,)
+        Bulges of the edges.
+    one, other
+        Indices of the two ends; end 2i is the start of edge i, end 2i + 1 its end.
     """
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]

@@ -59,10 +59,10 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
 
 
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
-    """Return samples of the deviation with positions on drawn edges instead of cleaned edges.
+    """Return the samples of a verdict with positions on drawn edges instead of cleaned edges.
 
-    ``own`` is the mask of the stretches of drawn edges that belong to a cleaned edge and do not
-    overlap another edge.
+    A sample is the deviation of the tip at a position of an edge.  ``own`` is the mask of the
+    stretches of drawn edges that belong to a cleaned edge and do not overlap another edge.
     """
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():

@@ -173,7 +173,9 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 def _covered(
     rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
 ) -> int:
-    """Return 1 if ``piece[p]`` is coincident with a stretch of edge ``rows[e]``, else 0.
+    """Write a stretch of an edge to ``out`` and return 1 if a piece covers it, else return 0.
+
+    The edge is ``rows[e]`` and the piece is ``piece[p]``, both x0, y0, x1, y1, bulge.
 
     Parameters
     ----------
@@ -213,15 +215,18 @@ def _add_stretch(
     piece: int,
     given: bool,
 ) -> int:
-    """Append a stretch of an edge and its piece to the lists; return the new number of stretches.
+    """Append a stretch of an edge to two lists, and return the new number of stretches.
 
     Parameters
     ----------
-    cover, source
-        Lists of start and end of each stretch (0 … 1 of its edge), and of its edge, its piece and
-        ``given``.
+    cover
+        List of the start and the end of each stretch, 0 … 1 of the length of its edge.
+    source
+        List of the edge of each stretch, the piece that covers it, and ``given``.
     count
         Number of stretches in the lists.
+    begin, end, edge, piece
+        Values of the new stretch for these lists.
     given
         Whether the piece belongs to another edge.
     """

@@ -46,7 +46,7 @@ def radius(start: F64, end: F64, bulge: F64) -> F64:
 def length(start: F64, end: F64, bulge: F64) -> F64:
     """Return the length of each line or arc, (n,) mm.
 
-    The squares of the coordinates must be finite.
+    Coordinates must be so small that their squares are finite floats; otherwise the result is inf.
     """
     # Computed by column, since operations on rows of two numbers are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]

@@ -88,8 +88,8 @@ def chain(
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points and bulges of the edges.
     max_turn : degrees
-        Edges that meet at a sharper corner are not connected.  With 180 all edges that meet are
-        connected, with ``ANGLE`` only edges that meet without a corner.
+        Largest change of direction from one edge to the next edge of a path.  With 180 all edges
+        that meet can be connected, with ``tolerance.ANGLE`` only edges that continue straight.
     gap : mm
         Ends nearer to each other than this meet.
     group : (n,)
@@ -129,14 +129,14 @@ def chain(
 def continues_straight(
     points: F64, directions: F64, angle: float = ANGLE, gap: float = GAP
 ) -> Bool:
-    """Return the mask of path ends at which another path continues straight, (m,).
+    """Return the mask of path ends at which another path continues in a straight line, (m,).
 
     Parameters
     ----------
     points : (m, 2) mm
-        The ends of all paths.
+        The start and end points of all paths.
     directions : (m, 2)
-        Unit directions from each end into its path.
+        Unit directions from each of these points into its path.
     angle : degrees
         Largest turn that counts as straight.
     gap : mm
@@ -199,7 +199,7 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
 
 @kernel
 def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
-    """Return the end to which each edge end is connected, (2n,), -1 for ends that remain open.
+    """Return for each end of n edges the end to which it is connected, (2n,), -1 for none.
 
     The turn between two ends is measured by its cosine, which is minus the scalar product of their
     outward directions.
@@ -211,9 +211,9 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
     by_node : (2n,)
         The ends, sorted by vertex.
     bounds : (v + 1,)
-        Position in ``by_node`` of the first end of each vertex; the last entry is 2n.
+        Position in ``by_node`` of the first end of each of v vertices; the last entry is 2n.
     any_turn
-        Least cosine of the turn at which two ends that meet alone are connected.
+        Least cosine of the turn at which two ends are connected if no third end meets them.
     straight
         Least cosine of the turn at which two ends are connected if three or more ends meet.
     """
@@ -250,7 +250,7 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
 
 @kernel
 def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
-    """Return the mask of edge ends from whose vertex another edge continues straight, (2n,).
+    """Return the mask of ends of n edges from whose vertex another edge continues straight, (2n,).
 
     Parameters
     ----------
@@ -259,7 +259,7 @@ def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: flo
     by_node : (2n,)
         The ends, sorted by vertex.
     bounds : (v + 1,)
-        Position in ``by_node`` of the first end of each vertex; the last entry is 2n.
+        Position in ``by_node`` of the first end of each of v vertices; the last entry is 2n.
     straight
         Least cosine of a turn that counts as straight.
     """

@@ -34,7 +34,7 @@ Segments: TypeAlias = tuple[F64, F64, F64]
 _PROBE_FRACTIONS: Final = np.linspace(0.0, 1.0, 26)[1:-1]
 #: Fraction of the tolerance that a measured deviation may use; the maximum may be between probes.
 _MARGIN: Final = 0.97
-#: The deviation of a biarc is |κ′| h³ / this; measured on ellipses with axes 1 : 1.01 to 1 : 100.
+#: Divisor c of the deviation |κ′| h³ / c, measured on ellipses with axes 1 : 1.01 to 1 : 100.
 _BIARC_ERROR: Final = 150.0
 #: Largest bulge of an arc (106°); longer arcs are not measured reliably.
 _MAX_BULGE: Final = 0.5
@@ -168,20 +168,21 @@ def _fit_block(
 def _halve_until_fitted(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, F64, F64]:
-    """Return pieces of a curve, halved until the biarc of each is within the tolerance.
+    """Return pieces of a curve, halved until the biarc of each piece is within the tolerance.
 
     Parameters
     ----------
     point, tangent
-        Functions of the curve, as for ``fit``.
+        Functions from parameters of the curve to its points and to its derivatives.
     first, last : (k,)
-        Parameters of the initial pieces.
+        Parameters at which the initial pieces start and end.
     tolerance : mm
+        Largest distance of a biarc from the curve.
 
     Returns
     -------
     first, last : (m,)
-        Parameters of the pieces, in order.
+        Parameters at which the final pieces start and end, in the order of the curve.
     joint : (m, 2) mm
         Point at which the two arcs of each biarc meet.
     bulge : (m, 2)
@@ -190,7 +191,8 @@ def _halve_until_fitted(
     Raises
     ------
     GeometryError
-        The curve needs too many pieces, or its pieces deviate after all halvings.
+        The curve needs too many pieces, or the biarc of a piece exceeds the tolerance after all
+        permitted halvings.
     """
     done: list[tuple[F64, F64, F64, F64]] = []
     total = 0
@@ -246,10 +248,16 @@ def _merge_collinear(
 
 
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
-    """Return parameters that divide a curve into pieces whose biarcs deviate nearly equally.
+    """Return parameters that divide a curve into pieces whose biarcs have nearly equal errors.
 
-    ``knots`` (k,) are parameters that must be among the returned ones; ``tolerance`` is the largest
-    deviation of a biarc in mm.
+    Parameters
+    ----------
+    point, tangent
+        Functions from parameters of the curve to its points and to its derivatives.
+    knots : (k,)
+        Parameters that must be among the returned ones.
+    tolerance : mm
+        Largest distance of a biarc from the curve.
     """
     cells = 32
     if len(knots) - 1 > _MAX_PIECES:
@@ -292,10 +300,12 @@ def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: fl
 def _biarcs(
     point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
 ) -> tuple[F64, F64, Bool]:
-    """Return the biarc of each piece of a curve, and whether it is good.
+    """Return the biarc of each of m pieces of a curve, and whether it is good.
 
-    A biarc is good if it is within the tolerance (mm) and its arcs are not too long.  ``first`` and
-    ``last`` (m,) are the parameters at which the pieces start and end.
+    A biarc is good if its distance from the curve is within the tolerance (mm) and the bulges of
+    its arcs are at most ``_MAX_BULGE``.  ``point`` and ``tangent`` are functions from parameters of
+    the curve to its points and derivatives.  ``first`` and ``last`` (m,) are the parameters at
+    which the pieces start and end.
 
     Returns
     -------
@@ -348,9 +358,10 @@ def _normalise(vectors: F64) -> F64:
 
 
 def _distances(start: F64, end: F64, bulge: F64, points: F64) -> F64:
-    """Return the distance of k points from each of m segments, (m, k) mm.
+    """Return the distances of k points from each of m lines or arcs, (m, k) mm.
 
-    ``points`` (m, k, 2) mm has k points for each segment.
+    ``start``, ``end`` (m, 2) mm and ``bulge`` (m,) are the lines or arcs; ``points`` (m, k, 2) mm
+    has k points for each of them.
     """
     chord = end - start
     length = np.hypot(chord[:, 0], chord[:, 1])

@@ -14,7 +14,7 @@ from knifetip.geometry.tolerance import CURVE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Ellipse:
-    """Elliptic arc: the points c + u cos t + v sin t for t from ``first`` to ``last``.
+    """Elliptic arc: the points c + u cos t + v sin t for t from ``first`` to ``last`` (radians).
 
     The point c is the centre; the vectors u and v need not be perpendicular.
     """

@@ -166,10 +166,10 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
 
 
 def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
-    """Return all paths, some of them running through all their segments twice.
+    """Return all paths, some of them repeated, and the input segment of each returned segment.
 
-    Also returns the input segment that each returned segment comes from.  ``which`` (p,) is the
-    mask of the paths that run twice.
+    A repeated path runs through all its segments twice.  ``which`` (p,) is the mask of the paths to
+    repeat.
     """
     count = np.diff(paths.first)
     times = np.where(which, 2, 1)
@@ -182,12 +182,12 @@ def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
 
 def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
-    """Return one point of each path, the direction of the path there, and the segment of the point.
+    """Return a point of each of p paths, the direction of the path there, and the point's segment.
 
     Parameters
     ----------
     distance : (p,) mm
-        Distance of the point from the start, along each path.
+        Distance of the point from the start of the path, measured along the path.
 
     Returns
     -------

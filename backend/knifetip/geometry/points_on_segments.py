@@ -62,7 +62,11 @@ def find_points_on_segments(
 
 @kernel
 def _boxes(rows: F64_2) -> Any:
-    """Return a box around each segment, (n, 4), for rows (n, 5) of x0, y0, x1, y1 and bulge."""
+    """Return a box around each segment, (n, 4): x min, y min, x max, y max.
+
+    ``rows`` (n, 5) are the segments: x0, y0, x1, y1, bulge.  The box of an arc may be larger than
+    necessary.
+    """
     boxes = np.empty((len(rows), 4))
     for i in range(len(rows)):
         write_box(rows, i, boxes, i)
@@ -88,14 +92,20 @@ def _find_points(
 
     Parameters
     ----------
-    points, own, start, end, gap
-        As for ``find_points_on_segments``.
+    points : (m, 2) mm
+        The points.
+    own : (m,)
+        Number of the segment that each point belongs to, -1 for none.
     order, boxes : (n,) and (n, 4)
-        Segments in Morton order, and their boxes.
+        Segments in Morton order, and their bounding boxes.
     reach : mm
-        Distance from a point within which boxes are searched.
+        Distance from a point within which bounding boxes are searched.
+    start, end : (n, 2) mm
+        Start and end points of the segments.
     middle, radius, first, sweep : (n, 2), (n,), (n,), (n,)
         Centre and radius (mm), angle of the start and sweep (radians) of each arc.
+    gap : mm
+        Largest distance of a point that counts as on a segment.
     """
     tree, stack = build_tree(boxes), new_stack()
     hit = np.zeros(len(points), np.bool_)
@@ -129,8 +139,8 @@ def _distance(
 ) -> float:
     """Return the distance of a point from a line or an arc (mm).
 
-    An arc has its centre ``middle`` and ``radius`` (mm), the angle ``first`` of its start and its
-    sweep (radians).
+    The line or arc goes from ``start`` to ``end``.  An arc has its centre at ``middle``, the
+    ``radius`` (mm), and starts at the angle ``first`` with the given sweep (radians).
     """
     if abs(sweep) >= _LEAST_SWEEP:
         angle = math.atan2(point[1] - middle[1], point[0] - middle[0]) - first

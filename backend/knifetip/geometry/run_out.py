@@ -28,9 +28,10 @@ def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float 
     tip and W the width of the tool, the corners are at c ± (W/2) n.  Each corner passes a straight
     edge after::
 
-        ∓ (W/2) (n · m) / (u · m)                                 section 1 of the source
+        ∓ (W/2) (n · m) / (u · m)
 
-    so the later corner leaves after (W/2) |n · m| / (u · m).
+    so the later corner leaves after (W/2) |n · m| / (u · m).  Source: "A new method of turning
+    processing in multi axis linkage NC machining", section 1.
 
     Parameters
     ----------

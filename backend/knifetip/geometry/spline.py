@@ -48,10 +48,18 @@ class Spline:
         return np.unique(inside)
 
     def _de_boor(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
-        """Return the points of a polynomial B-spline at parameters ``t`` (m,), by de Boor, (m, c).
+        """Return points of a polynomial B-spline by de Boor's recurrence, (m, c).
 
-        ``rows`` (k, c) are the control points in c dimensions, and ``knots`` (k + degree + 1,) are
-        the knots.
+        Parameters
+        ----------
+        t : (m,)
+            The parameters.
+        rows : (k, c)
+            Control points in c dimensions.
+        knots : (k + degree + 1,)
+            Knots, never decreasing.
+        degree
+            Degree of the polynomials.
         """
         count = len(rows)
         span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
@@ -70,7 +78,7 @@ class Spline:
         return result
 
     def _homogeneous(self) -> F64:
-        """Return the control points in homogeneous coordinates, (k, 3): x w, y w, w."""
+        """Return the k control points as homogeneous coordinates, (k, 3): x w, y w, weight w."""
         return np.hstack([self.control * self.weights[:, None], self.weights[:, None]])
 
     def point(self, t: F64) -> F64:
@@ -100,7 +108,7 @@ class Spline:
         Raises
         ------
         GeometryError
-            The spline cannot be fitted, or needs more than 100,000 pieces.
+            The spline has no finite points, or needs more than 100,000 pieces.
         """
         breaks = self.breaks
         if self.degree == 1:

@@ -18,7 +18,7 @@ _SLOTS: Final = 1024
 
 
 def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
-    """Return the distinct rows of n rows of integers, and the distinct row that each row equals.
+    """Return the distinct rows of integer columns, and for each row the equal distinct row.
 
     Parameters
     ----------
@@ -41,7 +41,12 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
 
 @kernel
 def _distinct_rows(table: I64_2) -> Any:
-    """Return the distinct rows of a table of integers, (n, k), and the one that each row equals.
+    """Return the distinct rows of a table, and for each row of the table the equal distinct row.
+
+    Parameters
+    ----------
+    table : (n, k)
+        Rows of integers.
 
     Returns
     -------
@@ -79,7 +84,7 @@ def _distinct_rows(table: I64_2) -> Any:
 
 @kernel
 def _equal_rows(table: I64_2, row: int, other: int) -> bool:
-    """Return whether two rows of a table are equal."""
+    """Return whether the rows with the numbers ``row`` and ``other`` of a table are equal."""
     same = True
     for column in range(table.shape[1]):
         same &= table[row, column] == table[other, column]

@@ -101,10 +101,10 @@ class _KernelFiles(IndexDataCacheFile):
     def _load_index(self) -> dict[Any, str]:
         """Return the names of the files with machine code, one per signature and processor.
 
-        Returns an empty dict if the index cannot be read; it is then overwritten when the kernel
-        has been compiled.  numba reads the signatures in the index before it compares the source
-        with the one that was compiled, so that it fails if the classes of the signatures have been
-        moved or deleted since.
+        Returns an empty dict if the index file cannot be read; numba then compiles the kernel and
+        overwrites the index.  Reading fails, for example, after the class of an argument was moved
+        or deleted: numba reads the signatures in the index before it checks whether the source
+        changed.
         """
         try:
             index: dict[Any, str] = super()._load_index()

@@ -20,7 +20,7 @@ _PLAIN = {float: types.float64, int: types.int64, bool: types.boolean}
 
 
 class Group(types.NamedTuple):
-    """Numba type of a declared named tuple; accepts tuples whose fields convert to its fields.
+    """Numba type of a named tuple in a kernel's signature; accepts a tuple if its fields convert.
 
     numba itself converts no named tuples: it would refuse a named tuple with a writable array if a
     read-only array is declared.

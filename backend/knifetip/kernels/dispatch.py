@@ -47,10 +47,11 @@ class Kernel(CPUDispatcher):
 
     @cached_property
     def _accepted(self) -> set[tuple[Any, ...]]:
-        """Return the combinations of argument types for which the machine code has been registered.
+        """Return the argument types of earlier calls for which machine code has been registered.
 
-        The set also keeps these types alive: numba gives a new code to a type that was released,
-        and the machine code is registered by the codes of the types.
+        Each entry is a tuple of one numba type per argument.  The set also keeps these types alive:
+        numba gives a new code to a type that was released, and the machine code is registered by
+        the codes of the types.
         """
         return {tuple(self.declared.values())}
 
@@ -115,7 +116,10 @@ class Kernel(CPUDispatcher):
         return entry_point
 
     def _mismatch(self, given: Sequence[Any]) -> str:
-        """Return an error message if an argument does not have its declared type, else ""."""
+        """Return an error message if an argument of a call has another type than declared, else "".
+
+        ``given`` are the numba types of the arguments of the call.
+        """
         for (name, declared), each in zip(self.declared.items(), given, strict=True):
             kind = self.typingctx.can_convert(each, declared)
             if kind is None or kind > Conversion.safe:
@@ -157,9 +161,9 @@ def kernel(
         The function to compile; None if the decorator is called with options.
     allocates
         Must be True for a function that creates an array or stores a reference to one; functions
-        that it calls may do so in either case.  With False it is compiled without reference
-        counting, which can take longer than the function itself because it synchronises the cores,
-        most of all if named tuples are passed.
+        that it calls may do so in either case.  With False the function is compiled without
+        reference counting.  Reference counting synchronises the cores, so it can take longer than
+        the function itself, most of all if named tuples are passed.
     checks_division
         Whether division by 0 raises ``ZeroDivisionError``; otherwise it returns inf, nan or 0.
     """

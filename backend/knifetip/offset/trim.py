@@ -318,7 +318,7 @@ def _trimmed_bulge(
     if abs(bent) <= 1.0 and dx * dx + dy * dy < POINT * POINT:
         return math.nan
     if begins and ends and abs(bent) > 1.0:
-        # Beyond half a turn the remaining part cannot be told from its complement.
+        # Beyond half a turn the remaining part is not distinguishable from its complement.
         return math.nan
     if begins or ends:
         bent = remaining_bulge(

@@ -1,8 +1,7 @@
 """evidence: find the unit of a drawing from all evidence together.
 
-    Drawing -> UnitFinding: the unit, or none if the user must choose, and the evidence
-
-The header of the file is one kind of evidence among several.  Each kind gives every unit a weight:
+The result is a ``UnitFinding``: the unit, or none if the user must choose, and the evidence.  The
+header of the file is one kind of evidence among several.  Each kind gives every unit a weight:
 the natural logarithm of the likelihood of the unit relative to the least likely unit.  The weights
 of all kinds are added to a total weight for each unit.  The unit that the header states is kept if
 its total weight is the greatest by a margin.  A unit that the header does not state is chosen only
@@ -93,12 +92,14 @@ def _by_weight(one: UnitEvidence) -> float:
 def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> str:
     """Return the unit that the evidence supports; empty if the evidence is not conclusive.
 
+    The total weight of a unit is the sum of the weights of all evidence for it.
+
     Parameters
     ----------
     stated
         Unit that the header states, empty for none.
     best
-        The likeliest unit: the unit with the greatest total weight of evidence.
+        The likeliest unit: the unit with the greatest total weight.
     margin
         Total weight of the likeliest unit minus total weight of the second likeliest unit.
     doubtful
@@ -161,9 +162,11 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
 
 
 def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from the unit that the header of the file states, if any.
+    """Return one piece of evidence for each unit, from the unit that the file's header states.
 
-    The least likely unit gets no evidence.
+    The weight of a unit is computed from the fraction of carton drawings with the same header that
+    are in the unit.  A header that states no unit counts as a header too.  The unit with the least
+    fraction has no entry in the list, because its weight is 0.
     """
     share = weights.STATED[drawing.stated]
     least = min(share.values())
@@ -192,9 +195,9 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from settings in the file, except the unit that it states.
+    """Return the evidence for units from other settings in the file than the stated unit.
 
-    An example of such a setting is a choice between metric and imperial measures.
+    An example of such a setting is the choice between metric and imperial measures in a DXF header.
     """
     evidence = []
     for hint in drawing.hints:

@@ -1,8 +1,7 @@
 """lengths: evidence for the unit from the lengths of a drawing's edges.
 
-    Drawing -> Lengths in file units -> a weight for each unit
-
-The weights come from the size of the drawing, from its shortest edges, and from the grid: the
+The lengths are measured in file units; the result is a weight for each unit.  The weights come from
+the size of the drawing, from its shortest edges, and from the grid: the
 spacing, such as 1 mm or 1/16 in, of which the lengths of edges are multiples.  The grid is the
 strongest evidence.  Designers who draw in millimetres choose panels of whole or half millimetres;
 designers who draw in inches choose sixteenths.  If x is a length in file units and f the number of
@@ -75,7 +74,7 @@ class Lengths:
     straight: int  #: number of straight edges
     width: float  #: width of the bounding box
     height: float
-    #: possible precisions: of the coordinates as floats, and of their last decimal place
+    #: possible precisions of lengths: of coordinates as floats, of their last decimal place
     exact: tuple[float, ...]
 
     @property
@@ -148,7 +147,7 @@ def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, 
     """
     if not len(ends):
         return 0.0, 0.0, 0.0, 0.0
-    # A reduction of each column is ten times as fast as one along the rows.
+    # Reducing each column is ten times as fast as reducing along the rows.
     x, y = ends[:, :, 0], ends[:, :, 1]
     box = float(x.min()), float(y.min()), float(x.max()), float(y.max())
     if straight.all():
@@ -177,9 +176,11 @@ def _quantum(ends: F64) -> float:
 
 
 def relative_weights(weight: Mapping[str, float]) -> dict[str, float]:
-    """Return for each unit its weight in ``weight`` minus the least of all weights.
+    """Return for each unit its weight of evidence minus the least weight of all units.
 
-    Weights more than ``weights.HEAVIEST`` below the greatest weight are first raised to this limit.
+    ``weight`` contains for each unit the logarithm of its likelihood.  Before the subtraction, a
+    weight below the greatest weight minus ``weights.HEAVIEST`` is raised to that limit, so that no
+    result is greater than ``HEAVIEST``.
     """
     most = max(weight.values())
     cut = {unit: max(value, most - weights.HEAVIEST) for unit, value in weight.items()}
@@ -197,9 +198,10 @@ def evidence_of_units(
     kind
         Kind of the evidence, as in ``UnitEvidence``.
     weight
-        Weight of the evidence for each unit; ``relative_weights`` is applied to the weights.
+        For each unit, the logarithm of its likelihood; ``relative_weights`` converts these to the
+        weights of the evidence.
     message
-        Message that describes the evidence for each unit.
+        For each unit, the message that describes the evidence.
     """
     return [
         UnitEvidence(unit, message[unit], value, kind)
@@ -210,7 +212,8 @@ def evidence_of_units(
 def size_evidence(found: Lengths) -> list[UnitEvidence]:
     """Return the evidence for each unit from the longer side of the drawing.
 
-    A unit in which this side has a usual length for a carton gets a greater weight.
+    A unit in which this side has a usual length for a carton gets a greater weight.  ``found`` is
+    the size of the drawing in file units.
     """
     weight = {
         unit: _interpolate(weights.SIZE, found.longer * scale)
@@ -225,10 +228,11 @@ def size_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def feature_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return the evidence for each unit from the shortest edges of the drawing.
+    """Return the evidence for each unit from the shortest edge of the drawing.
 
     Slots and small flaps have usual lengths, since these depend on the caliper of the board.  The
-    list is empty if the drawing has too few straight edges.
+    list is empty if the drawing has too few straight edges.  ``found`` are the lengths of the edges
+    in file units.
     """
     if found.straight < weights.FEATURE_EDGES or not np.isfinite(found.shortest):
         return []
@@ -244,9 +248,10 @@ def feature_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def paper_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return evidence for each unit in which the drawing has a paper size, such as A4.
+    """Return one piece of evidence for each unit in which the drawing has a paper size, such as A4.
 
-    The drawing may have this size because it contains a frame or the outline of a page.
+    The drawing may have this size because it contains a frame or the outline of a page.  ``found``
+    is the size of the drawing in file units.
     """
     short, long = sorted((found.width, found.height))
     found_in = []
@@ -262,7 +267,8 @@ def paper_evidence(found: Lengths) -> list[UnitEvidence]:
 def grid_evidence(found: Lengths) -> list[UnitEvidence]:
     """Return the evidence for each unit from the edges whose lengths are round numbers in the unit.
 
-    The list is empty if the drawing has no straight edges.
+    The list is empty if the drawing has no straight edges.  ``found`` are the lengths of the edges
+    in file units.
     """
     if not len(found.value):
         return []
@@ -271,7 +277,10 @@ def grid_evidence(found: Lengths) -> list[UnitEvidence]:
 
 
 def grid_likelihood(found: Lengths) -> dict[str, float]:
-    """Return the log-likelihood of the lengths of the edges for each unit the drawing may be in."""
+    """Return for each unit the log-likelihood of the edges' lengths if the drawing is in this unit.
+
+    ``found`` are the lengths in file units.
+    """
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
@@ -288,12 +297,12 @@ def grid_likelihood(found: Lengths) -> dict[str, float]:
 
 
 def table_likelihood(found: Lengths, scale: float, table: Mapping[float, float]) -> float:
-    """Return the log-likelihood of the lengths of the edges for one table of grid spacings.
+    """Return the log-likelihood of the edges' lengths if they are multiples of given grid spacings.
 
     Parameters
     ----------
     found
-        Lengths of the edges of the drawing.
+        Lengths of the edges of the drawing, in file units.
     scale
         Millimetres in one file unit.
     table
@@ -319,7 +328,14 @@ def _grid_message(found: Lengths, unit: str) -> Message:
     """Return the message that names the best grid spacing and how many lengths are multiples of it.
 
     The best grid spacing is the one for which the edges whose length is a multiple of it have the
-    greatest total length.  ``unit`` is the unit in which the drawing is assumed to be.
+    greatest total length.
+
+    Parameters
+    ----------
+    found
+        Lengths of the edges of the drawing, in file units.
+    unit
+        Unit in which the drawing is assumed to be.
     """
     scale = MILLIMETRES[unit]
     fits = []
@@ -344,12 +360,14 @@ def _grid_message(found: Lengths, unit: str) -> Message:
 
 
 def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
-    """Return the weight of ``size`` (mm), interpolated linearly in the logarithm of the size.
+    """Return the weight of evidence for a length ``size`` (mm).
+
+    The weight is interpolated linearly in the logarithm of the length.
 
     Parameters
     ----------
     points
-        Sizes (mm) in ascending order, each with its weight.
+        Lengths (mm) in ascending order, each with its weight of evidence.
     """
     at, weight = zip(*points, strict=True)
     return float(np.interp(np.log(max(size, 1e-12)), np.log(at), weight))

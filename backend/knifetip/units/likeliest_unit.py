@@ -41,7 +41,10 @@ def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
 
 
 def _unit_evidence(found: UnitFinding, drawing: Drawing) -> Message:
-    """Return the message that explains why the unit that the file states was not kept."""
+    """Return the message that explains why the unit that the file states was not kept.
+
+    ``found`` is the evidence for each unit of ``drawing``.
+    """
     best = found.ranking[0]
     if best == drawing.stated:
         return Message("unit.inconclusive", stated=drawing.evidence, unit=best)

@@ -1,6 +1,4 @@
-"""mixed_scales: find parts of one sheet that are drawn at different scales.
-
-    Drawing -> warnings
+"""mixed_scales: warn of parts of one sheet that are drawn at different scales.
 
 A part is a set of connected edges.  Two parts have different scales if they have the same shape at
 different sizes, or if the lengths of their edges are round numbers in different units, for example
@@ -49,7 +47,7 @@ def mixed_scale_warnings(drawing: Drawing) -> list[Message]:
 
 
 def _largest_parts(ends: F64) -> list[I64]:
-    """Return the indices of the edges of each of the largest connected parts of n edges.
+    """Return the largest connected parts of n edges, each as an array of the indices of its edges.
 
     A part is a set of connected edges.  Parts that are too small, or have too few edges, to be
     compared are omitted.  ``ends`` are the start and end points of the edges, shape (n, 2, 2).
@@ -112,12 +110,12 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
 
 
 def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
-    """Return a warning if two parts have round lengths in different units, else an empty list.
+    """Return a warning if the edge lengths of two parts are round in different units, else [].
 
     Parameters
     ----------
     parts
-        Edge indices of each part.
+        Indices of the edges of each part.
     ends : (n, 2, 2)
         Start and end points of all n edges of the drawing (file units).
     bulge : (n,)
@@ -143,7 +141,7 @@ def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
     The unit, "mm", "in", "pt" or "px", is the one in which the part is assumed to be drawn.  The
     system, "metric" or "imperial", is the one in which its lengths are assumed to be round numbers.
     Other units are omitted: lengths that are round in cm or m are round in mm, and lengths that are
-    round in feet are round in inches.
+    round in feet are round in inches.  ``found`` are the lengths of the part's edges in file units.
     """
     return {
         (unit, system): table_likelihood(found, MILLIMETRES[unit], table)

@@ -1,8 +1,7 @@
 """text_evidence: evidence for the unit from texts and dimensions on the sheet.
 
-    Drawing, Lengths -> a weight for each unit, and warnings about scales
-
-A number on the sheet that is the length of an edge relates the unit of the number to the unit of
+The result is a weight for each unit, and warnings about scales.  A number on the sheet that is the
+length of an edge relates the unit of the number to the unit of
 the file: with "350" beside an edge of 13.78, the file is in inches and the text in millimetres.
 Some numbers match a length by chance.  The frequency of such chance matches is measured at scales
 that are not the ratio of any two units.  The weight of a match grows with the ratio of its
@@ -69,9 +68,10 @@ class TextEvidence:
 
 @dataclass(frozen=True, slots=True)
 class _Number:
-    """A number in a text on the sheet; for the text of a dimension, also the measured length.
+    """A length written in a text on the sheet, and the length that its dimension measures.
 
-    A dimension has a text and a length that it measures; the text normally states this length.
+    The text of a dimension normally states the length that the dimension measures.  The measured
+    length is NaN for other texts.
     """
 
     written: WrittenLength
@@ -194,9 +194,9 @@ def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message
     unit
         Unit in which the drawing is assumed to be.
     matches
-        One message per number that equals a length.
+        One message for each number that equals a length.
     count
-        Number of the numbers on the sheet that were compared with lengths.
+        How many numbers on the sheet were compared with lengths.
     """
     if not matches:
         return Message("unit.no-number-matches", unit=unit, all=count)

@@ -1,8 +1,8 @@
 """weights: constants from which the weights of all kinds of evidence for a unit are computed.
 
-Weights are natural logarithms of likelihood ratios, so they are added: 2.3 is ten to one, 4.6 a
-hundred to one.  They are estimates.  They were set so that none of thousands of generated cartons,
-in every unit and with right, missing and wrong headers, is read in a wrong unit
+A weight is the natural logarithm of a likelihood ratio, so weights are added: 2.3 is ten to one,
+4.6 a hundred to one.  The constants are estimates.  They were set so that none of thousands of
+generated cartons, in every unit and with right, missing and wrong headers, is read in a wrong unit
 (tests/unit/units/test_generated.py).  If the total weights are not conclusive, the user must
 choose the unit.
 """

@@ -1,8 +1,8 @@
 """written_lengths: parse lengths, units and scales in texts on a sheet.
 
-    "300 x 200 x 150 mm", '13 3/4"', "L=300", "13,78 in" -> values, each with its unit if it has one
-
-Dates, angles, scales, telephone numbers and parts of names are skipped.
+Examples of texts with lengths are "300 x 200 x 150 mm", '13 3/4"', "L=300" and "13,78 in".  Each
+parsed length has its value, and its unit if one is written.  Dates, angles, scales, telephone
+numbers and parts of names are skipped.
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ def stated_unit(text: str) -> str:
 def written_scales(text: str) -> list[tuple[int, int]]:
     """Return the drawing scales that are written in a text, for example (1, 10) for "1:10".
 
-    Only scales of which one number is 1 and the other is not are returned.
+    A scale is returned only if exactly one of its two numbers is 1.
     """
     return [
         (int(one), int(other))

@@ -13,7 +13,7 @@ A query in a kernel::
         if i < 0:
             break
 
-Source: the layout is that of a packed Hilbert R-tree (Kamel and Faloutsos 1993) on any given order.
+Source: packed Hilbert R-tree (Kamel and Faloutsos 1993), but with the boxes in the caller's order.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _STACK_LENGTH: Final = 16 * NODE_SIZE
 
 
 class BoxTree(NamedTuple):
-    """A packed tree over n bounding boxes."""
+    """A packed tree over n bounding boxes; it has t boxes in total, with those of its nodes."""
 
     boxes: F64_2  #: (t, 4) x0, y0, x1, y1 of the n given boxes, then of the nodes above them
     level: I64_1  #: (24,) row in ``boxes`` of the first box of each level
@@ -68,16 +68,17 @@ def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
     Parameters
     ----------
     nodes : (t, 4)
-        Boxes of the tree: the first ``count`` rows are given, the boxes of the nodes follow them.
+        All boxes of the tree.  The caller has filled the first ``count`` rows; this function fills
+        the other rows with the boxes of the nodes.
     count
-        Number of given boxes.
+        Number of boxes over which the tree is built.
     level : (24,)
         Gets the row in ``nodes`` of the first box of each level.
     """
     level[0] = 0
     height = 0
     begin = 0
-    # One box has a root too: only the boxes below a node are compared with a query.
+    # A tree of one box needs a root too: only boxes below a node are compared with a query.
     while count > 1 or height == 0:
         above = begin + count
         level[height + 1] = above
@@ -178,12 +179,13 @@ def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
     Parameters
     ----------
     boxes, others : (n, 4) and (m, 4) mm
-        x min, y min, x max, y max.
+        The two sets of boxes: x min, y min, x max, y max of each box.
 
     Returns
     -------
     row, other_row : (k,) and (k,)
-        Rows of ``boxes``, ascending, and rows of ``others``, by x min for each row of ``boxes``.
+        For each of k pairs the row in ``boxes`` and the row in ``others``.  The pairs are sorted by
+        ``row``, and pairs with equal ``row`` by x min of the other box.
     """
     if len(boxes) == 0 or len(others) == 0:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
@@ -200,8 +202,9 @@ def box_pairs(boxes: F64, others: F64, gap: float) -> tuple[I64, I64]:
 def _find_pairs(boxes: F64_2, others: F64_2, gap: float) -> Any:
     """Return the pairs of boxes that are at most ``gap`` mm apart in x and in y, unsorted.
 
-    The pairs are rows of ``boxes``, (k,), and rows of ``others``, (k,).  ``others`` must be in
-    Morton order.
+    The result has two arrays: the row in ``boxes`` and the row in ``others`` of each of k pairs,
+    (k,) each.  ``boxes`` (n, 4) and ``others`` (m, 4), in Morton order, are x min, y min, x max and
+    y max.
     """
     tree, stack = build_tree(others), new_stack()
     found = 0

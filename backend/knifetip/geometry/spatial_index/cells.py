@@ -11,7 +11,7 @@ from knifetip.kernels import I32_1, kernel
 
 @kernel(allocates=False)
 def cell_of(value: float, low: float, size: float, side: int) -> int:
-    """Return the column or row of a grid that contains a coordinate.
+    """Return the number, 0 … ``side`` - 1, of the grid column or row that contains a coordinate.
 
     Parameters
     ----------
