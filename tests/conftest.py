@@ -1,4 +1,4 @@
-"""What all tests share: the drawings by other hands, where they are, and the command line."""
+"""Fixtures for all tests: the folder of drawings by other authors, and the command line."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from hypothesis import settings
 from knifetip.cli import main
 from tests.support.command import Command
 
-# A busy machine is no finding: what takes long is shown by `make bench`. Nor is the luck of a draw:
-# every run tries the same examples. `--hypothesis-profile=explore` tries others.
+# Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
+# every run uses the same examples; `--hypothesis-profile=explore` draws new ones.
 settings.register_profile("knifetip", deadline=None, derandomize=True)
 settings.register_profile("explore", deadline=None)
 settings.load_profile("knifetip")
@@ -24,7 +24,7 @@ CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus
 
 @pytest.fixture(scope="session")
 def corpus() -> Path:
-    """The folder of drawings by other hands; skips where it is absent."""
+    """Return the folder of drawings by other authors; skip the test if it does not exist."""
     if not CORPUS.is_dir():
         pytest.skip(f"the drawings by other hands are not at {CORPUS} (set KNIFETIP_CORPUS)")
     return CORPUS
@@ -32,7 +32,7 @@ def corpus() -> Path:
 
 @pytest.fixture
 def knifetip(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Command:
-    """Run the command; returns exit code, stdout, stderr."""
+    """Return a function that runs ``knifetip`` and returns exit code, stdout and stderr."""
 
     def run(*words: object) -> tuple[int, str, str]:
         monkeypatch.setattr(sys, "argv", ["knifetip", *map(str, words)])

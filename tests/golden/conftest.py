@@ -1,6 +1,6 @@
-"""Golden files: outputs that were reviewed and stored.
+"""Golden files: reviewed outputs that later outputs must equal.
 
-``pytest tests/golden --accept`` writes the files again; review the difference like code.
+``pytest tests/golden --accept`` overwrites the files; review the difference like code.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture
 def golden(request: pytest.FixtureRequest) -> Callable[[str, bytes], None]:
-    """Return a function that compares bytes with a golden file, or writes it with ``--accept``."""
+    """Return a function that compares bytes with a golden file, or overwrites it with
+    ``--accept``.
+    """
 
     def compare(name: str, produced: bytes) -> None:
         # The option is unknown if the tests are started from a parent folder.

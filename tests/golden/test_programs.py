@@ -1,4 +1,4 @@
-"""A small job in each dialect, byte for byte: three stations, arcs, a swivel, a V-groove."""
+"""The program of a small job in each language, byte for byte: three stations, arcs, a V-groove."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.support.shapes import toolpath
 QUARTER = np.tan(np.pi / 8)
 R, P, F, S, L = Motion.RAPID, Motion.PLUNGE, Motion.FEED, Motion.SWIVEL, Motion.LIFT
 
-#: Station, motion, x, y, z, c, bulge and feed of the end of a move.
+#: Station, motion, x, y, z and c at the end, bulge, and feed of each move.
 MOVES: list[tuple[int, Motion, float, float, float, float, float, float]] = [
     (2, R, 150, 73.9, 20, 90, 0, 0),
     (2, P, 150, 73.9, 1.6, 90, 0, 6000),

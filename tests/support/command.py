@@ -6,8 +6,8 @@ from typing import Protocol
 
 
 class Command(Protocol):
-    """Runs the command line in this process."""
+    """A function that runs the ``knifetip`` command in this process."""
 
     def __call__(self, *words: object) -> tuple[int, str, str]:
-        """Return exit code, stdout and stderr of ``knifetip WORDS…``."""
+        """Run ``knifetip`` with command line arguments; return exit code, stdout and stderr."""
         ...

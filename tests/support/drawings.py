@@ -1,4 +1,4 @@
-"""Drawings from edges and their styles, as a reader of files returns them."""
+"""Build drawings from edges and styles, like those that a reader of files returns."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ Style: TypeAlias = tuple[str, int, str]
 
 @dataclass(frozen=True)
 class Header:
-    """What a file contains beside its entities."""
+    """Properties of a file other than its entities."""
 
-    unit: str = "mm"  #: of the coordinates; empty where it is still to be found
+    unit: str = "mm"  #: unit of the coordinates, "" if it is not determined yet
     stated: str = ""  #: the unit that the file's header names
     texts: tuple[Annotation, ...] = ()
-    layers: tuple[str, ...] = ()  #: of the table, with those that no edge uses
-    linetypes: tuple[str, ...] = ()  #: likewise
+    layers: tuple[str, ...] = ()  #: names in the layer table, including unused ones
+    linetypes: tuple[str, ...] = ()  #: names in the linetype table, including unused ones
 
 
 def drawing(
@@ -42,15 +42,16 @@ def drawing(
     Parameters
     ----------
     ends : (n, 2, 2)
-        In mm, or in file units where the header has no unit.
-    styles : (n,)
-        Layers and linetypes that the header does not list follow in order of appearance.
+        In mm, or in file units if the header has no unit.
+    styles : n styles
+        Layer, colour and linetype of each edge.  Layers and linetypes that the header does not list
+        are appended in order of appearance.
     bulge : (n,), optional
-        All edges are straight without it.
+        Zero by default.
     true_colour : (n,), optional
         0xRRGGBB, -1 for none.
-    kinds : (n,), optional
-        Entity types; LINE and ARC by the bulge without it.
+    kinds : n names, optional
+        Entity types; by default LINE or ARC, depending on the bulge.
     """
     header = header or Header()
     count = len(styles)
@@ -88,5 +89,5 @@ def drawing(
 
 
 def report_reasons(drawing: Drawing) -> tuple[str, ...]:
-    """The reason of each row of the import report, in English."""
+    """Return the reason of each row of the import report as English text."""
     return tuple(map(render, drawing.import_report.reason))

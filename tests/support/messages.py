@@ -6,5 +6,5 @@ from knifetip.messages import Message
 
 
 def stored(text: str) -> Message:
-    """Return a text without a code of its own as a message."""
+    """Return a message that contains a text, like one stored before messages had codes."""
     return Message("stored.text", text=text, hint="")

@@ -1,4 +1,4 @@
-"""Access to names that a module imports and a test replaces."""
+"""Access to functions that a module imports and that a test replaces."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 
 def original(module: ModuleType, name: str) -> Callable[..., Any]:
-    """Return a function by the name under which a module calls it.
+    """Return the function that a module has imported under a name.
 
-    Type checkers refuse ``module.name`` where the module has imported the name itself.
+    Type checkers reject ``module.name`` if the module has imported the name itself.
     """
     found: Callable[..., Any] = getattr(module, name)
     return found

@@ -1,4 +1,4 @@
-"""Shapes that tests share: dielines by hand, tools and boards with plain dimensions."""
+"""Shapes for tests: dielines from edges, and tools and boards with simple dimensions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import CreaseWheel, Knife, Tool, VCutter
 from knifetip.model.toolpath import Motion, Toolpath
 
-#: Why an edge of a dieline written by hand has its line type.
+#: Reason for the line types of dielines that are written by hand.
 BY_HAND = Message("classification.override")
 
 KNIFE = Knife(
@@ -73,18 +73,21 @@ MACHINE = Machine(
 
 
 def closed(*points: tuple[float, float]) -> F64:
-    """Return the edges of a polygon, (n, 2, 2)."""
+    """Return the edges of a closed polygon with n corners, (n, 2, 2)."""
     corners = np.array(points, float)
     return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
 
 
 def edges(*ends: tuple[tuple[float, float], tuple[float, float]]) -> F64:
-    """Return loose edges, (n, 2, 2)."""
+    """Return n separate edges, each from one point to another, as an array (n, 2, 2)."""
     return np.array(ends, float).reshape(-1, 2, 2)
 
 
 def dieline(*groups: tuple[LineType, F64], bulge: dict[int, float] | None = None) -> Dieline:
-    """Return a dieline of groups of edges, some of them bent."""
+    """Return a dieline of groups of edges, each group with one line type.
+
+    ``bulge`` maps the row of an edge to its bulge; all other edges are straight.
+    """
     ends = np.concatenate([group for _, group in groups])
     kinds = np.concatenate([np.full(len(group), kind) for kind, group in groups])
     bent = np.zeros(len(ends))
@@ -95,7 +98,7 @@ def dieline(*groups: tuple[LineType, F64], bulge: dict[int, float] | None = None
 
 
 def paths(start: ArrayLike, end: ArrayLike, bulge: ArrayLike, first: ArrayLike) -> Paths:
-    """Return Paths of anything that numpy takes for their columns."""
+    """Return ``Paths`` with these columns, converted to their array types."""
     return Paths(
         np.asarray(start, np.float64),
         np.asarray(end, np.float64),
@@ -112,7 +115,15 @@ def toolpath(
     source: ArrayLike | None = None,
     track: ArrayLike | None = None,
 ) -> Toolpath:
-    """Return a toolpath of n moves through n + 1 poses, each (motion, feed, station)."""
+    """Return a toolpath of n moves, each (motion, feed, station), through n + 1 poses.
+
+    Parameters
+    ----------
+    pose : (n + 1, 4)
+        x, y, z and c of the head before and after each move.
+    bulge, source, track : (n,), optional
+        By default straight moves, the numbers of the moves, and a single track.
+    """
     count = len(moves)
     return Toolpath(
         np.asarray(pose, np.float64).reshape(-1, 4),
@@ -126,12 +137,12 @@ def toolpath(
 
 
 def with_dimensions(tool: Tool, **dimensions: Any) -> Tool:
-    """Return a tool of the same kind with other dimensions."""
+    """Return a copy of a tool with some dimensions replaced."""
     made: Tool = replace(cast(Any, tool), **dimensions)
     return made
 
 
 def rotation(degrees: float) -> F64:
-    """Return the matrix that turns column vectors by an angle."""
+    """Return the matrix (2, 2) that rotates column vectors counter-clockwise."""
     cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     return np.array([[cos, -sin], [sin, cos]])

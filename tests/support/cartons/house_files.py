@@ -1,6 +1,7 @@
-"""a plan (``dielines``) as a file in the style of a house (``houses``).
+"""Write a random carton (``Plan``) as a DXF or SVG file in the conventions of a company
+(``companies``).
 
-Which line of the file is which is found again by where it lies.
+``truth`` finds the line type of each edge of the file by comparing positions.
 """
 
 from __future__ import annotations
@@ -104,7 +105,16 @@ def _svg(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
 
 
 def drawn(house: House, seed: int) -> tuple[bytes, list[Stroke], str]:
-    """Return a file of a carton by a house, its lines with what they are, and the carton's kind."""
+    """Return the bytes of a file with a random carton, drawn in the conventions of a company.
+
+    Returns
+    -------
+    data : bytes
+    strokes : list of Stroke
+        The lines and arcs of the file in random order, each with its line type.
+    kind : str
+        The name of the function in ``kinds`` that drew the carton.
+    """
     rng = np.random.default_rng(seed)
     make = KINDS[seed % len(KINDS)]
     plan = make(rng)
@@ -121,7 +131,10 @@ def drawn(house: House, seed: int) -> tuple[bytes, list[Stroke], str]:
 
 
 def truth(drawing: Drawing, strokes: list[Stroke]) -> tuple[U8, list[str]]:
-    """Return what each edge of a drawing is by the line that it lies on, (n,), and its part."""
+    """Return the LineType, (n,), and the part name of each edge of a drawing.
+
+    Both are those of the stroke from which the edge was drawn, which is found by its position.
+    """
     ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in strokes])
     bulge = np.array([s.bulge for s in strokes])
     low, high = _extent(ends, bulge)
@@ -144,7 +157,7 @@ def truth(drawing: Drawing, strokes: list[Stroke]) -> tuple[U8, list[str]]:
         for points in along:
             share = arc.nearest_fraction(a, b, bent, points)
             away = np.maximum(away, np.hypot(*(points - arc.point_at(a, b, bent, share)).T))
-        # Of lines on each other it is the one as long as it is.
+        # Among coincident strokes, the one with the length of the edge is taken.
         away += 1e-3 * np.minimum(np.abs(long - float(size[row])), 10.0)
         nearer = away < least - 1e-9
         found[nearer], least[nearer] = row, away[nearer]

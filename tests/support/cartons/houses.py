@@ -1,7 +1,7 @@
-"""how those who draw cartons draw them, as far as we have seen, read or can think of.
+"""Conventions of companies for drawing cartons: seen in files, read about, or conceivable.
 
-Of each: its layers, colours and linetypes, its format and unit, what it writes round a carton, and
-how carelessly.  ``house_files`` makes files of them.
+Each company has layers, colours, linetypes, a format, a unit, annotations around the carton, and
+typical flaws.  ``company_files`` writes files in these conventions.
 """
 
 from __future__ import annotations
@@ -11,32 +11,33 @@ from dataclasses import dataclass, replace
 
 from tests.support.cartons.plan import Plan, Stroke
 
-#: Layer, colour (an AutoCAD index, or #rrggbb) and linetype of a part.
+#: Layer, colour (an AutoCAD colour index or "#rrggbb") and linetype of a part.
 Style = tuple[str, object, str]
 SOLID = "CONTINUOUS"
 
 
 @dataclass(frozen=True)
 class House:
-    """Who draws, and how."""
+    """The conventions of one company for drawing cartons."""
 
     name: str
     styles: Mapping[str, Style]
-    around: tuple[str, ...] = ()  #: what is drawn round the carton
+    around: tuple[str, ...] = ()  #: keys of ``SURROUNDINGS``: annotations around the carton
     format: str = "dxf"
-    header: int | None = 4  #: $INSUNITS of a DXF
-    scale: float = 1.0  #: coordinates of the file to a millimetre
-    flaws: tuple[str, ...] = ()  #: what is drawn carelessly
+    header: int | None = 4  #: $INSUNITS of a DXF file, None if it is absent
+    scale: float = 1.0  #: file units per millimetre
+    flaws: tuple[str, ...] = ()  #: keys of ``FLAWS``
 
     def style(self, stroke: Stroke) -> Style:
-        """Return how a line is drawn."""
+        """Return the layer, colour and linetype in which the company draws a stroke."""
         part = stroke.sample or stroke.part
         return self.styles.get(part) or self.styles[_LIKE.get(part, "dimension")]
 
     def drawable(self, plan: Plan) -> list[Stroke]:
-        """Return the lines of a plan that the house has a style of its own for.
+        """Return the strokes of a plan that can be drawn in the styles of the company.
 
-        A groove becomes a crease where it has none, a perforation or a half-cut is left out.
+        A V-groove becomes a crease if the company has no style for V-grooves; a perforation or a
+        half-cut is omitted if its style is missing or equal to that of cuts or creases.
         """
         common = (self.styles["outer"], self.styles["crease"])
         out = []
@@ -56,7 +57,10 @@ _LIKE = {"inner": "outer"}
 def _named(
     cut: str, crease: str, perf: str = "", half: str = "", aside: str = ""
 ) -> dict[str, Style]:
-    """Everything told apart by its layer."""
+    """Return styles with one layer per line type (all in colour 7), by the name of the part.
+
+    ``aside`` is the layer of dimensions.  Omitted layers default to that of a similar line type.
+    """
     told: dict[str, Style] = {"outer": (cut, 7, SOLID), "crease": (crease, 7, SOLID)}
     told["perforation"] = (perf or crease, 7, SOLID)
     told["half-cut"] = (half or perf or crease, 7, SOLID)
@@ -65,7 +69,11 @@ def _named(
 
 
 def _coloured(layer: str, *colours: object, linetype: str = SOLID) -> dict[str, Style]:
-    """Everything on one layer, told apart by colour: cut, crease, perforation, half-cut, rest."""
+    """Return styles on one layer with one colour per line type, by the name of the part.
+
+    The colours are those of cuts, creases, perforations, half-cuts and dimensions; the last one
+    given is repeated for the missing ones.  ``linetype`` is that of creases.
+    """
     parts = ("outer", "crease", "perforation", "half-cut", "dimension")
     padded = [*colours, *[colours[-1]] * (5 - len(colours))]
     told: dict[str, Style] = {

@@ -1,4 +1,4 @@
-"""Cartons of many kinds, as plans: size and details are drawn at random from a generator."""
+"""Cartons of many kinds as plans; sizes and details are drawn from a random generator."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _PART_OF_LAYER = {"CUT": "outer", "CREASE": "crease", "V-GROOVE": "v-groove"}
 
 
 def slotted_case(rng: np.random.Generator) -> Plan:
-    """FEFCO 0201, with slots or with bare slits between the flaps."""
+    """Return a slotted case (FEFCO 0201) with slots or slits between its flaps."""
     plan = Plan()
     long, wide, high = rng.uniform(120, 500), rng.uniform(80, 300), rng.uniform(60, 400)
     slot = float(rng.choice([0.0, 6.0, 8.0]))
@@ -53,7 +53,7 @@ def slotted_case(rng: np.random.Generator) -> Plan:
 
 
 def tray(rng: np.random.Generator) -> Plan:
-    """A tray with glued corners: slits, or notches, beside the corner flaps."""
+    """Return a tray with glued corners, which has slits or notches beside the corner flaps."""
     plan = Plan()
     long, wide, high = rng.uniform(80, 400), rng.uniform(60, 300), rng.uniform(25, 90)
     notch = float(rng.choice([0.0, 2.0]))
@@ -89,24 +89,26 @@ def _sampled(parts: list[tuple[Layer, Paths]]) -> Plan:
 
 
 def tuck_end(rng: np.random.Generator) -> Plan:
-    """A reverse tuck-end carton."""
+    """Return a reverse tuck-end carton."""
     return _sampled(
         samples.tuck_end_carton(rng.uniform(60, 160), rng.uniform(35, 70), rng.uniform(80, 220))
     )
 
 
 def rolled_tray(_rng: np.random.Generator) -> Plan:
-    """A tray with rolled-over ends: double creases, and slots on them."""
+    """Return a tray with rolled-over ends: double creases with slots on them."""
     return _sampled(samples.corrugated_tray())
 
 
 def rigid_box(_rng: np.random.Generator) -> Plan:
-    """A grooved blank, in which nothing is creased."""
+    """Return the blank of a rigid box, which has V-grooves and no creases."""
     return _sampled(samples.rigid_box_blank())
 
 
 def sleeve(rng: np.random.Generator) -> Plan:
-    """Four panels and a glue flap, with a perforation across that tears open."""
+    """Return a sleeve of four panels and a glue flap, with a tear-open perforation across the
+    panels.
+    """
     plan = Plan()
     x = np.cumsum([0.0, 15.0, *rng.uniform(40, 160, 2)]).tolist()
     x += [x[-1] + x[2] - x[1], x[-1] + x[3] - x[1]]
@@ -121,13 +123,13 @@ def sleeve(rng: np.random.Generator) -> Plan:
 
 
 def mailer(rng: np.random.Generator) -> Plan:
-    """FEFCO 0427: a roll-end front tuck with locks, ears and double creases."""
+    """Return a mailer (FEFCO 0427): a roll-end front tuck with locks, ears and double creases."""
     plan = Plan()
     a, b, h = rng.uniform(120, 320), rng.uniform(90, 220), rng.uniform(30, 80)
     t = float(rng.choice([1.5, 3.0]))
     x0, x1 = h * 2 + t, h * 2 + t + a
     y = [0.0, h, h + b, 2 * h + b, 2 * h + 2 * b, 2 * h + 2 * b + h]
-    # Front, base, back, lid and tuck; side walls roll over on the base, ears hang on the rest.
+    # Front, base, back, lid and tuck; the base has rolled-over side walls, the others have ears.
     ring = [(x0, 0.0), (x1, 0.0), (x1 + h - t, 0.3 * h), (x1 + h - t, h - 1.0), (x1, h)]
     ring += [(x1 + h, h + 1.0), (x1 + 2 * h + t, h + 3.0)]
     ring += [(x1 + 2 * h + t, h + b - 3.0), (x1 + h, h + b - 1.0), (x1, h + b)]
@@ -154,7 +156,7 @@ def mailer(rng: np.random.Generator) -> Plan:
 
 
 def counter_display(rng: np.random.Generator) -> Plan:
-    """A display with a curved back, slots and a round hole."""
+    """Return a counter display with a curved back, slots and a round hole."""
     plan = Plan()
     a, b, h = rng.uniform(120, 300), rng.uniform(60, 150), rng.uniform(60, 160)
     x = np.cumsum([0.0, 20.0, b, a, b]).tolist()
@@ -176,7 +178,7 @@ def counter_display(rng: np.random.Generator) -> Plan:
 
 
 def pillow(rng: np.random.Generator) -> Plan:
-    """A pillow box: the creases at its ends are arcs."""
+    """Return a pillow box, whose creases at both ends are arcs."""
     plan = Plan()
     w, h, bend = rng.uniform(60, 160), rng.uniform(80, 240), 0.3
     flap = 0.5 * w * bend
@@ -194,7 +196,7 @@ def pillow(rng: np.random.Generator) -> Plan:
 
 
 def tear_case(rng: np.random.Generator) -> Plan:
-    """A slotted case with a tear strip between two perforations right across."""
+    """Return a slotted case with a tear strip between two perforations across all panels."""
     plan = slotted_case(rng)
     _, y0, x1, y1 = plan.bounds
     middle = 0.5 * (y0 + y1)
@@ -204,7 +206,7 @@ def tear_case(rng: np.random.Generator) -> Plan:
 
 
 def auto_bottom(rng: np.random.Generator) -> Plan:
-    """A crash-lock bottom: diagonal creases, and slits that part the bottom flaps."""
+    """Return a crash-lock carton: diagonal creases, and slits that separate the bottom flaps."""
     plan = Plan()
     a, b, h = rng.uniform(70, 160), rng.uniform(50, 68), rng.uniform(80, 200)
     x = np.cumsum([0.0, 15.0, a, b, a, b]).tolist()
@@ -228,7 +230,7 @@ def auto_bottom(rng: np.random.Generator) -> Plan:
 
 
 def bag(rng: np.random.Generator) -> Plan:
-    """A carrier bag: creases that cross each other, gussets, and holes for a cord."""
+    """Return a carrier bag: creases that cross each other, gussets, and holes for a cord."""
     plan = Plan()
     a, g, h = rng.uniform(100, 260), rng.uniform(50, 110), rng.uniform(160, 320)
     x = np.cumsum([0.0, 20.0, a, g / 2, g / 2, a, g / 2, g / 2]).tolist()
@@ -248,7 +250,7 @@ def bag(rng: np.random.Generator) -> Plan:
 
 
 def hang_tag(rng: np.random.Generator) -> Plan:
-    """A folded card with a Euro hole and a half-cut sticker."""
+    """Return a folded card with a Euro hole and a half-cut sticker."""
     plan = Plan()
     a, h = rng.uniform(50, 110), rng.uniform(80, 180)
     r = 6.0
@@ -271,7 +273,7 @@ def hang_tag(rng: np.random.Generator) -> Plan:
 
 
 def window_sleeve(rng: np.random.Generator) -> Plan:
-    """A sleeve with a window across two panels, and slits for a card."""
+    """Return a sleeve with a window across two panels and slits for a card."""
     plan = Plan()
     a, b, h = rng.uniform(60, 140), rng.uniform(30, 58), rng.uniform(80, 200)
     x = np.cumsum([0.0, 12.0, a, b, a, b]).tolist()
@@ -289,7 +291,7 @@ def window_sleeve(rng: np.random.Generator) -> Plan:
 
 
 def folder(rng: np.random.Generator) -> Plan:
-    """A folder with a pocket, a double spine and slits for a business card."""
+    """Return a folder with a pocket, a double spine and slits for a business card."""
     plan = Plan()
     a, h, p, s = 220.0, 307.0, 80.0, float(rng.choice([0.0, 5.0]))
     spine = [a] if not s else [a, a + s]
@@ -307,7 +309,7 @@ def folder(rng: np.random.Generator) -> Plan:
 
 
 def hexagon(rng: np.random.Generator) -> Plan:
-    """A six-sided carton with a lid: nothing but its body is upright."""
+    """Return a six-sided carton with a lid; only the creases of its body are vertical."""
     plan = Plan()
     a, h = rng.uniform(40, 80), rng.uniform(80, 180)
     x = [12.0 + a * k for k in range(7)]
@@ -333,7 +335,7 @@ def hexagon(rng: np.random.Generator) -> Plan:
 
 
 def crossed_case(rng: np.random.Generator) -> Plan:
-    """FEFCO 0201 as some generators draw it: one crease right across every panel, slits cut it."""
+    """Return a slotted case (FEFCO 0201) with one crease across all panels, which slits cross."""
     plan = Plan()
     a, b, h = rng.uniform(120, 400), rng.uniform(100, 300), rng.uniform(80, 300)
     x, f = np.cumsum([0.0, 35.0, a, b, a, b]).tolist(), b / 2.0

@@ -1,4 +1,4 @@
-"""Cartons of known size as drawings in any unit: the data for tests of the unit evidence."""
+"""Drawings of cartons of known size in any unit: the data for tests of the unit evidence."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from knifetip.model.drawing import Annotation, Drawing
 from knifetip.model.unit import MILLIMETRES
 from tests.support.drawings import Header, drawing
 
-#: One inch, and the calipers of boards (mm), metric and as they are said where inches are.
+#: One inch, and common calipers of boards in mm: metric ones, and ones given in inches.
 INCH = 25.4
 _METRIC_CALIPERS = (0.3, 0.4, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)
 _IMPERIAL_CALIPERS = tuple(INCH * part for part in (0.012, 0.018, 0.024, 1 / 32, 1 / 16, 1 / 8))
-#: Decimals with which programs write coordinates in each unit; None for all.
+#: Numbers of decimals with which programs write coordinates, by unit; None for all decimals.
 PLACES: dict[str, tuple[int | None, ...]] = {
     "mm": (1, 2, 3, 6, None),
     "cm": (2, 3, 6, None),
@@ -33,7 +33,7 @@ Lines = list[tuple[float, float, float, float]]
 
 @dataclass(frozen=True)
 class Carton:
-    """A carton as its designer had it, in mm."""
+    """A carton with its dimensions and its lines (x1, y1, x2, y2), in mm."""
 
     style: str
     length: float
@@ -45,7 +45,10 @@ class Carton:
 
 
 def slotted(length: float, width: float, height: float, t: float, small: float) -> Lines:
-    """A regular slotted container: four panels, eight flaps, a glue flap."""
+    """Return the lines of a slotted case: four panels, eight flaps and a glue flap.
+
+    ``t`` is the caliper; ``small`` scales the width of the glue flap, 1 for 30 mm.
+    """
     flap = width / 2 + t / 2
     panels = [length, width, length, width - t]
     top, bottom = height + 2 * t + flap, -flap
@@ -71,7 +74,10 @@ def slotted(length: float, width: float, height: float, t: float, small: float) 
 
 
 def tuck_end(length: float, width: float, height: float, t: float, small: float) -> Lines:
-    """A tuck-end folding carton: panels less a caliper, tapered dust flaps."""
+    """Return the lines of a tuck-end carton: panels narrowed by calipers, tapered dust flaps.
+
+    ``t`` is the caliper; ``small`` scales the glue flap, the tucks and the tapers.
+    """
     panels = [length, width, length - t, width - 2 * t]
     tuck = (16.0 if width > 40 else 8.0) * small
     glue, taper, step = 12.0 * small, 4.0 * small, 6.0 * small
@@ -103,7 +109,7 @@ def tuck_end(length: float, width: float, height: float, t: float, small: float)
 
 
 def tray(length: float, width: float, height: float, t: float, _small: float) -> Lines:
-    """A tray with four walls and glued corners; nothing is small but the caliper's allowance."""
+    """Return the lines of a tray with four walls and glued corners; ``t`` is the caliper."""
     lines: Lines = []
     for x0, y0, x1, y1 in (
         (0.0, 0.0, length, width),
@@ -124,7 +130,7 @@ STYLES = {"slotted": slotted, "tuck end": tuck_end, "tray": tray}
 
 
 def carton(chance: random.Random) -> Carton:
-    """Return a carton of any style and size, a quarter of them designed in inches."""
+    """Return a carton of random style and size; a quarter of all cartons have sizes in inches."""
     imperial = chance.random() < 0.25
     style = chance.choice(list(STYLES))
     if imperial:
@@ -142,13 +148,16 @@ def carton(chance: random.Random) -> Carton:
 
     low = 60.0 if style == "slotted" else 26.0
     sides = side(low, 500.0), side(low, 350.0), side(low, 350.0)
-    # What is small is in millimetres, or in sixteenths of an inch.
+    # Small features are whole millimetres or sixteenths of an inch.
     small = INCH / 16.0 if imperial and chance.random() < 0.9 else 1.0
     return Carton(style, *sides, caliper, STYLES[style](*sides, caliper, small), imperial)
 
 
 def drawing_of(ends: F64, stated: str = "", texts: tuple[Annotation, ...] = ()) -> Drawing:
-    """Return a drawing of straight edges in file units, of which the unit is still unknown."""
+    """Return a drawing of straight edges, (n, 2, 2) in file units, before its unit is determined.
+
+    ``stated`` is the unit that the file's header states, "" for none.
+    """
     return drawing(ends, [("0", 7, "CONTINUOUS")] * len(ends), header=Header("", stated, texts))
 
 
@@ -167,15 +176,18 @@ def drawn(
     Parameters
     ----------
     unit
-        That the numbers are in.
+        Unit of the coordinates.
     stated
-        That the header says, "" for none.
-    places
-        Decimals that the file has; all where None.
-    words
-        "" for none, "dimensions", "texts" or "title"; with " mm" or " in" after it the words say
-        their unit.
+        Unit that the header states, "" for none.
+    decimals
+        Number of decimals to which coordinates are rounded; None for no rounding.
+    annotation
+        "" for none, "dimensions", "texts" or "title"; if " mm" or " in" follows, the texts
+        contain this unit.
+    chance
+        Random generator for the spelling of the texts.
     turn : radians
+        Angle by which the carton is rotated.
     """
     ends = np.array(one.lines).reshape(-1, 2, 2) / MILLIMETRES[unit]
     if turn:

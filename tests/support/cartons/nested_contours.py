@@ -1,4 +1,4 @@
-"""sheets of contours inside contours, and which lies in which by shapely's account."""
+"""Random sheets of contours inside contours; shapely determines which contour contains which."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from tests.support.shapes import dieline
 
 @dataclass(frozen=True)
 class Sheet:
-    """A dieline, the contour of each of its edges, and the pairs of contours (inner, outer)."""
+    """A dieline of closed contours, and the pairs of contours of which one contains the other."""
 
     line: Dieline
-    contour: I64  #: (n,)
+    contour: I64  #: number of the contour of each edge, (n,)
     pairs: list[tuple[int, int]]
 
 
 def sheet(seed: int, *, room: float, least: float, gap: float = 0.0) -> Sheet:
-    """Return contours nested at random, in random order and direction.
+    """Return randomly nested contours, whose edges have random order and direction.
 
     Parameters
     ----------
-    room : mm
-        Between a contour and what lies inside it.
-    least : mm
-        No contour is smaller.
+    clearance : mm
+        Distance between neighbouring contours, and between a contour and those inside it.
+    min_side : mm
+        Smallest width and height of a contour.
     gap : mm
-        Up to so much is missing at corners and in the middle of edges.
+        Largest gap at the corners and in the middle of edges.
     """
     chance = np.random.default_rng(seed)
     corners: list[F64] = []
@@ -64,7 +64,10 @@ def _fill(
     corners: list[F64],
     depth: int,
 ) -> None:
-    """Put contours into a rectangle, split at random, and others into those."""
+    """Append the corners of random contours in a rectangle to ``corners``, recursively.
+
+    The rectangle is split in two, or becomes a contour that is filled with further contours.
+    """
     if wide < least or high < least:
         return
     if chance.random() < 0.6 and max(wide, high) > 2.5 * least + room:

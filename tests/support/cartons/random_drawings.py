@@ -1,8 +1,8 @@
-"""Random drawings of which the line type of every edge is known.
+"""Random drawings in which the line type of every edge is known.
 
 A carton of a random kind and size, with holes, slits, perforations and half-cuts, is drawn with
-layer names of some language, with colours of some drawing office, or with neither; some drawings
-have a frame, a title block, dimensions, dashes and doubled lines.
+layer names in some language, with the colours of some drawing office, or with neither; some
+drawings have a frame, a title block, dimensions, dashes and doubled lines.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ _MISLEADING = ("NoCut", "Cutout", "SCHNITTKANTEN", "Cut Lazer out line", "GEOMET
 
 
 def _add_holes(plan: Plan, rng: np.random.Generator) -> None:
-    """Add up to three holes, slits and half-cuts at random places inside panels."""
+    """Add up to three holes, slits and half-cuts at random positions inside panels."""
     low, high = _corners(plan)
     for _ in range(int(rng.integers(0, 4))):
         x, y = rng.uniform(low, high)
@@ -80,13 +80,18 @@ def _add_holes(plan: Plan, rng: np.random.Generator) -> None:
 
 
 def _corners(plan: Plan) -> tuple[F64, F64]:
-    """Return the lowest and highest coordinates of the ends of all strokes."""
+    """Return the lower left and upper right corner of the bounding box of all stroke ends, (2,)
+    each.
+    """
     ends = plan.ends.reshape(-1, 2)
     return ends.min(axis=0), ends.max(axis=0)
 
 
 def _is_free(plan: Plan, x: float, y: float, room: float) -> bool:
-    """Return whether all strokes are farther than ``room`` from a point; arcs by their chords."""
+    """Return whether all strokes are farther than ``room`` (mm) from (x, y).
+
+    Arcs are replaced by their chords.
+    """
     a = plan.ends[:, 0]
     d = plan.ends[:, 1] - a
     share = ((np.array([x, y]) - a) * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-12)
@@ -96,7 +101,7 @@ def _is_free(plan: Plan, x: float, y: float, room: float) -> bool:
 
 
 def _is_inside(plan: Plan, x: float, y: float) -> bool:
-    """Return whether a point is inside the cuts, by the number of crossings."""
+    """Return whether (x, y) is inside the outline, by the number of cuts that a ray crosses."""
     odd = False
     for s in plan.strokes:
         crosses = (s.y0 > y) != (s.y1 > y) and s.truth == CUT
@@ -106,7 +111,7 @@ def _is_inside(plan: Plan, x: float, y: float) -> bool:
 
 
 def _add_annotations(plan: Plan, rng: np.random.Generator) -> None:
-    """Add dimensions, a title block and a frame to some of the drawings."""
+    """Add dimensions, a title block and a frame, each with some probability."""
     (x0, y0), (x1, y1) = (corner.tolist() for corner in _corners(plan))
     if rng.random() < 0.4:
         for level in (20.0, 35.0):
@@ -128,7 +133,7 @@ def _add_annotations(plan: Plan, rng: np.random.Generator) -> None:
 
 
 def _random_plan(rng: np.random.Generator) -> tuple[Plan, str, str]:
-    """Return a plan, the name of the carton's kind and that of a scheme of styles."""
+    """Return a random plan, the name of its carton kind, and the name of a scheme of styles."""
     make = CARTONS[int(rng.integers(len(CARTONS)))]
     plan = make(rng)
     if rng.random() < 0.3:
@@ -149,7 +154,16 @@ def _random_plan(rng: np.random.Generator) -> tuple[Plan, str, str]:
 
 
 def random_drawing(seed: int) -> tuple[Drawing, U8, str]:
-    """Return a drawing, the line type of each edge, (n,), and "kind / scheme of styles"."""
+    """Return a random drawing.
+
+    Returns
+    -------
+    drawing : Drawing
+    truth : (n,) LineType
+        The correct line type of each edge.
+    name : str
+        "kind of carton / scheme of styles".
+    """
     rng = np.random.default_rng(seed)
     plan, kind, scheme = _random_plan(rng)
     ends, bulge, truth = plan.ends, plan.bulge, plan.truth
@@ -165,7 +179,7 @@ def random_drawing(seed: int) -> tuple[Drawing, U8, str]:
     order = rng.permutation(len(truth))
     ends, bulge, truth = ends[order], bulge[order], truth[order]
     if scheme == "nothing":
-        # In one style for all lines nothing tells a perforation from a crease.
+        # If all lines have one style, a perforation cannot be distinguished from a crease.
         truth[truth == PERFORATION] = CREASE
         truth[truth == HALF_CUT] = CUT
     names, colours, dashed = _scheme(scheme, rng)
@@ -188,20 +202,27 @@ def _annotations(plan: Plan) -> tuple[Annotation, ...]:
 
 
 def misplaced_edge(drawing: Drawing, truth: U8, kind: LineType, seed: int) -> int | None:
-    """Return a row of this kind to be moved to a wrong layer, None where there is none."""
+    """Return the row of an edge with a line type, chosen by the seed; None if there is no such
+    edge.
+
+    The caller moves the edge to a wrong layer with ``on_layer``.
+    """
     rows = np.flatnonzero((truth == kind) & (drawing.lengths > 10.0))
     return int(np.random.default_rng(seed).choice(rows)) if len(rows) else None
 
 
 def on_layer(drawing: Drawing, row: int, layer: str) -> Drawing:
-    """Return the drawing with one edge on another of its layers."""
+    """Return the drawing with the edge of a row moved to another existing layer."""
     moved = np.array(drawing.layer)
     moved[row] = drawing.layers.index(layer)
     return replace(drawing, layer=moved)
 
 
 def _dashes(ends: F64, bulge: F64, truth: U8) -> tuple[F64, F64, U8]:
-    """Draw the straight creases as rows of dashes, 6 mm and 3 mm apart."""
+    """Return ends, bulges and line types with each straight crease replaced by a row of dashes.
+
+    Dashes are 6 mm long with gaps of 3 mm.
+    """
     out: list[tuple[F64, float, int]] = []
     for edge, bend, kind in zip(ends, bulge.tolist(), truth.tolist(), strict=True):
         long = float(np.hypot(*(edge[1] - edge[0])))
@@ -222,7 +243,15 @@ def _dashes(ends: F64, bulge: F64, truth: U8) -> tuple[F64, F64, U8]:
 
 
 def _scheme(scheme: str, rng: np.random.Generator) -> tuple[list[str], list[int], bool]:
-    """Return layer name and colour of each kind, and whether creases have a dashed linetype."""
+    """Return the styles of a scheme.
+
+    Returns
+    -------
+    layers, colours : list
+        Layer name and colour of each part.
+    dashed : bool
+        Whether creases have a dashed linetype.
+    """
     dashed = bool(rng.random() < 0.3)
     house = COLOURS[str(rng.choice(list(COLOURS)))]
     plain = str(rng.choice(["0", "Layer 1", "Default", "Ebene 3"]))

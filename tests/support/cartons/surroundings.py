@@ -1,4 +1,4 @@
-"""what people draw round a carton, and how carelessly they draw it."""
+"""Annotations that people draw around a carton, and typical flaws of their drawings."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _dimensions(plan: Plan) -> None:
 
 
 def _inner_dimensions(plan: Plan) -> None:
-    """Dimensions inside the panels, from crease to crease, as plain lines with arrowheads."""
+    """Add dimensions inside the panels, from crease to crease, as plain lines with arrowheads."""
     _, y0, _, y1 = plan.bounds
     y = y0 + 0.437 * (y1 - y0)
     at = sorted({round(s.x0, 6) for s in plan.strokes if s.part == "crease" and s.x0 == s.x1})
@@ -58,7 +58,7 @@ def _framed(plan: Plan) -> None:
 
 
 def _legend(plan: Plan) -> None:
-    """One line of each kind in its own style, with its name beside it."""
+    """Add a legend: a line in the style of each line type, with its name beside it."""
     x0, y0, _, _ = plan.bounds
     for row, part in enumerate(("outer", "crease", "perforation")):
         y = y0 - 70.0 - 8.0 * row
@@ -67,7 +67,7 @@ def _legend(plan: Plan) -> None:
 
 
 def _marks(plan: Plan) -> None:
-    """Registration crosses with rings, and corner crop marks."""
+    """Add registration crosses with rings, and crop marks at the corners."""
     x0, y0, x1, y1 = plan.bounds
     for x, y in ((0.5 * (x0 + x1), y1 + 60.0), (x0 - 60.0, 0.5 * (y0 + y1))):
         plan.line(x - 5.0, y, x + 5.0, y, "mark")
@@ -80,7 +80,7 @@ def _marks(plan: Plan) -> None:
 
 
 def _grain(plan: Plan) -> None:
-    """An arrow inside the largest panel, and one beside the carton."""
+    """Add two arrows for the direction of the grain: one inside a panel, one beside the carton."""
     _, y0, x1, y1 = plan.bounds
     for x, y in ((x1 + 45.0, 0.5 * (y0 + y1)), _middle(plan)):
         plan.line(x, y - 9.0, x, y + 9.0, "grain")
@@ -91,7 +91,9 @@ def _grain(plan: Plan) -> None:
 
 
 def _middle(plan: Plan) -> tuple[float, float]:
-    """Return a place that is far from every line, inside the first cuts."""
+    """Return the point (x, y) inside the outline that is farthest from every line, on a coarse
+    grid.
+    """
     x0, y0, x1, y1 = plan.bounds
     best, place = -1.0, (x0, y0)
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
@@ -111,7 +113,7 @@ def _middle(plan: Plan) -> tuple[float, float]:
 
 
 def _bled(plan: Plan) -> None:
-    """The outline once more, 3 mm farther out."""
+    """Add a bleed: the outline of the blank, offset outwards by 3 mm."""
     lines = [shapely.LineString(_points(s)) for s in plan.strokes if s.part in ("outer", "crease")]
     blank = shapely.union_all(shapely.polygonize([shapely.union_all(lines, grid_size=1e-4)]))
     around = blank.buffer(3.0, join_style="mitre", mitre_limit=2.0)
@@ -129,7 +131,7 @@ def _points(stroke: Stroke, count: int = 24) -> list[tuple[float, float]]:
 
 
 def _safe(plan: Plan) -> None:
-    """A rectangle 3 mm inside the largest panel: keep text within."""
+    """Add a square inside a panel, which limits the area for text."""
     x, y = _middle(plan)
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
     near = np.abs(ends.reshape(-1, 2) - (x, y)).max(axis=1)
@@ -138,7 +140,7 @@ def _safe(plan: Plan) -> None:
 
 
 def _glued(plan: Plan) -> None:
-    """Hatching on the glue flap: short slanting lines inside it."""
+    """Add hatching on the glue flap: five short oblique lines."""
     x0, y0, _, y1 = plan.bounds
     for k in range(5):
         y = y0 + (0.3 + 0.08 * k) * (y1 - y0)
@@ -154,7 +156,9 @@ def _scale_bar(plan: Plan) -> None:
 
 
 def _lettered(plan: Plan) -> None:
-    """Words turned to lines: a T, an O of chords and an L inside a panel, and beside the carton."""
+    """Add text as lines: a T, an O of chords and an L, once inside a panel and once beside the
+    carton.
+    """
     x0, _, _, y1 = plan.bounds
     for x, y in (_middle(plan), (x0, y1 + 8.0)):
         plan.line(x, y + 5.0, x + 3.0, y + 5.0, "text")
@@ -169,13 +173,15 @@ def _lettered(plan: Plan) -> None:
 
 
 def _several(plan: Plan) -> None:
-    """Three of them side by side."""
+    """Add two copies of the carton, one to the right and one above."""
     x0, y0, x1, y1 = plan.bounds
     plan.strokes += plan.moved(x1 - x0 + 12.0, 0.0) + plan.moved(0.0, y1 - y0 + 12.0)
 
 
 def _gridded(plan: Plan) -> None:
-    """Six of them with nothing between: where two lie together a line is drawn twice."""
+    """Add five copies of the carton in a grid of 3 × 2 without gaps: common edges are drawn
+    twice.
+    """
     x0, y0, x1, y1 = plan.bounds
     one = list(plan.strokes)
     for column in range(3):
@@ -208,7 +214,7 @@ def _doubled(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 def _parted(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
-    """Lines in pieces that go on in each other, some of them overlapping."""
+    """Return the strokes with some lines split in two pieces, some of which overlap."""
     out = []
     for s in strokes:
         if s.bulge or rng.random() < 0.7 or math.hypot(s.x1 - s.x0, s.y1 - s.y0) < 20.0:
@@ -224,7 +230,7 @@ def _parted(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 def _gaped(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
-    """Ends 0.02 mm off."""
+    """Return the strokes with every end displaced by up to 0.02 mm in x and y."""
     off = rng.uniform(-0.02, 0.02, (len(strokes), 4)).tolist()
     return [
         replace(s, x0=s.x0 + d[0], y0=s.y0 + d[1], x1=s.x1 + d[2], y1=s.y1 + d[3])
@@ -233,7 +239,7 @@ def _gaped(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 def _rounded(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
-    """Coordinates of one decimal."""
+    """Return the strokes with coordinates rounded to one decimal."""
     return [
         replace(s, x0=round(s.x0, 1), y0=round(s.y0, 1), x1=round(s.x1, 1), y1=round(s.y1, 1))
         for s in strokes
@@ -241,7 +247,9 @@ def _rounded(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 def _short(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
-    """Creases end 1.5 mm before the cut, as rules of a die do."""
+    """Return the strokes with creases shortened by 1.5 mm at both ends, like creasing rules of a
+    die.
+    """
     out = []
     for s in strokes:
         long = math.hypot(s.x1 - s.x0, s.y1 - s.y0)
@@ -254,7 +262,7 @@ def _short(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 def _dashed(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
-    """Creases as rows of dashes."""
+    """Return the strokes with straight creases replaced by rows of dashes."""
     out = []
     for s in strokes:
         long = math.hypot(s.x1 - s.x0, s.y1 - s.y0)

@@ -1,11 +1,11 @@
-"""Mutation: programs with one digit changed, and what that change does to the tip.
+"""Digit mutation: change one digit of a program and determine the effect on the tool's tip.
 
-    text -> (place, mutant)          text, mutant -> what the change is
+    mutants(text) -> (position, mutant)        effect(text, position, mutant) -> kind of change
 
-What a change does is decided by a small interpreter of its own, which knows of G-code what the
-programs need and shares nothing with the verifier: the tip's way in the board before and after is
-compared as a set of points (x, y, z), so that a point that slides along its own line moves
-nothing.  ``shares`` counts for each kind of change how many a verifier has refused.
+The effect is determined by an interpreter that reads only the G-code of these programs and shares
+no code with the verifier.  It compares the path of the tip in the board before and after the
+change as a set of points (x, y, z), so a point that moves along its own line has no effect.
+``count_refusals`` counts how many changes of each kind a verifier refuses.
 """
 
 from __future__ import annotations
@@ -23,30 +23,33 @@ from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
 
-#: A change that moves the working tip by more than this must be caught (mm).
+#: A change that displaces the working tip by more than this must be refused (mm).
 FELT = 0.01
-#: A digit moves the ends of two moves; what it leaves unmoved is within as many moves of them.
+#: A digit changes the ends of two moves; so many moves before and after are compared.
 NEIGHBOURS = 3
 
 _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
 
-#: (number, 4): x y z of the tip on the sheet, and the heading (degrees).
+#: (n, 4): x, y, z of the tip on the sheet (mm) and heading (degrees) of n poses.
 Way = F64
 
 
 @dataclass(frozen=True)
 class Move:
-    """One line that moves, as the tip goes, in chords within 0.0002 mm of it."""
+    """A program line that moves the tool, with the path of the tip as chords within 0.0002 mm."""
 
     line: int
     rapid: bool
-    station: int  #: index into the machine's, -1 for none
+    station: int  #: index in the machine's stations, -1 for none
     way: Way
 
 
 def mutants(text: bytes, count: int, seed: int) -> Iterator[tuple[int, bytes]]:
-    """Yield places in the text and the text with the digit there changed, chosen by the seed."""
+    """Yield positions in the text, each with the text in which the digit there is changed.
+
+    ``count`` positions and their new digits are chosen at random by the seed.
+    """
     chance = np.random.default_rng(seed)
     digits = np.flatnonzero((raw := np.frombuffer(text, np.uint8)) - 48 < 10)
     for place in chance.choice(digits, count, replace=count > len(digits)):
@@ -56,13 +59,14 @@ def mutants(text: bytes, count: int, seed: int) -> Iterator[tuple[int, bytes]]:
 
 
 def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Board) -> str:
-    """Return what the change at a place of the text does.
+    """Return the kind of effect that a change at a position of the program has.
 
-    ``moved``: the tip works more than 0.01 mm from where it did, or elsewhere, or a rapid enters
-    the board.  Else by the word: ``comment``, ``feed``, ``output`` (stations, pistons, oscillation,
-    dwells), ``rounding`` (G64), ``code`` (other G words), ``line`` (numbers that no longer make a
-    program); ``smaller`` for coordinates that move the working tip by less, ``air`` for those that
-    do not move it, and ``idle`` for a switching that leaves all outputs as they were at each move.
+    ``moved``: the working tip moves by more than 0.01 mm, another station works, or a rapid enters
+    the board.  Otherwise it depends on the changed word: ``comment``; ``feed``; ``output``
+    (stations, pistons, oscillation, dwells); ``rounding`` (G64); ``code`` (other G words); ``line``
+    (the program is no longer valid); ``smaller`` (a coordinate that moves the working tip by at
+    most 0.01 mm); ``air`` (a coordinate that does not move the working tip); ``idle`` (an output is
+    switched, but all outputs are the same at every move).
     """
     if any(found.start() <= place < found.end() for found in _COMMENT.finditer(text)):
         return "comment"
@@ -70,7 +74,7 @@ def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Boar
     if before is None or after is None:
         return "line"
     felt = _felt(before, after, machine, board)
-    # A change by one digit is a round number: 0.01 itself is not more than 0.01.
+    # Changes of one digit are often 0.01 exactly, which must not count because of rounding.
     if felt > FELT + 1e-6:
         return "moved"
     start = text.rfind(b"\n", 0, place) + 1
@@ -91,7 +95,7 @@ def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Boar
 
 
 def outputs_at_moves(text: bytes) -> list[dict[float, bool]]:
-    """Return which outputs have been switched on and off at each move, and at the end."""
+    """Return the states (number: on) of all switched outputs at each move and at the end."""
     outputs: dict[float, bool] = {}
     result = []
     for raw in _COMMENT.sub(b"", text).decode("ascii").splitlines():
@@ -112,13 +116,14 @@ def shares(
     count: int,
     seed: int,
 ) -> tuple[Counter[str], Counter[str], list[tuple[str, int, bytes]]]:
-    """Mutate, verify and count.
+    """Verify ``count`` mutants of a program and count the refused ones.
 
     Returns
     -------
-    all, caught : Counter
-        How many changes of each kind there were, and how many of them were refused.
-    missed : list of (kind, place, mutant)
+    total, caught : Counter
+        Number of mutants and of refused mutants, by kind of effect.
+    missed : list of (kind, position, mutant)
+        Mutants that were accepted.
     """
     everything: Counter[str] = Counter()
     caught: Counter[str] = Counter()
@@ -134,13 +139,13 @@ def shares(
 
 
 def told(text: bytes, place: int, mutant: bytes) -> str:
-    """Return the line before and after, for a failure's message."""
+    """Return the changed program line before and after the change, for the message of a failure."""
     row = text.count(b"\n", 0, place)
     return f"line {row + 1}: {text.splitlines()[row]!r} -> {mutant.splitlines()[row]!r}"
 
 
 def followed(text: bytes, machine: Machine) -> list[Move] | None:
-    """Return the tip's moves, None where the numbers make no program."""
+    """Return the moves of the tip in a program, None if the program is not valid."""
     by_number = {station.number: index for index, station in enumerate(machine.stations)}
     by_output = {station.output: index for index, station in enumerate(machine.stations)}
     tabled = re.search(rb"\bM6\b", text) is not None
@@ -200,7 +205,7 @@ def _datum(machine: Machine, station: int) -> F64:
 
 def _way(start: F64, end: F64, centre: F64, code: float) -> Way:
     if code < 2.0:
-        # A tool that is turned by more than half a turn sweeps all headings between.
+        # A tool that turns by more than 180° passes through all headings in between.
         turn = abs(end[3] - start[3])
         pieces = 2 if not turn > 180.0 else 2 + int(turn / 10.0)
         straight: Way = start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
@@ -212,7 +217,7 @@ def _way(start: F64, end: F64, centre: F64, code: float) -> Way:
         sweep -= 2.0 * math.pi
     if math.hypot(*(end - start)[:2]) < 1e-9:
         sweep = 2.0 * math.pi if code == 3.0 else -2.0 * math.pi
-    # The radius goes from one end's to the other's where they differ, as in LinuxCNC.
+    # If the radii at the ends differ, the radius is interpolated, as in LinuxCNC.
     radius, other = math.hypot(ax, ay), math.hypot(bx, by)
     pieces = 2 + int(abs(sweep) * math.sqrt(max(radius, other) / 1.6e-3))
     share = np.linspace(0.0, 1.0, pieces)[:, None]
@@ -237,7 +242,9 @@ def _tip(way: Way, machine: Machine, station: int) -> Way:
 
 
 def sunk(move: Move, caliper: float) -> Way:
-    """Return the part of a way that is below the top of the board."""
+    """Return the part of the path of a move that is below the top of the board, (n, 4), or (0,
+    4).
+    """
     way = move.way
     if move.station < 0 or not (way[:, 2] < caliper - 1e-6).any():
         return way[:0]
@@ -249,7 +256,10 @@ def sunk(move: Move, caliper: float) -> Way:
 
 
 def _felt(before: list[Move], after: list[Move], machine: Machine, board: Board) -> float:
-    """Return how far the working tip is moved, as sets of points and as the blade's swing (mm)."""
+    """Return how far the working tip is displaced, including the swing of the blade (mm).
+
+    ``inf`` if the number of moves differs, another station works, or a rapid enters the board.
+    """
     if len(before) != len(after):
         return math.inf
     caliper = board.caliper
@@ -272,7 +282,7 @@ def _felt(before: list[Move], after: list[Move], machine: Machine, board: Board)
 
 
 def _stay(ways: list[Way], index: int) -> list[Way]:
-    """Return this move's way and its neighbours' within one stay in the board."""
+    """Return the paths of a move and of its neighbours up to the next lift out of the board."""
     first, last = index, index
     while first > max(0, index - NEIGHBOURS) and len(ways[first - 1]):
         first -= 1
@@ -282,7 +292,7 @@ def _stay(ways: list[Way], index: int) -> list[Way]:
 
 
 def _beyond(way: Way, others: list[Way]) -> float:
-    """Return the farthest that a point of a way is from all the others (mm)."""
+    """Return the greatest distance of the points of a path from the other paths (mm)."""
     if len(way) == 0:
         return 0.0
     if not others:
@@ -305,7 +315,9 @@ def _beyond(way: Way, others: list[Way]) -> float:
 
 
 def _swing(one: Move, other: Move, machine: Machine, caliper: float) -> float:
-    """Return how far the blade's far end swings by another heading at the ends of a move (mm)."""
+    """Return how far the far end of the blade moves because headings differ at the ends of a move
+    (mm).
+    """
     tool = machine.stations[one.station].tool
     turn = 360.0
     if isinstance(tool, Knife):

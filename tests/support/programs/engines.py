@@ -1,4 +1,4 @@
-"""Engines: one small right program for every kind of work, and how it is made and verified."""
+"""Small correct programs for every operation and tool, with their dielines, machines and boards."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ GREY, THICK = load.board("greyboard-2.0"), load.board("greyboard-3.0")
 SOFT = replace(THICK, deflection=(Deflection("Router", 0.08, 0.05),))
 
 BLANK = (LineType.CUT, closed((100, 100), (220, 100), (220, 180), (100, 180)))
-#: One runs out at a slant, one ends inside.
+#: Two V-grooves: one runs out of the blank obliquely, one ends inside.
 GROOVES = dieline(
     BLANK, (LineType.V_GROOVE, edges(((140, 140), (180, 180)), ((120, 120), (120, 160))))
 )
-#: Two that cross, and six dashes.
+#: Two creases that cross, and six dashes.
 FOLDS = dieline(
     BLANK,
     (LineType.CREASE, edges(((120, 100), (120, 180)), ((100, 160), (220, 160)))),
     (LineType.CREASE, edges(*[((140 + 9 * k, 120), (146 + 9 * k, 120)) for k in range(6)])),
 )
-#: A round side, a hole, and a slit inside the panel.
+#: A blank with a round side, a hole, and a slit inside the panel.
 ROUNDED = dieline(
     BLANK,
     (LineType.CUT, edges(((130, 140), (150, 140)), ((150, 140), (130, 140)))),
@@ -44,7 +44,7 @@ TORN = dieline(
     (LineType.PERFORATION, edges(((140, 120), (172, 120)))),
     (LineType.COMBI, edges(((140, 150), (200, 150)))),
 )
-#: A notch, a round side, a hole with a round side, and a slit.
+#: A blank with a notch and a round side, a hole with a round side, and a slit.
 MILLED = dieline(
     (
         LineType.CUT,
@@ -57,7 +57,7 @@ MILLED = dieline(
 
 
 def knifed(**dimensions: float) -> Machine:
-    """Return the demo table with another knife."""
+    """Return the demo table with other dimensions of its knife."""
     knife = with_dimensions(DEMO.stations[0].tool, **dimensions)
     return replace(DEMO, stations=(replace(DEMO.stations[0], tool=knife), *DEMO.stations[1:]))
 
@@ -68,7 +68,9 @@ def unchanged(operations: list[Operation]) -> list[Operation]:
 
 @dataclass(frozen=True)
 class Engine:
-    """What is drawn, what it is made on, and how."""
+    """A dieline with the machine, board and settings with which its program is compiled and
+    verified.
+    """
 
     name: str
     line: Dieline
@@ -81,18 +83,20 @@ class Engine:
         return self.name
 
     def made(self, change: Callable[[list[Operation]], list[Operation]] = unchanged) -> bytes:
-        """Return the program, its operations changed on the way."""
+        """Return the bytes of the program; ``change`` modifies the planned operations."""
         operations = change(plan(self.line, self.machine, self.board))
         work = [compensate(replace(each, corner=self.corner)) for each in operations]
         return process(sequence(work, self.machine), self.machine, self.dialect).text
 
     @cached_property
     def text(self) -> bytes:
-        """The right program."""
+        """The bytes of the program without modifications."""
         return self.made()
 
     def verdict_of(self, text: bytes) -> Verdict:
-        """Return the verdict on a program for what is drawn."""
+        """Return the verdict on a program, verified with the dieline, machine and board of the
+        engine.
+        """
         return verify(text, self.line, (0.0, 0.0), self.machine, self.board)
 
 

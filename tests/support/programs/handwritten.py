@@ -1,13 +1,13 @@
-"""A table, a board, a dieline and its programs, written and worked out by hand.
+"""A machine, a board, a dieline and its programs, written by hand.
 
-Everything that the verifier must know stands here as a number, so that no test of it leans on the
-stages that it verifies.  Drawing coordinates plus (20, 20) are the sheet's.
+All dimensions that the verifier needs are literals in this module, so that its tests do not depend
+on the stages that it verifies.  Sheet coordinates are drawing coordinates plus (20, 20).
 
     board 2.0 mm, into the mat 0.3 mm, knife slanted by 10°:
         lead of the top face   2.3 tan 10° = 0.4056      overrun    2.0 tan 10° = 0.3527
         half-cut, 1.0 deep     1.0 tan 10° = 0.1763
     wheel R 15, crease 0.6 deep:  s = √(0.6 · 29.4) = 4.2, with 0.2 clearance 4.4 from a free end
-    V-cutter d = 6, r = 1.5, 45°:  heading east the head stands 1.5 east and 6 south of its tip
+    V-cutter d = 6, r = 1.5, 45°:  heading east the head is 1.5 east and 6 south of its tip
 """
 
 from __future__ import annotations
@@ -62,12 +62,12 @@ BOARD = Board(
     short_crease="press",
 )
 
-#: tan(90° / 4): a quarter of a turn to the left.
+#: Bulge of a quarter turn to the left: tan(90° / 4).
 QUARTER = math.sqrt(2.0) - 1.0
 
 
 def dieline(*edges: tuple[LineType, float, float, float, float, float]) -> Dieline:
-    """Return a dieline of (line type, x1, y1, x2, y2, bulge)."""
+    """Return a dieline of edges (line type, x1, y1, x2, y2, bulge)."""
     rows = len(edges)
     return Dieline(
         ends=np.array([edge[1:5] for edge in edges], np.float64).reshape(rows, 2, 2),
@@ -82,7 +82,7 @@ def dieline(*edges: tuple[LineType, float, float, float, float, float]) -> Dieli
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 
-#: A rounded blank of 100 × 60, a slit inside, one that runs out, a crease, a groove, a half-cut.
+#: A rounded blank of 100 × 60, two slits (one to the outline), a crease, a V-groove, a half-cut.
 DIELINE = dieline(
     (CUT, 10.0, 0.0, 90.0, 0.0, 0.0),
     (CUT, 90.0, 0.0, 100.0, 10.0, QUARTER),
@@ -92,8 +92,8 @@ DIELINE = dieline(
     (CUT, 10.0, 60.0, 0.0, 50.0, QUARTER),
     (CUT, 0.0, 50.0, 0.0, 10.0, 0.0),
     (CUT, 0.0, 10.0, 10.0, 0.0, QUARTER),
-    (CUT, 20.0, 15.0, 40.0, 15.0, 0.0),  # 8: ends inside at both ends
-    (CUT, 50.0, 50.0, 50.0, 60.0, 0.0),  # 9: runs out of the blank
+    (CUT, 20.0, 15.0, 40.0, 15.0, 0.0),  # 8: both ends inside the blank
+    (CUT, 50.0, 50.0, 50.0, 60.0, 0.0),  # 9: ends on the outline
     (CREASE, 70.0, 10.0, 70.0, 50.0, 0.0),  # 10: along the grain, 0.6 deep
     (LineType.V_GROOVE, 20.0, 30.0, 60.0, 30.0, 0.0),  # 11
     (LineType.HALF_CUT, 20.0, 40.0, 60.0, 40.0, 0.0),  # 12
@@ -176,7 +176,7 @@ G49
 M2
 """
 
-#: The same with the stations' datums in the numbers, and arcs that say how long they take.
+#: The same job with station datums in the coordinates and inverse-time feeds (G93) for arcs.
 GRBLHAL = b"""\
 (placement X20.0000 Y20.0000)
 G21 G90 G91.1 G17 G40 G49 G94 G54
@@ -245,23 +245,23 @@ M30
 
 
 def changed(text: bytes, old: str, new: str) -> bytes:
-    """Return the program with the one place that says ``old`` saying ``new``."""
+    """Return the program with ``old``, which must occur exactly once, replaced by ``new``."""
     assert text.count(old.encode()) == 1, f"{old!r} stands {text.count(old.encode())} times"
     return text.replace(old.encode(), new.encode())
 
 
 def knife_program(*lines: str) -> bytes:
-    """Return a program for the knife that says these lines between header and end."""
+    """Return a program with these lines for the knife, with a header and an end."""
     return _program(1, "M64 P0\nM3 S1\nG4 P0.15", "M65 P0\nM5", lines)
 
 
 def wheel_program(*lines: str) -> bytes:
-    """Return a program for the wheel that says these lines between header and end."""
+    """Return a program with these lines for the crease wheel, with a header and an end."""
     return _program(2, "M64 P1\nG4 P0.15", "M65 P1", lines)
 
 
 def cutter_program(*lines: str) -> bytes:
-    """Return a program for the V-cutter that says these lines between header and end."""
+    """Return a program with these lines for the V-cutter, with a header and an end."""
     return _program(3, "M64 P2\nG4 P0.15", "M65 P2", lines)
 
 

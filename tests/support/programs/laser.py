@@ -1,4 +1,4 @@
-"""A job for the laser table: a blank with a hole and a slit, an arc, and a crease."""
+"""A job for the laser table: a blank with a hole, a slit, an arc and a crease."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ LINE: Final = dieline(
 
 
 def toolpath(corner: str = "auto") -> Toolpath:
-    """Return the head's path for the job."""
+    """Return the head's path for the job, with one type of corner (A to D)."""
     work = [replace(operation, corner=corner) for operation in plan(LINE, LASER, BOARD)]
     return sequence([compensate(operation) for operation in work], LASER)
 
 
 def program(dialect: str, corner: str = "auto", machine: Machine = LASER) -> Program:
-    """Return the program of the job."""
+    """Return the program of the job for a controller language."""
     notes = ["placement X0.0000 Y0.0000"]
     return process(toolpath(corner), replace(machine, dialect=dialect), notes=notes)

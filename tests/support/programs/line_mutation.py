@@ -1,10 +1,12 @@
-"""Line mutation: programs with whole lines or words changed, and what that does to the product.
+"""Line mutation: change whole lines or words of a program, and measure the effect on the product.
 
-    text -> (kind, row, mutant)          text, mutant -> how far the product is moved (mm)
-    text -> what it does to a machine that the job before has left in an unknown state
+    mutants(text) -> (kind, row, mutant)
+    displacement(text, mutant) -> how far cuts and creases move (mm)
+    hazard(text) -> what is dangerous on a machine in an unknown state
 
-The interpreter is the one of ``mutation``; here the tip's ways in the board are compared as sets
-whatever their order, with the heading as two more coordinates, so that lines may come and go.
+The interpreter is that of ``digit_mutation``.  Here the paths of the tip in the board are compared
+as sets in any order, with the heading as two additional coordinates, so lines may be added and
+removed.
 """
 
 from __future__ import annotations
@@ -28,7 +30,7 @@ _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
 
 
 def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
-    """Yield every line mutation of a program: its kind, the row it begins at, and the text."""
+    """Yield every line mutation of a program: its kind, its first row, and the changed text."""
     lines = text.decode("ascii").splitlines()
 
     def put(row: int, *new: str, over: int = 1) -> bytes:
@@ -56,7 +58,7 @@ def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
 
 
 def _words(line: str) -> Iterator[tuple[str, str]]:
-    """Yield the changes to single words of a line."""
+    """Yield the kind and the result of every change to a single word of a line."""
     words = _WORD.findall(line)
 
     def changed(letter: str, number: str, new: str) -> str:
@@ -101,9 +103,9 @@ def _words(line: str) -> Iterator[tuple[str, str]]:
 
 
 def hazard(text: bytes, machine: Machine) -> str:
-    """Return what makes a program dangerous after a cancelled job, empty where nothing does.
+    """Return what is dangerous if a program runs after a cancelled job, "" if nothing is.
 
-    Such a job may have left any output on, the spindle running and a tool in the board.
+    The cancelled job may have left any output on, the spindle running and a tool in the board.
     """
     by_number = {station.number: station for station in machine.stations}
     unknown = {float(station.output) for station in machine.stations if station.output >= 0}
@@ -141,11 +143,12 @@ def hazard(text: bytes, machine: Machine) -> str:
 
 
 def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: Dieline) -> float:
-    """Return how far the product is moved (mm): inf where a rapid is in the board, or no program.
+    """Return how far a mutation displaces what the tools make in the board (mm).
 
-    Both ways of the tip, below the top of the board, are compared as sets: each point of one has
-    one of the other so near, of the same station, as deep, and at the same heading.  Of a cutter
-    only what it leaves of the parts counts.
+    ``inf`` if a rapid is in the board or the mutant is not valid.  Every point of the old path
+    below the top of the board is compared with the nearest point of the new path with the same
+    station, and vice versa; depth and heading are coordinates of the points.  For a router, only
+    the distance of its path from the parts is compared.
     """
     before, after = followed(text, machine), followed(mutant, machine)
     if before is None or after is None:
@@ -170,9 +173,11 @@ def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: D
 def _eaten(
     before: list[F64], after: list[F64], radius: float, low: float, dieline: Dieline
 ) -> float:
-    """Return how far a cutter's way comes nearer to, or stays farther from, places of the parts.
+    """Return how much nearer a router's path comes to the parts, or how much farther it stays (mm).
 
-    Through the board that counts on the edges, both ways; at any depth inside the parts, nearer.
+    Moves through the whole board are compared at the edges, nearer and farther; moves at any depth
+    are compared at points inside the parts too, only nearer.  ``low`` is z of a cut through the
+    board.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     rings = [
@@ -199,7 +204,7 @@ def _eaten(
 
 
 def _nearest(points: F64, ways: list[F64]) -> F64:
-    """Return how near ways come to points, (n,) mm."""
+    """Return the distance of each point to the nearest path, (n,) mm; at most 1000."""
     nearest = np.full(len(points), 1e3)
     if not ways:
         return nearest
@@ -215,7 +220,7 @@ def _nearest(points: F64, ways: list[F64]) -> F64:
 
 
 def chords(start: F64, end: F64, bulge: float) -> F64:
-    """Return points along an edge, about every half millimetre."""
+    """Return points along an edge about every half millimetre, (n, 2)."""
     size = float(np.hypot(*(end - start)))
     share = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
     way: F64 = start + (end - start) * share
@@ -231,7 +236,11 @@ def chords(start: F64, end: F64, bulge: float) -> F64:
 
 
 def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | None:
-    """Return the ways in the board, (k, 6): station, x, y, z, and where the blade's far end is."""
+    """Return the paths in the board, or None if a rapid is in it or a coordinate is unknown.
+
+    Each path is (k, 6): station, x, y, z, and the two coordinates of the blade's far end, relative
+    to the tip.
+    """
     result = []
     for move in moves:
         way = sunk(move, board.caliper)
@@ -246,7 +255,7 @@ def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | No
         elif isinstance(tool, VCutter):
             reach = 2.0 * tool.half_width
         elif isinstance(tool, CreaseWheel):
-            # The same from both sides; half the contact, at twice the angle.
+            # A wheel is symmetrical under 180°: half the contact length at twice the angle.
             depth = board.caliper - way[:, 2].min()
             reach, turns = 0.5 * math.sqrt(max(depth * (2.0 * tool.radius - depth), 0.0)), 2.0
         else:
@@ -259,9 +268,9 @@ def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | No
 
 
 def _beyond(ways: list[F64], others: list[F64]) -> float:
-    """Return the farthest that a point of some ways is from all the others (mm).
+    """Return the greatest distance of the points of some paths from all other paths (mm).
 
-    What is above a deeper place has gone with it.
+    Points directly above a deeper point of another path have the distance 0.
     """
     known = {other.tobytes() for other in others}
     own = [way for way in ways if way.tobytes() not in known]
@@ -273,7 +282,7 @@ def _beyond(ways: list[F64], others: list[F64]) -> float:
     step = np.vstack([np.diff(other, axis=0) for other in others])
     flat = np.array([1.0, 1.0, 1.0, 0.0, 1.0, 1.0])
     size = ((step * flat) ** 2).sum(axis=1)
-    # A tool that goes straight down or up works where it is lowest.
+    # A vertical move acts at its lowest point.
     upright = size < 1e-18
     start[upright] += np.where(step[upright, 3:4] < 0.0, step[upright], 0.0)
     step[upright], size[upright] = 0.0, 1.0

@@ -1,4 +1,4 @@
-"""A small carton with every line type that a knife and a creasing tool make, arcs among them."""
+"""A small carton with every line type that a knife and a creasing tool make, including arcs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ WIDTH, HEIGHT, CORNER = 200.0, 120.0, 8.0
 
 
 def mixed_carton() -> bytes:
-    """Return the carton as DXF."""
+    """Return the carton as the bytes of a DXF file."""
     w, h, r = WIDTH, HEIGHT, CORNER
     cut, crease = (8, "CUT"), (8, "CREASE")
     return text.dxf(
@@ -21,7 +21,7 @@ def mixed_carton() -> bytes:
         text.line(0, h - r, 0, r, cut),
         _arc(r, r, r, 180, 270, cut),
         text.entity("CIRCLE", cut, (10, 30), (20, 90), (40, 7.3)),
-        # Coordinates that are no whole plotter units.
+        # Coordinates that are not multiples of a plotter unit.
         text.line(50.013, 0, 50.013, h, crease),
         text.line(100, 0, 130, h, crease),
         _arc(200, 120, 70, 190, 260, crease),

@@ -1,4 +1,4 @@
-"""Tasks for worker processes, which cannot import a test module."""
+"""Tasks for worker processes, which cannot import functions of a test module."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Servers for tests: the real application behind a real port, in a thread or a process."""
+"""Run the real application on a real port for tests, in a thread or in a process."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
 
 
 class LocalClient(httpx.Client):
-    """A client of a server in this process."""
+    """An HTTP client of a server that runs in this process."""
 
     app: FastAPI
 
     @property
     def service(self) -> Service:
-        """The server's parts."""
+        """The database, queues and pools of the server."""
         return service_of(self.app)
 
 
 @contextmanager
 def served(settings: Settings) -> Iterator[LocalClient]:
-    """Yield a client of a running server."""
+    """Run a server in a thread; yield a client that is connected to it."""
     app = create_app(settings)
     server = uvicorn.Server(
         uvicorn.Config(app, port=0, log_level="error", timeout_graceful_shutdown=1)
@@ -69,14 +69,24 @@ def service_of(app: object) -> Service:
 def square(
     layer: str = "CUT", side: float = 100.0, units: object = 4, extra: tuple[str, ...] = ()
 ) -> bytes:
-    """A square of four lines."""
+    """Return a DXF file with a square of four lines.
+
+    Parameters
+    ----------
+    side
+        Length of the sides in units of the file.
+    units
+        $INSUNITS of the header, None to omit it.
+    extra
+        Further entities as DXF text.
+    """
     corners = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side), (0.0, 0.0)]
     sides = [text.line(*start, *end, (8, layer)) for start, end in pairwise(corners)]
     return text.dxf(*sides, *extra, units=units)
 
 
 def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, Any]:
-    """Upload a drawing and return what the server says of it."""
+    """Upload a drawing with further form fields; return the JSON of the response."""
     answer = client.post("/api/drawings", files={"file": ("square.dxf", content)}, data=fields)
     assert answer.status_code == 201, answer.text
     body: dict[str, Any] = answer.json()
@@ -84,7 +94,7 @@ def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, A
 
 
 def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, Any]:
-    """Order a job and return it."""
+    """Order a job for a drawing's id with further JSON fields; return the JSON of the response."""
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
     assert answer.status_code == 201, answer.text
     body: dict[str, Any] = answer.json()
@@ -94,9 +104,9 @@ def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, A
 def until(
     client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
 ) -> dict[str, Any]:
-    """Wait until a job is in one of these states, and return it.
+    """Wait until a job is in one of some states; return the JSON of the job.
 
-    With ``confirm`` be the operator, too, who confirms that its sheet lies on the table.
+    ``confirm`` confirms the sheet on the table, like an operator, as soon as the job waits for it.
     """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
@@ -111,7 +121,7 @@ def until(
 
 
 class Running:
-    """``serve`` in a process of its own, which can be killed."""
+    """A server (``serve``) in a process of its own, which can be killed."""
 
     def __init__(self, database: Path, **more: object) -> None:
         parts = {"samples": False, **more}
@@ -119,7 +129,7 @@ class Running:
             "from knifetip.api.embedded import Parts, serve\n"
             f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{parts!r}))"
         )
-        # Compiled once for all servers of all tests, whatever the environment says of bytecode.
+        # All servers of all tests share compiled bytecode, even if the environment disables it.
         environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}
         environment.pop("PYTHONDONTWRITEBYTECODE", None)
         self.process = subprocess.Popen(
@@ -132,11 +142,11 @@ class Running:
         self.client = httpx.Client(base_url=url, timeout=60.0, trust_env=False)
 
     def kill(self) -> None:
-        """As the power cord does it."""
+        """Kill the process immediately (SIGKILL), like a power failure."""
         self._end(signal.SIGKILL)
 
     def stop(self) -> int:
-        """As Ctrl-C does it; returns the exit code."""
+        """Stop the process like Ctrl-C (SIGINT); return its exit code."""
         return self._end(signal.SIGINT)
 
     def _end(self, how: signal.Signals) -> int:

@@ -1,6 +1,6 @@
-"""drawings by other authors whose line types are known, with the source of each.
+"""Drawings by other authors whose line types are known, with the source of this knowledge.
 
-The sources are the corpus's own list and the conventions of the generators that drew them.
+The sources are the list in the corpus and the conventions of the generators that drew the files.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ _MAILER = "generated__kyholdings__diecut_generator"
 
 @dataclass(frozen=True)
 class Known:
-    """A drawing of the corpus and what its lines are."""
+    """A drawing of the corpus with the line type for each layer and colour."""
 
     path: str
-    of: Callable[[str, int], LineType]  #: layer and colour index to line type
+    of: Callable[[str, int], LineType]  #: maps layer and colour index to the line type
 
     def truth(self, drawing: Drawing) -> U8:
-        """Return what each edge is, (n,) LineType."""
+        """Return the correct LineType of each edge, (n,)."""
         pairs = zip(drawing.layer.tolist(), drawing.colour.tolist(), strict=True)
         return np.array([self.of(drawing.layers[layer], colour) for layer, colour in pairs], "u1")
 
@@ -81,12 +81,12 @@ KNOWN = (
 
 
 def without_names(drawing: Drawing) -> Drawing:
-    """Return the drawing with everything on layer 0; colours stay."""
+    """Return the drawing with all edges on layer 0 and with their colours."""
     return replace(drawing, layer=np.zeros(len(drawing), np.int32), layers=("0",))
 
 
 def without_style(drawing: Drawing) -> Drawing:
-    """Return the drawing with everything on layer 0, in one colour and one linetype."""
+    """Return the drawing with all edges on layer 0, in one colour and one linetype."""
     count = len(drawing)
     return replace(
         without_names(drawing),
@@ -98,7 +98,15 @@ def without_style(drawing: Drawing) -> Drawing:
 
 
 def shares(truth: U8, said: U8, weight: F64) -> tuple[float, float, float]:
-    """Return which shares of the weight are right, asked about, and silently wrong."""
+    """Return the fractions of the total weight that are right, unclassified, and wrong.
+
+    Parameters
+    ----------
+    truth, line_type : (n,) LineType
+        The correct and the determined line type of each edge.
+    weight : (n,)
+        Weight of each edge, for example its length.
+    """
     asked = said == LineType.UNCLASSIFIED
     right = said == truth
     whole = weight.sum() or 1.0

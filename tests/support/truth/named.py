@@ -1,4 +1,4 @@
-"""The drawings that must come all the way through, each with its board and profile."""
+"""Drawings that must pass all stages from file to program, each with its board and profile."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from knifetip.model.interpretation import NO_OVERRIDE
 
 @dataclass(frozen=True)
 class Named:
-    """A drawing of the corpus, or one of our samples where ``folder`` is empty."""
+    """A drawing of the corpus with its settings, or one of our samples if ``folder`` is ""."""
 
     folder: str
     file: str
     board: str
     unit: str | None = None
     profile: str = "default"
-    answer: str = ""  #: what is said of the edges that are asked about, where any are
+    answer: str = ""  #: line type that unclassified edges get, "" if there are none
 
     def __str__(self) -> str:
         return self.file.removesuffix(".dxf")
 
     def data(self, corpus: Path | None) -> bytes:
-        """Return the bytes of the file."""
+        """Return the bytes of the file; ``corpus`` is the folder of the corpus."""
         if not self.folder:
             return samples()[self.file]
         assert corpus is not None
         return (corpus / self.folder / self.file).read_bytes()
 
     def classified(self, corpus: Path | None) -> tuple[Drawing, Dieline, Board]:
-        """Return the drawing, its dieline and the board."""
+        """Return the drawing, its dieline without unclassified edges, and the board."""
         drawing = pipeline.read(self.data(corpus), self.unit)
         dieline = pipeline.classify(drawing, load.profile(self.profile))
         if self.answer:

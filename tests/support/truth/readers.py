@@ -1,4 +1,4 @@
-"""The two readers of DXF side by side: what the one gives, and in what the other differs."""
+"""Compare the results of the two DXF readers, the fast one and ezdxf."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 
 
 def ours(data: bytes) -> bool:
-    """Whether our own reader accepts a file."""
+    """Return whether the fast reader accepts a file, without falling back to ezdxf."""
     wrapped = patch.object(ezdxf_reader, "read_with_ezdxf", wraps=ezdxf_reader.read_with_ezdxf)
     with wrapped as reference_reader, suppress(KnifetipError):
         reading.read(data)
@@ -25,7 +25,10 @@ def ours(data: bytes) -> bool:
 
 
 def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | KnifetipError]:
-    """Read by way of our own reader where it accepts the file, and by ezdxf alone."""
+    """Return the results of reading with the fast reader (and its fallback) and with ezdxf only.
+
+    A result is the drawing, or the error if the file is refused.
+    """
     found: list[Drawing | KnifetipError] = []
     for read_fast in (reading.read_fast, lambda *_: None):
         with patch.object(reading, "read_fast", read_fast):
@@ -37,7 +40,10 @@ def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | Knifet
 
 
 def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
-    """Name what differs, to the bit and to the word; empty where nothing does."""
+    """Return the first difference of two results of ``read_by_both``, "" if they are equal.
+
+    Numbers are compared bit by bit.
+    """
     if isinstance(a, KnifetipError) or isinstance(b, KnifetipError):
         same = type(a) is type(b) and str(a) == str(b)
         return "" if same else f"refused: {a!r} / {b!r}"
@@ -48,7 +54,7 @@ def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:
     for name in _RECORDS:
         if getattr(a, name) != getattr(b, name):
             return f"{name}: {getattr(a, name)} / {getattr(b, name)}"
-    # A dimension without a measure has NaN, which is not itself.
+    # NaN, the measure of a dimension without one, is not equal to itself; its repr is.
     if repr(a.annotations) != repr(b.annotations):
         return f"annotations: {a.annotations} / {b.annotations}"
     for name in ("handle", "kind", "layer", "reason"):

@@ -1,19 +1,21 @@
-"""DXF files for tests, written out tag by tag."""
+"""Write DXF files for tests, tag by tag."""
 
 from __future__ import annotations
 
 Tag = tuple[int, object]
-#: A coordinate; a text where a file has something else in its place.
+#: A coordinate, or text that a damaged file has in its place.
 Number = float | str
 
 
 def tags(*pairs: Tag) -> str:
-    """Group codes and values as lines."""
+    """Return pairs of group code and value as DXF lines."""
     return "".join(f"{code}\n{value}\n" for code, value in pairs)
 
 
 def entity(kind: str, *pairs: Tag) -> str:
-    """One entity; layer 0 unless the pairs say otherwise."""
+    """Return an entity with some pairs of group code and value; on layer 0 if they have no
+    layer.
+    """
     layer = () if any(code == 8 for code, _ in pairs) else ((8, "0"),)
     return tags((0, kind), *layer, *pairs)
 
@@ -42,7 +44,7 @@ def dxf(
     units: object = 4,
     version: str = "AC1009",
 ) -> bytes:
-    """A whole file; ``units`` None leaves $INSUNITS out."""
+    """Return a DXF file with some entities; ``units`` is $INSUNITS, None to omit it."""
     header = tags((9, "$ACADVER"), (1, version))
     if units is not None:
         header += tags((9, "$INSUNITS"), (70, units))

@@ -1,6 +1,6 @@
-"""Files that mean harm, of every format: what is refused and with which word, what is read and why.
+"""Malicious files of every format: those that must be refused, and those that must be read.
 
-Each is made when it is asked for: some are as large as a file may be.
+Each is a function that makes the file when it is needed, because some are very large.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ _MEGABYTE = 1 << 20
 
 
 def binary(text: bytes) -> bytes:
-    """A text DXF of R12 as a binary one: a byte of group code, doubles, 16-bit numbers, texts."""
+    """Convert a text DXF of R12 to binary DXF: group codes of one byte, doubles, 16-bit integers,
+    texts.
+    """
     data = b"AutoCAD Binary DXF\r\n\x1a\x00"
     lines = text.decode().split("\n")
     for code, value in zip(map(int, lines[:-1:2]), lines[1::2], strict=True):
@@ -79,7 +81,7 @@ def external_entity(url: str = "file:///etc/passwd") -> bytes:
 
 
 def external_references(url: str = "http://192.0.2.1/") -> bytes:
-    """Everything by which an SVG can point to another file, and one line."""
+    """Return an SVG file with a line and all kinds of references to other files."""
     return (
         f'<?xml-stylesheet href="{url}a.css"?><!DOCTYPE svg PUBLIC "x" "{url}x.dtd">'.encode()
         + (
@@ -118,11 +120,11 @@ def cyclic_calls() -> bytes:
 
 
 def _filled(head: bytes, piece: bytes, tail: bytes) -> bytes:
-    """A file of 60 MB, which is less than the limit."""
+    """Return ``head``, ``piece`` repeated up to 60 MB (less than the size limit), and ``tail``."""
     return head + piece * (60 * _MEGABYTE // len(piece)) + tail
 
 
-#: Status and a word of the answer, and the file.
+#: Status and a word of the response, and the function that makes the file.
 REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "dxf: nested INSERTs": (413, "2,111,111,110 entities", nested_inserts),
     "dxf: INSERT array": (413, "1,002,001 entities", array_of_a_million),
@@ -154,7 +156,7 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "cf2: decimal commas": (422, "commas", lambda: cf2.cf2(*["L,2,1,0,5,1,6,1,5,7,1,7,0,0"] * 9)),
 }
 
-#: What the import report says, how many edges are left, and the file.
+#: Text in the import report, number of edges, and the function that makes the file.
 READ: Mapping[str, tuple[str, int, Maker]] = {
     "dxf: cyclic blocks": ("contains itself", 1, cyclic_blocks),
     "dxf: not numbers": ("not a number", 1, not_numbers),

@@ -1,4 +1,4 @@
-"""PDF files for tests, written by hand."""
+"""Write PDF files for tests."""
 
 from __future__ import annotations
 
@@ -6,21 +6,21 @@ import math
 import zlib
 from collections.abc import Iterable
 
-#: Points to a millimetre.
+#: Points per millimetre.
 MM = 72.0 / 25.4
-#: Spot colours by the name that they have in the page's resources.
+#: Ink name and CMYK colour of spot colours, by their names in the page's resources.
 SPOTS = {"Cut": ("CutContour", "0 1 0 0"), "Fold": ("Crease", "1 0 0 0")}
 
 
 def stream(data: bytes, entries: str = "", *, flate: bool = False) -> bytes:
-    """A stream object, packed or plain."""
+    """Return a stream object with further dictionary entries; ``flate`` compresses the data."""
     if flate:
         data, entries = zlib.compress(data), f"{entries} /Filter /FlateDecode"
     return f"<<{entries} /Length {len(data)}>>\nstream\n".encode() + data + b"\nendstream"
 
 
 def separation(ink: str, cmyk: str) -> str:
-    """A spot colour whose tint is shown in process inks."""
+    """Return the colour space of a spot colour; ``cmyk`` is its alternate colour."""
     return (
         f"[/Separation /{ink} /DeviceCMYK "
         f"<</FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 [{cmyk}] /N 1>>]"
@@ -28,7 +28,7 @@ def separation(ink: str, cmyk: str) -> str:
 
 
 def objects(*given: bytes | str, trailer: str = "", head: str = "%PDF-1.7") -> bytes:
-    """A file of objects 1, 2, 3 …, the first of which is the catalogue."""
+    """Return a file with objects numbered 1, 2, 3, …; object 1 is the catalogue."""
     out = bytearray(head.encode() + b"\n%\xe2\xe3\xcf\xd3\n")
     places = []
     for number, one in enumerate(given, 1):
@@ -57,9 +57,24 @@ def pdf(
     flate: bool = False,
     trailer: str = "",
 ) -> bytes:
-    """A file of one page.
+    """Return a file of one page with some content streams joined.
 
-    Layers are objects 6, 7, 8 …, and /L0, /L1, /L2 … in the content; ``more`` comes behind them.
+    Parameters
+    ----------
+    size
+        Width and height of the page in points.
+    page, root, trailer
+        Further entries of the page, the catalogue and the trailer.
+    resources, spaces, properties, fonts
+        Further entries of the resources, and of their colour spaces, properties and fonts.
+    layers
+        Names of layers, which are objects 6, 7, 8, … and /L0, /L1, /L2, … in the content.
+    default
+        Entries of the default configuration of the layers.
+    more
+        Further objects, after the layers.
+    flate
+        Compress the content.
     """
     named = list(layers)
     groups = " ".join(f"{6 + k} 0 R" for k in range(len(named)))
@@ -82,7 +97,11 @@ def pdf(
 
 
 def bends(x: float, y: float, across: float, down: float, first: float, turn: float) -> str:
-    """Curves along an ellipse about (x, y), from one angle on; eight to a quarter turn."""
+    """Return path operators for an elliptic arc about (x, y), with eight curves per quarter turn.
+
+    ``across`` and ``down`` are the half axes; ``first`` is the start angle and ``turn`` the sweep
+    (radians).
+    """
     count = max(1, round(abs(turn) / (math.pi / 16.0)))
     step = turn / count
     reach = 4.0 / 3.0 * math.tan(step / 4.0)
@@ -99,7 +118,7 @@ def bends(x: float, y: float, across: float, down: float, first: float, turn: fl
 
 
 def carton(*, layered: bool = True, flate: bool = False) -> bytes:
-    """The carton of ``svg_text``, in spot colours and on layers."""
+    """Return the carton of ``svg_text`` in spot colours, by default on layers."""
     around = f"10 90 m 210 90 l 210 30 l {bends(190, 30, 20, 20, 0, -math.pi / 2)} 10 10 l s"
     holes = "".join(
         f"{x + across} 50 m {bends(x, 50, across, high, 0, math.tau)} s\n"

@@ -1,6 +1,6 @@
-"""DXF files drawn by Hypothesis: what programs write that draw dielines, and how they spell it.
+"""Hypothesis strategy for DXF files: what drawing programs write, in their various spellings.
 
-A drawing is drawn first as entities with their group codes, then written as text in one of many
+First the entities are drawn with their group codes; then they are written as text in one of many
 ways: version, line ends, blanks around group codes, spelling of numbers, comments, extra groups.
 """
 
@@ -32,7 +32,7 @@ angles = st.one_of(st.integers(-8, 16).map(lambda n: 45.0 * n), st.floats(-720.0
 
 @dataclass(frozen=True)
 class Spelling:
-    """How a program writes what it draws."""
+    """How a program writes DXF tags as text."""
 
     version: str
     end: str
@@ -41,7 +41,7 @@ class Spelling:
     comments: bool
     groups: bool
     handles: bool
-    markers: bool  #: also in R12, which does not know them
+    markers: bool  #: subclass markers, also in R12, which does not define them
 
     @property
     def new(self) -> bool:
@@ -75,7 +75,7 @@ def spellings(draw: Draw) -> Spelling:
 
 @st.composite
 def _common(draw: Draw, new: bool) -> list[Tag]:
-    """Layer, linetype and colour, each of which may be silent."""
+    """Draw the tags of layer, linetype and colour; linetype and colour may be missing."""
     tags: list[Tag] = [(8, draw(st.sampled_from(LAYERS)))]
     if draw(st.booleans()):
         tags.append((6, draw(st.sampled_from(LINETYPES))))
@@ -182,7 +182,7 @@ def _polyline(draw: Draw, new: bool) -> list[list[Tag]]:
 
 @st.composite
 def _curve(draw: Draw, new: bool) -> list[list[Tag]]:
-    """An ellipse or a spline; R12 knows neither, and programs write them all the same."""
+    """Draw an ellipse or a spline, also for R12, which does not define them."""
     common = draw(_common(new))
     if draw(st.booleans()):
         angle, size = draw(angles), draw(sizes)
@@ -268,7 +268,7 @@ def _entity(new: bool, plain: bool) -> st.SearchStrategy[list[list[Tag]]]:
 
 
 def _written(spelling: Spelling, rows: list[list[Tag]], draw: Draw, next_handle: list[int]) -> str:
-    """Write an entity and the rows that belong to it."""
+    """Return the text of an entity and of the records that belong to it, such as vertices."""
     text = []
     for row in rows:
         kind, *rest = row
@@ -290,7 +290,7 @@ def _written(spelling: Spelling, rows: list[list[Tag]], draw: Draw, next_handle:
 
 @st.composite
 def drawings(draw: Draw, plain: bool = False) -> bytes:
-    """A whole file; ``plain`` without ellipses and splines."""
+    """Draw the bytes of a DXF file; ``plain`` excludes ellipses and splines."""
     spelling = draw(spellings())
     new = spelling.new
     tags = spelling.tags

@@ -1,4 +1,4 @@
-"""SVG files for tests, as text."""
+"""Write SVG files for tests."""
 
 from __future__ import annotations
 
@@ -9,14 +9,17 @@ INKSCAPE = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
 def svg(
     *inside: str, size: str = 'width="100mm" height="100mm"', box: str = "0 0 100 100"
 ) -> bytes:
-    """A page of 100 by 100 mm, a coordinate a millimetre, with black strokes."""
+    """Return an SVG file with some elements; by default 100 by 100 mm with black strokes.
+
+    ``size`` holds the attributes of width and height, ``box`` the viewBox.
+    """
     view = f' viewBox="{box}"' if box else ""
     head = f'<svg {SVG} xmlns:xlink="http://www.w3.org/1999/xlink" {INKSCAPE} {size}{view}'
     return (head + ' stroke="#000" fill="none">' + "".join(inside) + "</svg>").encode()
 
 
 def carton() -> bytes:
-    """A square carton of four panels: black outline and holes, red dashed creases, two words."""
+    """Return a carton of four panels: black outline and holes, red dashed creases, two words."""
     folds = "".join(f'<line x1="{x}" y1="10" x2="{x}" y2="90"/>' for x in (60, 110, 160))
     return svg(
         "<style>.fold{stroke:#f00;stroke-dasharray:4 2}</style>",
