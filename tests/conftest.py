@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+import uuid
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,7 @@ from hypothesis import settings
 
 from knifetip.cli import main
 from tests.support.command import Command
+from tests.support.serving.postgresql import create_database, installed_binaries, run_server
 
 # Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
 # every run uses the same examples; `--hypothesis-profile=explore` draws new ones.
@@ -28,6 +31,31 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip(f"the drawings by other hands are not at {CORPUS} (set KNIFETIP_CORPUS)")
     return CORPUS
+
+
+@pytest.fixture(scope="session")
+def postgresql_server() -> Iterator[str]:
+    """URL of a database on a PostgreSQL server of this test run; skips if none is installed."""
+    binaries = installed_binaries()
+    if binaries is None:
+        pytest.skip("PostgreSQL is not installed (apt-get install postgresql)")
+    with run_server(binaries) as url:
+        yield url
+
+
+@pytest.fixture
+def postgresql_url(postgresql_server: str) -> str:
+    """URL of a new, empty PostgreSQL database."""
+    return create_database(postgresql_server, f"t{uuid.uuid4().hex}")
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
+    """URL of a new, empty database: one in SQLite, then one in PostgreSQL."""
+    if request.param == "sqlite":
+        return f"sqlite:///{tmp_path}/shop.sqlite"
+    url: str = request.getfixturevalue("postgresql_url")
+    return url
 
 
 @pytest.fixture

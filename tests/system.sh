@@ -1,9 +1,11 @@
 #!/bin/sh
-# Install what only tests need and pip cannot bring: Chromium and LinuxCNC, where we may.
+# Install what only tests need and pip cannot bring: Chromium, LinuxCNC and PostgreSQL, if we may.
 set -u
 missing=""
 command -v chromium >/dev/null 2>&1 || missing="$missing chromium"
 command -v rs274 >/dev/null 2>&1 || missing="$missing linuxcnc-uspace"
+command -v initdb >/dev/null 2>&1 || ls /usr/lib/postgresql/*/bin/initdb >/dev/null 2>&1 ||
+    missing="$missing postgresql"
 [ -n "$missing" ] || exit 0
 if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null 2>&1; then
     echo "without$missing: their tests will skip"

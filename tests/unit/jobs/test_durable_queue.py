@@ -1,8 +1,7 @@
-"""Compiles as workflows of DBOS: in SQLite here, in PostgreSQL where there is a server."""
+"""Compiles as workflows of DBOS, in SQLite and in PostgreSQL."""
 
 from __future__ import annotations
 
-import os
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -22,14 +21,9 @@ from knifetip.model.interpretation import Interpretation
 pytestmark = pytest.mark.xdist_group("crew")
 
 
-@pytest.fixture(params=["sqlite", "postgresql"])
-def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
-    url = f"sqlite:///{tmp_path}/shop.sqlite"
-    if request.param == "postgresql":
-        url = os.environ.get("KNIFETIP_TEST_POSTGRESQL", "")
-        if not url:
-            pytest.skip("KNIFETIP_TEST_POSTGRESQL names no empty PostgreSQL database")
-    store = Store(url)
+@pytest.fixture
+def store(database_url: str) -> Iterator[Store]:
+    store = Store(database_url)
     store.migrate()
     yield store
     store.close()
