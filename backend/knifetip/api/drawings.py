@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
+from fastapi import APIRouter, File, Form, Query, Request, Response, UploadFile
 from fastapi.responses import StreamingResponse
 
 from knifetip.api.drawing_requests import (
@@ -17,6 +17,7 @@ from knifetip.api.drawing_requests import (
     summary_out,
 )
 from knifetip.api.overrides import merge_overrides
+from knifetip.api.parameters import Cursor, DataFormat, DrawingId, IdempotencyKey, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import IfMatch, IfNoneMatch, etag, is_known
 from knifetip.api.schemas.drawings import (
@@ -32,10 +33,6 @@ from knifetip.api.schemas.drawings import (
 )
 from knifetip.api.service import (
     BINARY,
-    Cursor,
-    DataFormat,
-    IdempotencyKey,
-    Limit,
     ServiceDep,
     bytes_response,
     customer_rules,
@@ -62,10 +59,12 @@ _NOT_MODIFIED: dict[int | str, dict[str, Any]] = {304: {"description": "Not modi
 def upload_drawing(
     service: ServiceDep,
     response: Response,
-    file: UploadFile,
-    unit: Annotated[Unit | None, Form(description="Overrides the unit of the file")] = None,
+    file: Annotated[UploadFile, File(description="Drawing in DXF, CF2, SVG or PDF")],
+    unit: Annotated[
+        Unit | None, Form(description="Unit of the drawing; the unit of the file if it is missing")
+    ] = None,
     profile: Annotated[
-        str, Form(max_length=200, description="Name of a classification profile")
+        str, Form(max_length=200, description="Name of the classification profile")
     ] = "default",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
@@ -89,7 +88,7 @@ def list_drawings(
 
 @router.get("/{id}", response_model=DrawingOut, responses=_NOT_MODIFIED)
 def get_drawing(
-    service: ServiceDep, response: Response, id: str, known: IfNoneMatch = None
+    service: ServiceDep, response: Response, id: DrawingId, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
     """Get a drawing with its open questions and its import report; 304 if the client has it."""
     row = service.store.drawings.get_with(id, "import_report")
@@ -103,7 +102,11 @@ def get_drawing(
 @router.patch("/{id}")
 @queued
 def change_drawing(
-    service: ServiceDep, response: Response, id: str, patch: DrawingPatch, match: IfMatch = None
+    service: ServiceDep,
+    response: Response,
+    id: DrawingId,
+    patch: DrawingPatch,
+    match: IfMatch = None,
 ) -> DrawingOut:
     """Set the unit of a drawing, or classify it with another profile or profile version."""
 
@@ -126,7 +129,7 @@ def change_drawing(
 
 
 @router.delete("/{id}", status_code=204)
-def delete_drawing(service: ServiceDep, id: str) -> None:
+def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
     """Delete a drawing; the status is 409 if a job uses the drawing."""
     service.store.drawings.delete(id)
 
@@ -135,7 +138,7 @@ def delete_drawing(service: ServiceDep, id: str) -> None:
 def get_edges(
     service: ServiceDep,
     request: Request,
-    id: str,
+    id: DrawingId,
     format: DataFormat = "json",
 ) -> Response:
     """List the edges of a drawing, as JSON or as binary columns (``format=columns``)."""
@@ -152,7 +155,7 @@ def get_edges(
 @router.patch("/{id}/edges")
 @queued
 def override_edges(
-    service: ServiceDep, response: Response, id: str, patch: EdgesPatch, match: IfMatch = None
+    service: ServiceDep, response: Response, id: DrawingId, patch: EdgesPatch, match: IfMatch = None
 ) -> DrawingOut:
     """Set line types of edges; an override replaces earlier overrides of the same edges."""
 
@@ -167,9 +170,10 @@ def override_edges(
 @router.get("/{id}/import-report")
 def get_import_report(
     service: ServiceDep,
-    id: str,
+    id: DrawingId,
     outcome: Annotated[
-        OutcomeWord | None, Query(description="List only entities with this outcome")
+        OutcomeWord | None,
+        Query(description="List only entities with this outcome; all if it is missing"),
     ] = None,
 ) -> ImportReportOut:
     """Get the import report: all entities of the file, or only the entities with one outcome."""
@@ -180,14 +184,14 @@ def get_import_report(
 
 @router.get("/{id}/cleaning")
 @queued
-def get_cleaning(service: ServiceDep, id: str) -> CleaningOut:
+def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
     """Get the cleaning report: edges merged, shortened, joined or dropped before planning."""
     edges = service.store.drawings.column(id, "edges")
     return CleaningOut.model_validate(service.run(tasks.cleaning_report, edges))
 
 
 @router.get("/{id}/file", response_class=Response, responses={200: BINARY})
-def get_file(service: ServiceDep, request: Request, id: str) -> Response:
+def get_file(service: ServiceDep, request: Request, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""
     row = service.store.drawings.get(id)
     content = service.store.drawings.column(id, "content")

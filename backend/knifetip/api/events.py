@@ -204,10 +204,14 @@ def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent
 async def get_events(
     request: Request,
     last: Annotated[
-        str | None, Header(alias="Last-Event-ID", description="Id of the last received event")
+        str | None,
+        Header(
+            alias="Last-Event-ID",
+            description="Id of the last received event; later changes are sent again",
+        ),
     ] = None,
     after: Annotated[
-        int | None, Query(ge=0, le=2**53, description="Event id in place of the header")
+        int | None, Query(ge=0, le=2**53, description="Same as the header, which takes precedence")
     ] = None,
 ) -> AsyncIterator[ServerSentEvent]:
     """Stream changes of jobs and drawings as server-sent events."""

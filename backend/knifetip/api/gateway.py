@@ -8,6 +8,7 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.jobs import job_out
+from knifetip.api.parameters import JobId
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageIn
@@ -75,7 +76,7 @@ def _next(service: ServiceDep, wanted: ClaimIn) -> Job | None:
 
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
-async def get_gateway_program(service: ServiceDep, request: Request, id: str) -> Response:
+async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Download the program of a claimed job."""
     job = await service.threads.claims(service.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:

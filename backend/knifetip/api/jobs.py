@@ -10,6 +10,7 @@ from fastapi import APIRouter, Query, Request, Response
 from fastapi.responses import PlainTextResponse
 
 from knifetip.api.overrides import merge_overrides
+from knifetip.api.parameters import Cursor, DataFormat, IdempotencyKey, JobId, Limit
 from knifetip.api.queue import queued
 from knifetip.api.revisions import check_revision
 from knifetip.api.schemas.jobs import (
@@ -23,10 +24,6 @@ from knifetip.api.schemas.jobs import (
 )
 from knifetip.api.service import (
     BINARY,
-    Cursor,
-    DataFormat,
-    IdempotencyKey,
-    Limit,
     Service,
     ServiceDep,
     bytes_response,
@@ -120,7 +117,7 @@ def list_jobs(
     response: Response,
     state: Annotated[
         list[JobState] | None,
-        Query(description="List only jobs in this state; may be repeated"),
+        Query(description="List only jobs in this state; may be repeated; all if it is missing"),
     ] = None,
     cursor: Cursor = None,
     limit: Limit = 100,
@@ -135,13 +132,13 @@ def list_jobs(
 
 
 @router.get("/{id}")
-def get_job(service: ServiceDep, id: str) -> JobOut:
+def get_job(service: ServiceDep, id: JobId) -> JobOut:
     """Get a job with its state and its progress."""
     return job_out(service.store, service.store.jobs.get(id))
 
 
 @router.get("/{id}/events")
-def get_job_events(service: ServiceDep, id: str) -> list[JobEvent]:
+def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
     """List the state changes of a job with time, author and reason."""
     return [
         JobEvent.model_validate(
@@ -160,7 +157,7 @@ def get_job_events(service: ServiceDep, id: str) -> list[JobEvent]:
 
 
 @router.get("/{id}/program", response_class=PlainTextResponse)
-def get_program(service: ServiceDep, request: Request, id: str) -> Response:
+def get_program(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Download the program of a job, byte for byte as it is sent to the machine."""
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
@@ -173,7 +170,7 @@ def get_program(service: ServiceDep, request: Request, id: str) -> Response:
 def get_verdict(
     service: ServiceDep,
     request: Request,
-    id: str,
+    id: JobId,
     format: DataFormat = "json",
 ) -> Response:
     """Get the verdict on a job's program, with measurements per edge, as JSON or binary columns."""
@@ -205,7 +202,7 @@ def verdict_out(block: bytes) -> VerdictOut:
 
 
 @router.get("/{id}/toolpath", response_class=Response, responses={200: BINARY})
-def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
+def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Get the tool path of a job as binary columns with one row per move of the head.
 
     The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip, C; one row more),
@@ -218,13 +215,13 @@ def get_toolpath(service: ServiceDep, request: Request, id: str) -> Response:
 
 
 @router.post("/{id}/release")
-def release_job(service: ServiceDep, id: str) -> JobOut:
+def release_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue a job that has the state ``ready``."""
     return job_out(service.store, service.store.jobs.release(id))
 
 
 @router.post("/{id}/confirm")
-def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) -> JobOut:
+def confirm_job(service: ServiceDep, id: JobId, found: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
@@ -238,37 +235,37 @@ def confirm_job(service: ServiceDep, id: str, found: ConfirmIn | None = None) ->
 
 
 @router.post("/{id}/hold")
-def hold_job(service: ServiceDep, id: str) -> JobOut:
+def hold_job(service: ServiceDep, id: JobId) -> JobOut:
     """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
     return job_out(service.store, service.store.jobs.hold(id))
 
 
 @router.post("/{id}/resume")
-def resume_job(service: ServiceDep, id: str) -> JobOut:
+def resume_job(service: ServiceDep, id: JobId) -> JobOut:
     """Request to resume a job; between two copies this confirms the new sheet."""
     return job_out(service.store, service.store.jobs.resume(id))
 
 
 @router.post("/{id}/cancel")
-def cancel_job(service: ServiceDep, id: str) -> JobOut:
+def cancel_job(service: ServiceDep, id: JobId) -> JobOut:
     """Cancel a job: a running job when the machine has stopped, any other job immediately."""
     return job_out(service.store, service.store.jobs.cancel(id))
 
 
 @router.post("/{id}/finish")
-def finish_job(service: ServiceDep, id: str) -> JobOut:
+def finish_job(service: ServiceDep, id: JobId) -> JobOut:
     """Declare that all sheets of an interrupted job are complete."""
     return job_out(service.store, service.store.jobs.declare_finished(id))
 
 
 @router.post("/{id}/requeue")
-def requeue_job(service: ServiceDep, id: str) -> JobOut:
+def requeue_job(service: ServiceDep, id: JobId) -> JobOut:
     """Queue an interrupted job again, from its first program line; the table must be clear."""
     return job_out(service.store, service.store.jobs.requeue(id))
 
 
 @router.post("/{id}/scrap")
-def scrap_job(service: ServiceDep, id: str) -> JobOut:
+def scrap_job(service: ServiceDep, id: JobId) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
     return job_out(service.store, service.store.jobs.scrap(id))
 

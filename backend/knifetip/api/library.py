@@ -6,6 +6,7 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
+from knifetip.api.parameters import BoardName
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
 from knifetip.api.service import check_library_name
@@ -34,14 +35,14 @@ def list_boards() -> list[BoardOut]:
 
 
 @router.get("/boards/{name}")
-def get_board(name: str) -> BoardOut:
+def get_board(name: BoardName) -> BoardOut:
     """Get a board of the library."""
     board = asdict(load.board(check_library_name("boards", name)))
     return BoardOut.model_validate({field: board[field] for field in BoardOut.model_fields})
 
 
 @router.post("/boards/{name}/deflection")
-def calibrate(name: str, order: CalibrationIn) -> CalibrationOut:
+def calibrate(name: BoardName, order: CalibrationIn) -> CalibrationOut:
     """Compute the deflection of a cutter in the board ``name`` from points measured on a contour.
 
     Nothing is stored; ``toml`` in the response contains the text lines for the file of the board.

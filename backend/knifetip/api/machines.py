@@ -6,6 +6,7 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
+from knifetip.api.parameters import MachineName
 from knifetip.api.schemas.machines import MachineOut
 from knifetip.api.service import ServiceDep, check_library_name
 from knifetip.api.waiting import ABSENT
@@ -28,7 +29,7 @@ def list_machines(service: ServiceDep) -> list[MachineOut]:
 
 
 @router.get("/{name}")
-def get_machine(service: ServiceDep, name: str) -> MachineOut:
+def get_machine(service: ServiceDep, name: MachineName) -> MachineOut:
     """Get a machine of the library with its current job."""
     machine = load.machine(check_library_name("machines", name))
     return _machine_out(

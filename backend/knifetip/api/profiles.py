@@ -12,6 +12,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic import ValidationError
 
+from knifetip.api.parameters import DrawingId, ProfileName
 from knifetip.api.queue import queued
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
 from knifetip.api.service import (
@@ -67,7 +68,7 @@ def list_profiles(service: ServiceDep) -> list[ProfileOut]:
 
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=_TEXT)
-def export_profile(service: ServiceDep, request: Request, name: str) -> Response:
+def export_profile(service: ServiceDep, request: Request, name: ProfileName) -> Response:
     """Download a profile as TOML."""
     row = service.store.profiles.get(name)
     text = (
@@ -80,7 +81,7 @@ def export_profile(service: ServiceDep, request: Request, name: str) -> Response
 
 
 @router.get("/profiles/{name}")
-def get_profile(service: ServiceDep, response: Response, name: str) -> ProfileOut:
+def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge is used."""
     row = service.store.profiles.get(name)
     profile = (
@@ -95,7 +96,7 @@ def keep_profile(
     service: ServiceDep,
     request: Request,
     response: Response,
-    name: str,
+    name: ProfileName,
     body: Body,
     match: IfMatch = None,
 ) -> ProfileOut:
@@ -121,7 +122,7 @@ def keep_profile(
 
 
 @router.delete("/profiles/{name}", status_code=204)
-def delete_profile(service: ServiceDep, name: str, match: IfMatch = None) -> None:
+def delete_profile(service: ServiceDep, name: ProfileName, match: IfMatch = None) -> None:
     """Delete a customer's profile; drawings and jobs keep the rules with which they were made."""
     require_customer_profile(service, name)
     service.store.profiles.delete(name, _version(match)[0])
@@ -129,7 +130,7 @@ def delete_profile(service: ServiceDep, name: str, match: IfMatch = None) -> Non
 
 @router.post("/drawings/{id}/preview")
 @queued
-def preview_profile(service: ServiceDep, id: str, profile: ProfileIn) -> PreviewOut:
+def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> PreviewOut:
     """Preview the effect of a profile on a drawing; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
     found = service.run(
@@ -143,7 +144,7 @@ def preview_profile(service: ServiceDep, id: str, profile: ProfileIn) -> Preview
 
 @router.post("/drawings/{id}/learned")
 @queued
-def learn_from_corrections(service: ServiceDep, id: str) -> list[ProposalOut]:
+def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalOut]:
     """Propose rules that explain the user's corrections of line types; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
     found = service.run(

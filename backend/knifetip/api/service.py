@@ -8,9 +8,9 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, TypeVar
 
-from fastapi import Depends, Header, Query, Request, Response
+from fastapi import Depends, Request, Response
 
 from knifetip.api.access import AccessRules
 from knifetip.api.queue import WAITING, WorkQueue
@@ -79,27 +79,6 @@ async def _service(request: Request) -> Service:
 
 
 ServiceDep = Annotated[Service, Depends(_service)]
-IdempotencyKey = Annotated[
-    str | None,
-    Header(
-        alias="Idempotency-Key",
-        min_length=1,
-        max_length=200,
-        description="Repeating a request with the same key returns the first result",
-    ),
-]
-Cursor = Annotated[
-    int | None, Query(ge=0, le=2**31 - 1, description="Position in the list, from the Link header")
-]
-Limit = Annotated[int, Query(ge=1, le=500, description="Maximum length of the list")]
-DataFormat = Annotated[
-    Literal["json", "columns"],
-    Query(
-        description="`columns` for arrays in one block of bytes: KTIP, the length of the header "
-        "(uint32, little-endian), the header (JSON with name, dtype, shape and offset of each "
-        "array), and the arrays"
-    ),
-]
 BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"type": "string"}}}}
 
 

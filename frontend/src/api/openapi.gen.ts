@@ -858,55 +858,67 @@ export interface components {
          * @description A board of the library; lengths in mm, angles in degrees.
          */
         BoardOut: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the board in the library, to be used in requests
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description Name of the board for display; may be empty
+             */
             title: string;
-            /** Material */
+            /**
+             * Material
+             * @description Material: greyboard, corrugated or folding boxboard
+             */
             material: string;
             /**
              * Caliper
-             * @description Thickness
+             * @description Thickness of the board (mm)
              */
             caliper: number;
             /**
              * Grain
-             * @description Direction of flute or grain on the sheet
+             * @description Direction of flute or grain on the sheet, from the X axis (degrees, counter-clockwise)
              */
             grain: number;
             /**
              * Crease Along
-             * @description Depth of a crease along flute or grain
+             * @description Depth of a crease along flute or grain (mm)
              */
             crease_along: number;
             /**
              * Crease Across
-             * @description Depth of a crease across flute or grain
+             * @description Depth of a crease across flute or grain (mm)
              */
             crease_across: number;
             /**
              * Groove Depth
-             * @description Depth of a V-groove below the top face
+             * @description Depth of a V-groove below the top face (mm)
              */
             groove_depth: number;
             /**
              * Deflection
-             * @description Deflection of the cutters that were measured in this board
+             * @description Deflection of each cutter that was measured in this board; empty if none was
              */
             deflection: components["schemas"]["DeflectionOut"][];
         };
         /** Body_upload_drawing */
         Body_upload_drawing: {
-            /** File */
+            /**
+             * File
+             * @description Drawing in DXF, CF2, SVG or PDF
+             */
             file: string;
             /**
              * Unit
-             * @description Overrides the unit of the file
+             * @description Unit of the drawing; the unit of the file if it is missing
              */
             unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Profile
-             * @description Name of a classification profile
+             * @description Name of the classification profile
              * @default default
              */
             profile: string;
@@ -916,21 +928,27 @@ export interface components {
          * @description Points that were measured on a contour cut in a board.
          */
         CalibrationIn: {
-            /** Machine */
+            /**
+             * Machine
+             * @description Name of the machine in the library on which the contour was cut
+             */
             machine: string;
             /**
              * Tool
-             * @description Name of the cutter's station
+             * @description Name of the station that holds the cutter
              */
             tool: string;
             /**
              * Side
-             * @description Side on which the cutter ran, in travel direction (knifetip: left)
+             * @description Side of the contour on which the cutter ran, seen in the direction of travel; knifetip's programs run on the left
              * @default left
              * @enum {string}
              */
             side: "left" | "right";
-            /** Points */
+            /**
+             * Points
+             * @description Measured points of the contour
+             */
             points: components["schemas"]["MeasuredPoint"][];
         };
         /**
@@ -938,30 +956,39 @@ export interface components {
          * @description Deflection of the cutter in the board, and the TOML text for the file of the board.
          */
         CalibrationOut: {
-            /** Board */
+            /**
+             * Board
+             * @description Name of the board in the library
+             */
             board: string;
-            /** Machine */
+            /**
+             * Machine
+             * @description Name of the machine in the library
+             */
             machine: string;
-            /** Tool */
+            /**
+             * Tool
+             * @description Name of the station that holds the cutter
+             */
             tool: string;
             /**
              * X
-             * @description Deflection where the contour runs along Y (mm)
+             * @description Maximum deflection in X, where the contour runs along Y (mm)
              */
             x: number;
             /**
              * Y
-             * @description Deflection where the contour runs along X (mm)
+             * @description Maximum deflection in Y, where the contour runs along X (mm)
              */
             y: number;
             /**
              * Residual
-             * @description Largest residual of a point (mm)
+             * @description Largest difference between a measured point and the fitted deflection (mm)
              */
             residual: number;
             /**
              * Toml
-             * @description Text lines for the file of the board
+             * @description Text lines with the deflection, to be added to the TOML file of the board
              */
             toml: string;
         };
@@ -972,19 +999,19 @@ export interface components {
         ChangeOut: {
             /**
              * Before
-             * @description Present line type
+             * @description Present line type of the edges
              * @enum {string}
              */
             before: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * After
-             * @description Line type that the profile would give
+             * @description Line type that the profile would give the edges
              * @enum {string}
              */
             after: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * Edges
-             * @description Rows of the edges
+             * @description Rows of the edges in the drawing, counted from 0
              */
             edges: number[];
         };
@@ -1010,12 +1037,12 @@ export interface components {
             lease: number;
             /**
              * Program
-             * @description URL of the program
+             * @description URL of the program, relative to the server
              */
             program: string;
             /**
              * Sha256
-             * @description SHA-256 of the program
+             * @description SHA-256 of the program (64 hexadecimal digits)
              */
             sha256: string;
             /**
@@ -1025,7 +1052,7 @@ export interface components {
             lines: number;
             /**
              * Copies
-             * @description Number of copies that remain
+             * @description Number of copies that remain to be made
              */
             copies: number;
             /**
@@ -1040,9 +1067,15 @@ export interface components {
          * @description Request of a gateway for the next job of its machine.
          */
         ClaimIn: {
-            /** Gateway */
+            /**
+             * Gateway
+             * @description Name of the gateway, unique among all gateways, as it is shown in job events
+             */
             gateway: string;
-            /** Machine */
+            /**
+             * Machine
+             * @description Name of the machine in the library, as in `GET /api/machines`
+             */
             machine: string;
             /**
              * Wait
@@ -1056,11 +1089,20 @@ export interface components {
          * @description Number of edges that cleaning kept, merged and dropped.
          */
         CleaningCounts: {
-            /** Kept */
+            /**
+             * Kept
+             * @description Number of edges that are machined, and of edges without work
+             */
             kept: number;
-            /** Merged */
+            /**
+             * Merged
+             * @description Number of edges that lie on other edges or were joined to them
+             */
             merged: number;
-            /** Dropped */
+            /**
+             * Dropped
+             * @description Number of edges that are too short to be machined
+             */
             dropped: number;
         };
         /**
@@ -1073,37 +1115,37 @@ export interface components {
         CleaningLengths: {
             /**
              * Drawn
-             * @description Length in the drawing
+             * @description Length of the edges that have to be machined, as drawn: `kept` + `merged` + `dropped` (mm)
              */
             drawn: number;
             /**
              * Kept
-             * @description Length that is machined as drawn
+             * @description Length that is machined as drawn (mm)
              */
             kept: number;
             /**
              * Merged
-             * @description Length that lies on other edges, which are machined
+             * @description Length that lies on other edges, which are machined (mm)
              */
             merged: number;
             /**
              * Dropped
-             * @description Length that is too short to be machined
+             * @description Length that is too short to be machined (mm)
              */
             dropped: number;
             /**
              * Added
-             * @description Length added by closing gaps and fitting curves
+             * @description Length added by closing gaps and fitting curves (mm)
              */
             added: number;
             /**
              * Worked
-             * @description Length that is machined
+             * @description Length that is machined: `kept` + `added` (mm)
              */
             worked: number;
             /**
              * No Work
-             * @description Length of edges that are ignored or not classified
+             * @description Length of edges that are ignored or not classified; not part of `drawn` (mm)
              */
             no_work: number;
         };
@@ -1112,7 +1154,9 @@ export interface components {
          * @description Cleaning report of a drawing: lengths, counts, and a row for each changed edge.
          */
         CleaningOut: {
+            /** @description Total lengths of the edges by outcome (mm) */
             lengths: components["schemas"]["CleaningLengths"];
+            /** @description Numbers of edges by outcome */
             edges: components["schemas"]["CleaningCounts"];
             /**
              * Moved
@@ -1121,10 +1165,13 @@ export interface components {
             moved: number;
             /**
              * Off
-             * @description Maximum distance of an edge from what is machined for it (mm)
+             * @description Maximum distance of an edge as drawn from what is machined for it (mm)
              */
             off: number;
-            /** Rows */
+            /**
+             * Rows
+             * @description One row for each edge that is not machined exactly as drawn; other edges have no row
+             */
             rows: components["schemas"]["CleaningRow"][];
         };
         /**
@@ -1132,10 +1179,11 @@ export interface components {
          * @description Outcome of cleaning for one edge that is not machined exactly as drawn.
          */
         CleaningRow: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -1147,18 +1195,22 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
             /**
              * Row
-             * @description Row of the edge in the drawing
+             * @description Row of the edge in the drawing, counted from 0
              */
             row: number;
-            /** Handle */
+            /**
+             * Handle
+             * @description Handle of the edge's entity in the file
+             */
             handle: string;
             /**
              * Outcome
+             * @description kept: the edge is machined with a change. merged: another edge is machined in its place. dropped: it is not machined
              * @enum {string}
              */
             outcome: "kept" | "merged" | "dropped";
@@ -1170,7 +1222,7 @@ export interface components {
             reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck";
             /**
              * Into
-             * @description Row of the edge that is machined instead; -1 for none
+             * @description Row of the edge that is machined instead: the edge itself if it is kept, -1 if it is dropped
              */
             into: number;
             /**
@@ -1200,7 +1252,7 @@ export interface components {
             moved: number;
             /**
              * Off
-             * @description Maximum distance of the edge from what is machined for it (mm)
+             * @description Maximum distance of the edge as drawn from what is machined for it (mm)
              */
             off: number;
         };
@@ -1211,12 +1263,12 @@ export interface components {
         ConfirmIn: {
             /**
              * Board
-             * @description Board on the table; refused if it is not the board of the job
+             * @description Name of the board on the table; the request is refused if it is not the board of the job. Null for no check
              */
             board?: string | null;
             /**
              * By
-             * @description Name of the operator, for the record
+             * @description Name of the operator, for the record of job events; empty if it is not known
              * @default
              */
             by: string;
@@ -1228,22 +1280,23 @@ export interface components {
         CornerAt: {
             /**
              * X
-             * @description Position in the drawing (mm), within 0.5 mm of the corner
+             * @description X in the drawing (mm); the point must be within 0.5 mm of a corner
              */
             x: number;
             /**
              * Y
-             * @description Position in the drawing (mm)
+             * @description Y in the drawing (mm); the point must be within 0.5 mm of a corner
              */
             y: number;
             /**
              * Type
+             * @description Corner type of this corner; auto: the type that is fastest on the machine
              * @enum {string}
              */
             type: "auto" | "B" | "C" | "D";
             /**
              * K
-             * @description Parameter k of this corner. Default: k of the job
+             * @description Parameter k of this corner, if it has type D; null for the `k` of the job
              */
             k?: number | null;
         };
@@ -1258,26 +1311,27 @@ export interface components {
         Corners: {
             /**
              * Type
+             * @description Type of all corners that are not in `at`; auto: for each corner the type that is fastest on the machine
              * @default auto
              * @enum {string}
              */
             type: "auto" | "B" | "C" | "D";
             /**
              * K
-             * @description Parameter k of type D: 0 is like B, 1 is like C
+             * @description Parameter k of corners of type D, between 0 (like type B) and 1 (like type C)
              * @default 0.5
              */
             k: number;
             /**
              * Interference
-             * @description Reaction if the cutter does not fit: leave the area uncut, or refuse the job
+             * @description What happens if the cutter does not fit into a place: trim leaves the area uncut, refuse refuses the job
              * @default trim
              * @enum {string}
              */
             interference: "trim" | "refuse";
             /**
              * At
-             * @description Corners with a type of their own
+             * @description Corners with a type of their own; empty if there are none
              * @default []
              */
             at: components["schemas"]["CornerAt"][];
@@ -1289,17 +1343,17 @@ export interface components {
         DeflectionOut: {
             /**
              * Tool
-             * @description Name of the cutter's station
+             * @description Name of the station that holds the cutter
              */
             tool: string;
             /**
              * X
-             * @description Deflection in X
+             * @description Maximum deflection in X (mm)
              */
             x: number;
             /**
              * Y
-             * @description Deflection in Y
+             * @description Maximum deflection in Y (mm)
              */
             y: number;
         };
@@ -1308,7 +1362,10 @@ export interface components {
          * @description A drawing that has been read and classified.
          */
         DrawingOut: {
-            /** Id */
+            /**
+             * Id
+             * @description Id of the drawing, assigned by the server
+             */
             id: string;
             /**
              * Revision
@@ -1320,58 +1377,64 @@ export interface components {
              * @description Name of the uploaded file
              */
             name: string;
-            /** Created */
+            /**
+             * Created
+             * @description Time of the upload (seconds since 1970-01-01 UTC)
+             */
             created: number;
             /**
              * Sha256
-             * @description SHA-256 of the uploaded file
+             * @description SHA-256 of the uploaded file (64 hexadecimal digits)
              */
             sha256: string;
             /**
              * Unit
-             * @description Unit of the file; null while it is not decided: lengths are then in file units
+             * @description Unit of the file; null while it is not decided, then all lengths are in file units
              */
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Unit Given
-             * @description Unit set by the user; null for the unit of the file
+             * @description Unit that the user set; null if the unit of the file applies
              */
             unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
             /**
              * Evidence
-             * @description How the unit was determined
+             * @description How the unit was determined, as a text in English
              */
             evidence: string;
-            /** @description `evidence` as a message */
+            /** @description `evidence` as a message; null if an older version read the drawing */
             evidence_message?: components["schemas"]["MessageOut"] | null;
-            /** @description Null if the drawing was read by an older version */
+            /** @description Evidence for each unit; null if an older version read the drawing */
             unit_finding?: components["schemas"]["UnitFindingOut"] | null;
-            /** Profile */
+            /**
+             * Profile
+             * @description Name of the classification profile with which the drawing was classified
+             */
             profile: string;
             /**
              * Profile State
-             * @description Whether the profile has changed since the drawing was classified
+             * @description Whether the profile is still the one with which the drawing was classified, has changed since, or was deleted
              * @enum {string}
              */
             profile_state: "current" | "changed" | "deleted";
             /**
              * Rules
-             * @description Customer's profile of the classification (TOML); empty for a library profile
+             * @description Text of the customer's profile with which the drawing was classified (TOML); empty for a profile of the library
              */
             rules: string;
             /**
              * Segments
-             * @description Number of edges
+             * @description Number of edges of the drawing
              */
             segments: number;
             /**
              * Length
-             * @description Null if the drawing was read by an older version
+             * @description Total length of the edges (mm); null if an older version read the drawing
              */
             length?: number | null;
             /**
              * Bounds
-             * @description Bounding box of the edges: x min, y min, x max, y max (mm)
+             * @description Bounding box of the edges: x min, y min, x max, y max (mm; file units if `unit` is null)
              */
             bounds: [
                 number,
@@ -1379,23 +1442,39 @@ export interface components {
                 number,
                 number
             ];
-            /** Width */
+            /**
+             * Width
+             * @description Width of the bounding box, along X (mm; file units if `unit` is null)
+             */
             width: number;
-            /** Height */
+            /**
+             * Height
+             * @description Height of the bounding box, along Y (mm; file units if `unit` is null)
+             */
             height: number;
-            /** Counts */
+            /**
+             * Counts
+             * @description Number and total length of the edges of each line type that occurs
+             */
             counts: components["schemas"]["LineTypeCount"][];
-            /** Layers */
+            /**
+             * Layers
+             * @description Edges by layer and colour: one item for each combination that occurs
+             */
             layers: components["schemas"]["LayerOut"][];
-            /** Questions */
+            /**
+             * Questions
+             * @description Questions that must be answered before a job can be created; empty if there are none
+             */
             questions: components["schemas"]["QuestionOut"][];
             /**
              * Overrides
              * @description Number of edges with a line type set by the user
              */
             overrides: number;
+            /** @description Outcome of every entity of the file */
             import_report: components["schemas"]["ImportReportOut"];
-            /** @description Null if the drawing was read by an older version */
+            /** @description Total lengths and groups by outcome of import and cleaning; null if an older version read the drawing */
             report?: components["schemas"]["ReportOut"] | null;
         };
         /**
@@ -1405,17 +1484,17 @@ export interface components {
         DrawingPatch: {
             /**
              * Unit
-             * @description "file" restores the unit of the file
+             * @description New unit of the drawing; "file" restores the unit of the file; null leaves the unit as it is
              */
             unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "file" | null;
             /**
              * Profile
-             * @description Name of the profile; the present name applies its current version
+             * @description Name of the new classification profile; the present name applies its current version; null leaves the profile as it is
              */
             profile?: string | null;
             /**
              * Rules
-             * @description Earlier or deleted profile version (TOML). Default: the current version
+             * @description Text of an earlier or deleted version of the profile (TOML); empty for the current version
              * @default
              */
             rules: string;
@@ -1425,29 +1504,44 @@ export interface components {
          * @description A drawing in a list of drawings.
          */
         DrawingSummary: {
-            /** Id */
+            /**
+             * Id
+             * @description Id of the drawing, assigned by the server
+             */
             id: string;
             /**
              * Revision
              * @description Increases with each change of the drawing; part of its ETag
              */
             revision: number;
-            /** Name */
+            /**
+             * Name
+             * @description Name of the uploaded file
+             */
             name: string;
-            /** Created */
+            /**
+             * Created
+             * @description Time of the upload (seconds since 1970-01-01 UTC)
+             */
             created: number;
             /**
              * Unit
-             * @description Unit of the file; null while it is not decided: lengths are then in file units
+             * @description Unit of the file; null while it is not decided, then all lengths are in file units
              */
             unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
-            /** Width */
+            /**
+             * Width
+             * @description Width of the bounding box of the edges, along X (mm; file units if `unit` is null)
+             */
             width: number;
-            /** Height */
+            /**
+             * Height
+             * @description Height of the bounding box of the edges, along Y (mm; file units if `unit` is null)
+             */
             height: number;
             /**
              * Segments
-             * @description Number of edges
+             * @description Number of edges of the drawing
              */
             segments: number;
             /**
@@ -1465,19 +1559,22 @@ export interface components {
         EdgeOut: {
             /**
              * Row
-             * @description Row of the edge in the drawing
+             * @description Row of the edge in the drawing, counted from 0
              */
             row: number;
             /**
              * Handle
-             * @description Handle of the entity in the file
+             * @description Handle of the edge's entity in the file
              */
             handle: string;
-            /** Layer */
+            /**
+             * Layer
+             * @description Name of the edge's layer in the file
+             */
             layer: string;
             /**
              * Colour
-             * @description AutoCAD colour index
+             * @description AutoCAD colour index of the edge, 1 … 255
              */
             colour: number;
             /**
@@ -1487,12 +1584,13 @@ export interface components {
             linetype: string;
             /**
              * Type
+             * @description Line type of the edge; an `ignored` edge is not machined, an `unclassified` edge has no line type yet
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * Rule
-             * @description Rule or evidence that decided the line type
+             * @description Rule of the profile, or other evidence, that decided the line type
              */
             rule: string;
             /**
@@ -1502,20 +1600,24 @@ export interface components {
             confidence: number;
             /**
              * Alternatives
-             * @description Other possible line types, most likely first
+             * @description Other possible line types, the likeliest first; empty if there are none
              */
             alternatives: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
             /**
              * Outcome
+             * @description Outcome of cleaning: kept, merged into another edge, or dropped
              * @enum {string}
              */
             outcome: "kept" | "merged" | "dropped";
             /**
              * Reason
-             * @description Reason for the outcome of the edge; empty if it is kept
+             * @description Reason for the outcome in English; empty if an older version read the drawing
              */
             reason: string;
-            /** Length */
+            /**
+             * Length
+             * @description Length of the edge (mm)
+             */
             length: number;
             /**
              * Start
@@ -1544,7 +1646,10 @@ export interface components {
          * @description All edges of a drawing; ``format=columns`` returns the same data as binary columns.
          */
         EdgesOut: {
-            /** Edges */
+            /**
+             * Edges
+             * @description Edges of the drawing, in the order of their rows
+             */
             edges: components["schemas"]["EdgeOut"][];
         };
         /**
@@ -1552,7 +1657,10 @@ export interface components {
          * @description Overrides, which are applied in order; later ones replace earlier ones.
          */
         EdgesPatch: {
-            /** Overrides */
+            /**
+             * Overrides
+             * @description Overrides, applied in order; later ones replace earlier ones for the same edges
+             */
             overrides: components["schemas"]["Override"][];
         };
         /**
@@ -1560,10 +1668,11 @@ export interface components {
          * @description One fault that the verifier found, with its edge and program line.
          */
         FindingOut: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -1575,32 +1684,32 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
             /**
              * Kind
-             * @description Kind of the fault
+             * @description Kind of the fault: deviation, overcut, uncut, stray, depth, heading, order, feed, travel or program
              */
             kind: string;
             /**
              * Measure
-             * @description Measured value (mm; degrees for a heading)
+             * @description Measured value (mm; degrees for `heading`)
              */
             measure: number;
             /**
              * Edge
-             * @description Row of the edge; -1 for none
+             * @description Row of the edge in the drawing, counted from 0; -1 if the fault concerns no edge
              */
             edge: number;
             /**
              * Handle
-             * @description Handle of the edge; empty for none
+             * @description Handle of the edge's entity; empty if the fault concerns no edge
              */
             handle: string;
             /**
              * Line
-             * @description Program line, counted from 1; -1 for none
+             * @description Program line, counted from 1; -1 if the fault concerns no line
              */
             line: number;
         };
@@ -1609,7 +1718,10 @@ export interface components {
          * @description Report of a gateway that a job has ended.
          */
         FinishIn: {
-            /** Job */
+            /**
+             * Job
+             * @description Id of the job, from the claim
+             */
             job: string;
             /**
              * Epoch
@@ -1618,75 +1730,73 @@ export interface components {
             epoch: number;
             /**
              * Outcome
-             * @description returned: the job is released; nothing was sent to the machine
+             * @description done: all copies are complete. interrupted: the machine stopped before the end. cancelled: the machine was stopped as requested. returned: the job is released; nothing was sent to the machine
              * @enum {string}
              */
             outcome: "done" | "interrupted" | "cancelled" | "returned";
             /**
              * Why
-             * @description Cause: a message, or a text for which there is no code
+             * @description Cause of the end: a message, or a text for which there is no code; empty for none
              * @default
              */
             why: string | components["schemas"]["MessageIn"];
             /**
              * Line
-             * @description Last executed program line. Default: the line of the last heartbeat
+             * @description Last executed program line; null for the line of the last heartbeat
              */
             line?: number | null;
             /**
              * Copies Done
-             * @description Copies completed since this claim
+             * @description Copies completed since this claim; null for the number in the last heartbeat
              */
             copies_done?: number | null;
         };
         /**
-         * Footprint
-         * @description Shape of the mark of a tool on the board, and position of its tip, which the page draws.
+         * FootprintOut
+         * @description Shape of the mark of a tool on the board, and position of the tool's tip, for drawing both.
          *
-         *     The shape ``line`` has no width.  ``disc`` is a disc of ``radius`` about the tip.  ``groove`` is
-         *     a flank that widens by ``slope`` per mm of depth along the edge ``blade``.  ``wheel`` is a rim
-         *     of ``width`` on a wheel of ``radius``.
+         *     The direction C is the direction in which the tool points, its heading.
          */
-        Footprint: {
+        FootprintOut: {
             /**
              * Shape
-             * @default line
+             * @description line: a mark without width. disc: a disc about the tip. groove: a flank that widens with the depth. wheel: the rim of a wheel
              * @enum {string}
              */
             shape: "line" | "disc" | "groove" | "wheel";
             /**
              * Radius
-             * @default 0
+             * @description Radius of the disc or wheel (mm); 0 for other shapes
              */
             radius: number;
             /**
              * Width
-             * @default 0
+             * @description Width of the wheel's rim (mm); 0 for other shapes
              */
             width: number;
             /**
              * Slope
-             * @default 0
+             * @description Width of a groove's flank per depth (mm per mm); 0 for other shapes
              */
             slope: number;
             /**
              * Blade
-             * @default 0
+             * @description Length of the cutting edge, from the tip forward along C (mm); 0 for none
              */
             blade: number;
             /**
              * Left
-             * @default 0
+             * @description Distance of the tip from the head's axis, to the left of C (mm)
              */
             left: number;
             /**
              * Behind
-             * @default 0
+             * @description Distance of the tip from the head's axis, backwards along C (mm)
              */
             behind: number;
             /**
              * Any Height
-             * @default false
+             * @description Whether the mark is the same at every height of the tip, as with a laser
              */
             any_height: boolean;
         };
@@ -1695,9 +1805,15 @@ export interface components {
          * @description An import format of drawings.
          */
         FormatOut: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the format, such as dxf
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description Name of the format for display
+             */
             title: string;
             /**
              * Extensions
@@ -1712,15 +1828,18 @@ export interface components {
         Health: {
             /**
              * Status
-             * @description ok if all checks are ok
+             * @description ok if the server can process requests; starting if it cannot, see `checks`
              * @enum {string}
              */
             status: "ok" | "starting";
-            /** Version */
+            /**
+             * Version
+             * @description Version of knifetip on the server, such as 1.2.0
+             */
             version: string;
             /**
              * Checks
-             * @description State of the database and of the worker processes: ok or the fault
+             * @description `ok` or the fault, by component: `database` and `workers` (the processes that read and compile); empty if nothing was checked
              * @default {}
              */
             checks: {
@@ -1732,7 +1851,10 @@ export interface components {
          * @description Report of a gateway on the progress of its job.
          */
         HeartbeatIn: {
-            /** Job */
+            /**
+             * Job
+             * @description Id of the job, from the claim
+             */
             job: string;
             /**
              * Epoch
@@ -1752,7 +1874,7 @@ export interface components {
             copies_done: number;
             /**
              * Held
-             * @description Whether the machine holds
+             * @description Whether the machine has stopped and can resume
              * @default false
              */
             held: boolean;
@@ -1764,7 +1886,7 @@ export interface components {
             waiting: boolean;
             /**
              * Position
-             * @description Position on the sheet: X, Y of the head axis, Z of the tip, C
+             * @description Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); null if it is not known
              */
             position?: [
                 number,
@@ -1774,7 +1896,7 @@ export interface components {
             ] | null;
             /**
              * Seconds Left
-             * @description Estimated time until the present copy ends (s)
+             * @description Estimated time until the present copy ends (s); null if it is not known
              */
             seconds_left?: number | null;
         };
@@ -1785,7 +1907,7 @@ export interface components {
         HeartbeatOut: {
             /**
              * Command
-             * @description Command for the machine
+             * @description Command for the gateway: wait: send nothing to the machine yet. start: begin the program. continue: no change. hold: stop the machine so that it can resume. resume: continue after a hold. cancel: stop the machine and end the job
              * @enum {string}
              */
             command: "wait" | "start" | "continue" | "hold" | "resume" | "cancel";
@@ -1802,12 +1924,12 @@ export interface components {
         ImportReportOut: {
             /**
              * Kept
-             * @description Number of entities that are kept
+             * @description Number of entities that became edges
              */
             kept: number;
             /**
              * Merged
-             * @description Number of entities that equal other entities
+             * @description Number of entities that were left out because they equal other entities
              */
             merged: number;
             /**
@@ -1817,7 +1939,7 @@ export interface components {
             dropped: number;
             /**
              * Rows
-             * @description One row per entity; at most 2,000 in a drawing, all in …/import-report
+             * @description One row for each entity; in a drawing only the first 2,000, all in `/api/drawings/{id}/import-report`
              */
             rows: components["schemas"]["ImportReportRow"][];
         };
@@ -1828,41 +1950,46 @@ export interface components {
         ImportReportRow: {
             /**
              * Handle
-             * @description Handle of the entity in the file
+             * @description Handle of the entity: its identifier in the file, or one that the reader assigned
              */
             handle: string;
             /**
              * Kind
-             * @description Type of the entity in the file
+             * @description Type of the entity in the file, such as LINE or TEXT
              */
             kind: string;
-            /** Layer */
+            /**
+             * Layer
+             * @description Name of the entity's layer in the file
+             */
             layer: string;
             /**
              * Outcome
+             * @description kept: the entity became edges. merged: it equals another entity. dropped: it gave no edge
              * @enum {string}
              */
             outcome: "kept" | "merged" | "dropped";
+            /** @description Reason for the outcome */
             reason: components["schemas"]["MessageOut"];
             /**
              * Length
-             * @description Length of the edges that the entity gave (mm)
+             * @description Total length of the edges that the entity gave (mm; file units if the unit is unknown)
              */
             length: number;
             /**
              * Text
-             * @description Content of a text entity
+             * @description Content of a text or dimension; empty for other entities
              * @default
              */
             text: string;
             /**
              * Place
-             * @description x, y and height of a text (mm; file units if the unit is unknown)
+             * @description x, y and height of the letters of a text or dimension (mm; file units if the unit is unknown); null for other entities, and if the location is not known
              */
             place?: number[] | null;
             /**
              * Box
-             * @description x min, y min, x max, y max of an entity without edges, if its location is in the file (mm; file units if the unit is unknown)
+             * @description x min, y min, x max, y max of an entity without edges (mm; file units if the unit is unknown); null for an entity with edges, and if the location is not in the file
              */
             box?: number[] | null;
         };
@@ -1871,7 +1998,10 @@ export interface components {
          * @description One state change of a job: its time, author and reason.
          */
         JobEvent: {
-            /** Id */
+            /**
+             * Id
+             * @description Number of the event; increases with time
+             */
             id: number;
             /**
              * Job
@@ -1880,7 +2010,7 @@ export interface components {
             job: string;
             /**
              * At
-             * @description Time of the change
+             * @description Time of the change (seconds since 1970-01-01 UTC)
              */
             at: number;
             /**
@@ -1891,14 +2021,14 @@ export interface components {
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
             /**
              * Who
-             * @description Author of the change
+             * @description Cause of the change: operator, worker (compile), gateway or clock (expired lease), followed by its name if it is known
              */
             who: string;
-            /** @description Description of the change */
+            /** @description Description of the change; null if there is nothing to add to the state */
             message: components["schemas"]["MessageOut"] | null;
             /**
              * Why
-             * @description Text of `message` in English
+             * @description Text of `message` in English; empty if `message` is null
              */
             why: string;
         };
@@ -1907,23 +2037,30 @@ export interface components {
          * @description A new job: a drawing, a machine and a board.
          */
         JobIn: {
-            /** Drawing */
+            /**
+             * Drawing
+             * @description Id of the drawing
+             */
             drawing: string;
             /**
              * Revision
-             * @description Expected revision of the drawing; 412 if it has changed since
+             * @description Expected revision of the drawing; the status is 412 if the drawing has another one. Null for the newest revision
              */
             revision?: number | null;
             /**
              * Machine
+             * @description Name of the machine in the library, as in `GET /api/machines`
              * @default demo-table
              */
             machine: string;
-            /** Board */
+            /**
+             * Board
+             * @description Name of the board in the library, as in `GET /api/boards`
+             */
             board: string;
             /**
              * Profile
-             * @description Classification profile. Default: the profile of the drawing
+             * @description Name of the classification profile; null for the profile of the drawing
              */
             profile?: string | null;
             /**
@@ -1934,21 +2071,21 @@ export interface components {
             copies: number;
             /**
              * Priority
-             * @description Jobs with a higher priority come first
+             * @description Priority in the queue of the machine; jobs with a higher number come first
              * @default 0
              */
             priority: number;
             /**
              * Overrides
-             * @description Line types of edges for this job only
+             * @description Line types of edges for this job only, in addition to those of the drawing
              * @default []
              */
             overrides: components["schemas"]["Override"][];
-            /** @description Corner types, for routers and lasers only; null: the fastest types */
+            /** @description Corner types, for routers and lasers only; null for the fastest types */
             corners?: components["schemas"]["Corners"] | null;
             /**
              * Release
-             * @description Queue the job as soon as it is ready
+             * @description Whether to queue the job as soon as its program is accepted; if false, the job stays `ready` until it is released
              * @default false
              */
             release: boolean;
@@ -1958,10 +2095,14 @@ export interface components {
          * @description A job with its state and progress.
          */
         JobOut: {
-            /** Id */
+            /**
+             * Id
+             * @description Id of the job, assigned by the server
+             */
             id: string;
             /**
              * State
+             * @description State of the job. received: the compile has not begun. compiling: the program is made. ready: the program is accepted. queued: the job waits for its machine. running: the machine executes it. held: the machine has stopped and can resume. done: all sheets are made. refused: the job cannot be compiled. interrupted: the machine stopped before the end. scrapped: an interrupted job was given up. cancelled: the job was cancelled
              * @enum {string}
              */
             state: "received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled";
@@ -1974,22 +2115,22 @@ export interface components {
             message: components["schemas"]["MessageOut"] | null;
             /**
              * Reason
-             * @description Text of `message` in English; empty if it is null
+             * @description Text of `message` in English; empty if `message` is null
              */
             reason: string;
             /**
              * Hint
-             * @description Hint of `message` in English
+             * @description Hint of `message` in English; empty if there is none
              */
             hint: string;
             /**
              * Source
-             * @description Handles of the entities that `message` concerns
+             * @description Handles of the entities that `message` concerns; empty if it concerns none
              */
             source: string[];
             /**
              * Questions
-             * @description Open questions for which the job was refused
+             * @description Open questions for which the job was refused; empty if there are none
              */
             questions: components["schemas"]["QuestionOut"][];
             /**
@@ -1997,15 +2138,24 @@ export interface components {
              * @description Id of the drawing
              */
             drawing: string;
-            /** Drawing Name */
+            /**
+             * Drawing Name
+             * @description File name of the drawing
+             */
             drawing_name: string;
-            /** Machine */
+            /**
+             * Machine
+             * @description Name of the machine in the library
+             */
             machine: string;
-            /** Board */
+            /**
+             * Board
+             * @description Name of the board in the library
+             */
             board: string;
             /**
              * Profile
-             * @description Classification profile of the job
+             * @description Name of the classification profile of the job
              */
             profile: string;
             /**
@@ -2018,15 +2168,24 @@ export interface components {
              * @description Number of completed sheets
              */
             copies_done: number;
-            /** Priority */
+            /**
+             * Priority
+             * @description Priority in the queue of the machine; jobs with a higher number come first
+             */
             priority: number;
-            /** Created */
+            /**
+             * Created
+             * @description Time at which the job was created (seconds since 1970-01-01 UTC)
+             */
             created: number;
-            /** Updated */
+            /**
+             * Updated
+             * @description Time of the last change of the job (seconds since 1970-01-01 UTC)
+             */
             updated: number;
             /**
              * Waiting For
-             * @description What the job waits for: the confirmation of table, board and tools; the confirmation of the next sheet; the machine; its turn in the queue. `message` describes it
+             * @description What the job waits for. confirmation: the operator must confirm table, board and tools. sheet: the operator must confirm the next sheet. machine: the machine has not claimed the job. turn: other jobs come first. Empty: it does not wait. `message` describes the reason
              * @default
              * @enum {string}
              */
@@ -2039,7 +2198,7 @@ export interface components {
             tools: components["schemas"]["JobTool"][];
             /**
              * Requested Action
-             * @description Action that the operator requested and that the machine has not executed yet
+             * @description Action that the operator requested and that the machine has not carried out yet; empty for none
              * @default
              * @enum {string}
              */
@@ -2056,17 +2215,17 @@ export interface components {
             progress: number;
             /**
              * Line
-             * @description Number of executed lines of the program
+             * @description Number of executed program lines of the present copy
              */
             line: number;
             /**
              * Lines
-             * @description Number of program lines
+             * @description Number of program lines; 0 before the job is compiled
              */
             lines: number;
             /**
              * Position
-             * @description Position on the sheet while running: X, Y of the head axis, Z of the tip, C
+             * @description Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); null if it is not known
              */
             position: [
                 number,
@@ -2076,22 +2235,22 @@ export interface components {
             ] | null;
             /**
              * Seconds
-             * @description Estimated machine time of one copy (s)
+             * @description Estimated machine time of one copy (s); 0 before the job is compiled
              */
             seconds: number;
             /**
              * Seconds Left
-             * @description Estimated time until the present copy ends (s); null if it is unknown
+             * @description Estimated time until the present copy ends (s); null if it is not known
              */
             seconds_left: number | null;
             /** @description Corner types of the job; null for the fastest types */
             corners: components["schemas"]["Corners"] | null;
             /**
              * Program Sha256
-             * @description SHA-256 of the program; empty before the job is compiled
+             * @description SHA-256 of the program (64 hexadecimal digits); empty before the job is compiled
              */
             program_sha256: string;
-            /** @description Null before the program is verified */
+            /** @description Summary of the verdict on the program; null before the program is verified */
             verdict: components["schemas"]["VerdictSummary"] | null;
             /**
              * Mend
@@ -2124,7 +2283,7 @@ export interface components {
             name: string;
             /**
              * Kind
-             * @description Kind of the tool
+             * @description Kind of the tool, such as knife or crease-wheel
              */
             kind: string;
         };
@@ -2133,11 +2292,14 @@ export interface components {
          * @description Number, total length and line types of the edges that have the same layer and colour.
          */
         LayerOut: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the layer in the file
+             */
             name: string;
             /**
              * Colour
-             * @description AutoCAD colour index
+             * @description AutoCAD colour index of the edges, 1 … 255
              */
             colour: number;
             /**
@@ -2152,7 +2314,7 @@ export interface components {
             length: number;
             /**
              * Types
-             * @description Line types of the edges
+             * @description Line types that occur among these edges
              */
             types: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi")[];
         };
@@ -2163,6 +2325,7 @@ export interface components {
         LineTypeCount: {
             /**
              * Type
+             * @description Line type of the edges; `ignored` edges are not machined, `unclassified` edges have no line type yet
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
@@ -2182,9 +2345,15 @@ export interface components {
          * @description A machine of the library with its current job.
          */
         MachineOut: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the machine in the library, to be used in requests
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description Name of the machine for display
+             */
             title: string;
             /**
              * Width
@@ -2226,20 +2395,23 @@ export interface components {
             offset_cuts: boolean;
             /**
              * Feed
-             * @description manual: every job and every copy waits until the operator confirms that the sheet is on the table
+             * @description How sheets reach the table. manual: every job and every copy waits until the operator confirms that the sheet is on the table. automatic: the machine starts without confirmation
              * @enum {string}
              */
             feed: "manual" | "automatic";
             /**
              * Axes
-             * @description Travel, velocity and acceleration by axis (mm or degrees, s)
+             * @description Limits of the axes x, y, z and c: `low` and `high` are the lowest and highest joint position (mm or degrees), `velocity` (mm/s or degrees/s) and `acceleration` (mm/s² or degrees/s²) are maxima
              */
             axes: {
                 [key: string]: {
                     [key: string]: number;
                 };
             };
-            /** Stations */
+            /**
+             * Stations
+             * @description Tool stations on the head of the machine
+             */
             stations: components["schemas"]["StationOut"][];
             /**
              * Gateway
@@ -2249,7 +2421,7 @@ export interface components {
             gateway: "connected" | "absent";
             /**
              * Job
-             * @description Job on the machine's table
+             * @description Id of the job whose board is on the machine's table; null if there is none
              */
             job: string | null;
         };
@@ -2260,17 +2432,17 @@ export interface components {
         MeasuredPoint: {
             /**
              * Azimuth
-             * @description Direction of travel at the point (degrees)
+             * @description Direction of travel at the point, from the X axis (degrees, counter-clockwise)
              */
             azimuth: number;
             /**
              * Dx
-             * @description Measured minus drawn position (mm)
+             * @description Measured minus drawn position in X (mm)
              */
             dx: number;
             /**
              * Dy
-             * @description Measured minus drawn position (mm)
+             * @description Measured minus drawn position in Y (mm)
              */
             dy: number;
         };
@@ -2279,10 +2451,14 @@ export interface components {
          * @description A message from a gateway; text and hint are used if the server does not know the code.
          */
         MessageIn: {
-            /** Code */
+            /**
+             * Code
+             * @description Code that identifies the message; if the server does not know it, `text` and `hint` are shown
+             */
             code: string;
             /**
              * Arguments
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              * @default {}
              */
             arguments: {
@@ -2290,11 +2466,13 @@ export interface components {
             };
             /**
              * Text
+             * @description Text of the message in English, shown if the server does not know the code
              * @default
              */
             text: string;
             /**
              * Hint
+             * @description What the user can do, in English, shown if the server does not know the code; empty for no hint
              * @default
              */
             hint: string;
@@ -2304,10 +2482,11 @@ export interface components {
          * @description A message: its code and arguments, and its text and hint in English.
          */
         MessageOut: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -2319,7 +2498,7 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
         };
@@ -2336,23 +2515,29 @@ export interface components {
          *     If ``type`` is null, earlier overrides of the selected edges are removed.
          */
         Override: {
-            /** Type */
+            /**
+             * Type
+             * @description Line type to set; null removes earlier overrides of the selected edges
+             */
             type: ("unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi") | null;
             /**
              * Edges
-             * @description Rows of edges
+             * @description Rows of the edges to select, counted from 0; null to select by `handles` or by `layer` and `colour`
              */
             edges?: number[] | null;
             /**
              * Handles
-             * @description Handles of entities
+             * @description Handles of the entities whose edges to select; null to select in another way
              */
             handles?: string[] | null;
-            /** Layer */
+            /**
+             * Layer
+             * @description Name of the layer whose edges to select; null for any layer
+             */
             layer?: string | null;
             /**
              * Colour
-             * @description AutoCAD colour index
+             * @description AutoCAD colour index of the edges to select, 1 … 255; null for any colour
              */
             colour?: number | null;
         };
@@ -2373,7 +2558,7 @@ export interface components {
             open: number;
             /**
              * Changes
-             * @description Edges whose line type would change
+             * @description Edges whose line type would change, in groups by line type before and after
              */
             changes: components["schemas"]["ChangeOut"][];
         };
@@ -2384,38 +2569,39 @@ export interface components {
         PreviewRule: {
             /**
              * Type
+             * @description Line type for the edges that the rule matches
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** @description Conditions that an edge must fulfil */
+            /** @description Conditions that an edge must fulfil, as a message */
             conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
-             * @description Patterns for the layer name
+             * @description Patterns for the name of the layer; empty for any layer
              * @default []
              */
             layer: string[];
             /**
              * Colour
-             * @description AutoCAD colour indices, or #rrggbb
+             * @description AutoCAD colour indices (integers) or colours "#rrggbb"; empty for any colour
              * @default []
              */
             colour: (number | string)[];
             /**
              * Linetype
-             * @description Patterns for the linetype
+             * @description Patterns for the linetype, such as DASHED; empty for any linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
-             * @description Patterns for the kind of entity, such as LINE or ARC
+             * @description Patterns for the type of the entity in the file, such as LINE or ARC; empty for any type
              * @default []
              */
             entity: string[];
             /**
              * Block
-             * @description Patterns for the name of the block that contains the entity
+             * @description Patterns for the name of the block that contains the entity; empty for any entity
              * @default []
              */
             block: string[];
@@ -2427,12 +2613,12 @@ export interface components {
             inherited: boolean;
             /**
              * Edges
-             * @description Number of edges
+             * @description Number of edges that the rule matches
              */
             edges: number;
             /**
              * Length
-             * @description Total length of the edges (mm)
+             * @description Total length of the edges that the rule matches (mm)
              */
             length: number;
         };
@@ -2441,24 +2627,30 @@ export interface components {
          * @description The profile of a customer; the first rule that matches an edge sets its line type.
          */
         ProfileIn: {
-            /** Title */
+            /**
+             * Title
+             * @description Name of the profile for display
+             */
             title: string;
             /**
              * Extends
-             * @description Profile of the library whose rules also apply
+             * @description Name of the library profile whose rules also apply; null for none
              */
             extends?: string | null;
             /**
              * Overrules
-             * @description Whether these rules come before those of the extended profile
+             * @description Whether the rules of this profile come before those of the extended profile; without effect if `extends` is null
              * @default true
              */
             overrules: boolean;
-            /** Rules */
+            /**
+             * Rules
+             * @description Rules in the order in which they are tried; the first that matches an edge sets its line type
+             */
             rules: components["schemas"]["RuleIn"][];
             /**
              * Version
-             * @description Expected version; may also be sent as If-Match
+             * @description Version of the profile on which the change is based; may also be sent as If-Match. Null for a new profile
              */
             version?: number | null;
         };
@@ -2467,19 +2659,25 @@ export interface components {
          * @description A classification profile with its rules in order.
          */
         ProfileOut: {
-            /** Name */
+            /**
+             * Name
+             * @description Name of the profile, to be used in requests
+             */
             name: string;
-            /** Title */
+            /**
+             * Title
+             * @description Name of the profile for display
+             */
             title: string;
             /**
              * Shipped
-             * @description Part of knifetip's library; cannot be changed
+             * @description Whether the profile is part of knifetip's library; such a profile cannot be changed
              * @default false
              */
             shipped: boolean;
             /**
              * Extends
-             * @description Profile of the library whose rules also apply; null for none
+             * @description Name of the library profile whose rules also apply; null for none
              */
             extends?: string | null;
             /**
@@ -2490,13 +2688,13 @@ export interface components {
             overrules: boolean;
             /**
              * Version
-             * @description Increases with each change; 0 in the library
+             * @description Version of the profile; increases with each change; 0 for a library profile
              * @default 0
              */
             version: number;
             /**
              * Updated
-             * @description Time of the last change; 0 in the library
+             * @description Time of the last change (seconds since 1970-01-01 UTC); 0 for a library profile
              * @default 0
              */
             updated: number;
@@ -2507,7 +2705,7 @@ export interface components {
             rules: components["schemas"]["RuleOut"][];
             /**
              * Fault
-             * @description Reason why the profile cannot be used any more; empty if it can
+             * @description Reason why the profile cannot be used any more, in English; empty if it can be used
              * @default
              */
             fault: string;
@@ -2517,20 +2715,21 @@ export interface components {
          * @description A proposed rule that gives edges the line types that the user set for them by hand.
          */
         ProposalOut: {
+            /** @description Proposed rule */
             rule: components["schemas"]["RuleOut"];
             /**
              * Explains
-             * @description Corrected edges that the rule matches
+             * @description Rows of the edges that the user corrected and that the rule matches
              */
             explains: number[];
             /**
              * Sure
-             * @description Whether the rule changes no edge with a decided line type
+             * @description Whether the rule would change no edge that already has a line type
              */
             sure: boolean;
             /**
              * Changes
-             * @description Other edges whose line type would change
+             * @description Edges that the user did not correct and whose line type the rule would change
              */
             changes: components["schemas"]["ChangeOut"][];
         };
@@ -2539,10 +2738,11 @@ export interface components {
          * @description A question that the user must answer before the drawing can be compiled.
          */
         QuestionOut: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -2554,33 +2754,33 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
             /**
              * Kind
-             * @description Decision that the question concerns
+             * @description Decision that is missing. unit: the unit of the drawing. line-type: the line type of edges. tool: another line type for edges for whose line type the machine has no tool
              * @enum {string}
              */
             kind: "unit" | "line-type" | "tool";
             /**
              * Choices
-             * @description Possible answers
+             * @description Possible answers: units for `unit`, line types for the other kinds
              */
             choices: string[];
             /**
              * Edges
-             * @description Rows of the edges that the question concerns
+             * @description Rows of the edges that the question concerns, counted from 0; empty if it concerns the whole drawing
              */
             edges: number[];
             /**
              * Layer
-             * @description Layer that the question concerns; empty for none
+             * @description Name of the layer of these edges; empty if the question concerns no single layer
              */
             layer: string;
             /**
              * Colour
-             * @description AutoCAD colour index that the question concerns; 0 for none
+             * @description AutoCAD colour index of these edges, 1 … 255; 0 if the question concerns no single colour
              */
             colour: number;
         };
@@ -2591,20 +2791,21 @@ export interface components {
         ReportGroup: {
             /**
              * Outcome
+             * @description Outcome of the edges or entities: kept, merged or dropped
              * @enum {string}
              */
             outcome: "kept" | "merged" | "dropped";
-            /** @description Reason for the first one; measured values may differ for the rest */
+            /** @description Reason for the outcome of the first edge or entity of the group; measured values in it may differ for the rest */
             reason: components["schemas"]["MessageOut"];
             /**
              * What
-             * @description What is counted: edges of the drawing, or entities that gave no edge
+             * @description What `count` counts: edges of the drawing, or entities of the file that gave no edge
              * @enum {string}
              */
             what: "edges" | "entities";
             /**
              * Kinds
-             * @description Kinds of entities, most frequent first
+             * @description Types of the entities in the file, such as LINE, the most frequent first; at most 6
              */
             kinds: string[];
             /**
@@ -2614,7 +2815,7 @@ export interface components {
             count: number;
             /**
              * Length
-             * @description Total length (mm)
+             * @description Total length of the edges or entities (mm; file units if the unit is unknown)
              */
             length: number;
         };
@@ -2625,15 +2826,30 @@ export interface components {
          *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.
          */
         ReportOut: {
-            /** Drawn */
+            /**
+             * Drawn
+             * @description Length of all edges and entities of the file: `kept` + `merged` + `dropped` (mm)
+             */
             drawn: number;
-            /** Kept */
+            /**
+             * Kept
+             * @description Length that is kept (mm); edges that are ignored or not classified are included
+             */
             kept: number;
-            /** Merged */
+            /**
+             * Merged
+             * @description Length that lies on other edges or equals other entities (mm)
+             */
             merged: number;
-            /** Dropped */
+            /**
+             * Dropped
+             * @description Length that is left out because it is too short, or is not a drawing line (mm)
+             */
             dropped: number;
-            /** Groups */
+            /**
+             * Groups
+             * @description Edges and entities in groups by outcome and reason: dropped, merged, kept
+             */
             groups: components["schemas"]["ReportGroup"][];
         };
         /**
@@ -2645,36 +2861,37 @@ export interface components {
         RuleIn: {
             /**
              * Type
+             * @description Line type for the edges that the rule matches
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
             /**
              * Layer
-             * @description Patterns for the layer name
+             * @description Patterns for the name of the layer; empty for any layer
              * @default []
              */
             layer: string[];
             /**
              * Colour
-             * @description AutoCAD indices, or "#rrggbb"
+             * @description AutoCAD colour indices (integers) or colours "#rrggbb"; empty for any colour
              * @default []
              */
             colour: (number | string)[];
             /**
              * Linetype
-             * @description Patterns for the linetype
+             * @description Patterns for the linetype, such as DASHED; empty for any linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
-             * @description Patterns for the kind of entity, such as LINE or ARC
+             * @description Patterns for the type of the entity in the file, such as LINE or ARC; empty for any type
              * @default []
              */
             entity: string[];
             /**
              * Block
-             * @description Patterns for the name of the block that contains the entity
+             * @description Patterns for the name of the block that contains the entity; empty for any entity
              * @default []
              */
             block: string[];
@@ -2686,38 +2903,39 @@ export interface components {
         RuleOut: {
             /**
              * Type
+             * @description Line type for the edges that the rule matches
              * @enum {string}
              */
             type: "unclassified" | "cut" | "crease" | "v-groove" | "perforation" | "half-cut" | "ignored" | "combi";
-            /** @description Conditions that an edge must fulfil */
+            /** @description Conditions that an edge must fulfil, as a message */
             conditions: components["schemas"]["MessageOut"];
             /**
              * Layer
-             * @description Patterns for the layer name
+             * @description Patterns for the name of the layer; empty for any layer
              * @default []
              */
             layer: string[];
             /**
              * Colour
-             * @description AutoCAD colour indices, or #rrggbb
+             * @description AutoCAD colour indices (integers) or colours "#rrggbb"; empty for any colour
              * @default []
              */
             colour: (number | string)[];
             /**
              * Linetype
-             * @description Patterns for the linetype
+             * @description Patterns for the linetype, such as DASHED; empty for any linetype
              * @default []
              */
             linetype: string[];
             /**
              * Entity
-             * @description Patterns for the kind of entity, such as LINE or ARC
+             * @description Patterns for the type of the entity in the file, such as LINE or ARC; empty for any type
              * @default []
              */
             entity: string[];
             /**
              * Block
-             * @description Patterns for the name of the block that contains the entity
+             * @description Patterns for the name of the block that contains the entity; empty for any entity
              * @default []
              */
             block: string[];
@@ -2733,21 +2951,24 @@ export interface components {
          * @description Version of the server, and progress of compiling its kernels after an installation.
          */
         ServiceOut: {
-            /** Version */
+            /**
+             * Version
+             * @description Version of knifetip on the server, such as 1.2.0
+             */
             version: string;
             /**
              * Preparing
-             * @description Uploads and jobs may have to wait until the parts that they need are compiled
+             * @description Whether the server still compiles functions after an installation; uploads and jobs that need these functions wait meanwhile
              */
             preparing: boolean;
             /**
              * Parts Compiled
-             * @description Parts compiled since the server started
+             * @description Number of groups of functions compiled since the server started
              */
             parts_compiled: number;
             /**
              * Parts
-             * @description Parts that had to be compiled when the server started
+             * @description Number of groups of functions that had to be compiled when the server started
              */
             parts: number;
         };
@@ -2766,10 +2987,13 @@ export interface components {
         StationOut: {
             /**
              * Number
-             * @description Number in the T word of programs
+             * @description Number of the station in the T words of programs
              */
             number: number;
-            /** Name */
+            /**
+             * Name
+             * @description Name of the station, such as the tool's name on the machine
+             */
             name: string;
             /**
              * Datum
@@ -2783,6 +3007,7 @@ export interface components {
              * @description Digital output of the piston that lowers the station; -1 for none
              */
             output: number;
+            /** @description Tool in the station */
             tool: components["schemas"]["ToolOut"];
         };
         /**
@@ -2797,13 +3022,13 @@ export interface components {
             kind: string;
             /**
              * Dimensions
-             * @description Dimensions by name
+             * @description Dimensions by name (mm; degrees for angles), or true and false for properties
              */
             dimensions: {
                 [key: string]: number | boolean;
             };
-            /** @description Outline of the tool for drawing, and the position of its tip */
-            footprint: components["schemas"]["Footprint"];
+            /** @description Shape of the tool's mark on the board and position of its tip, for drawing the tool */
+            footprint: components["schemas"]["FootprintOut"];
             /**
              * Machine
              * @description Name of the machine
@@ -2832,23 +3057,24 @@ export interface components {
             kind: string;
             /**
              * Dimensions
-             * @description Dimensions by name
+             * @description Dimensions by name (mm; degrees for angles), or true and false for properties
              */
             dimensions: {
                 [key: string]: number | boolean;
             };
-            /** @description Outline of the tool for drawing, and the position of its tip */
-            footprint: components["schemas"]["Footprint"];
+            /** @description Shape of the tool's mark on the board and position of its tip, for drawing the tool */
+            footprint: components["schemas"]["FootprintOut"];
         };
         /**
          * UnitEvidenceOut
          * @description One observation that supports a unit for the drawing.
          */
         UnitEvidenceOut: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -2860,17 +3086,18 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
             /**
              * Unit
+             * @description Unit that the observation supports
              * @enum {string}
              */
             unit: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px";
             /**
              * Weight
-             * @description Logarithm of the likelihood ratio to the least likely unit
+             * @description Strength of the evidence: natural logarithm of the likelihood ratio of this unit to the least likely unit
              */
             weight: number;
         };
@@ -2881,22 +3108,22 @@ export interface components {
         UnitFindingOut: {
             /**
              * Stated
-             * @description Unit in the file's header; empty if there is none
+             * @description Unit in the header of the file; empty if the header contains none
              */
             stated: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "";
             /**
              * Ranking
-             * @description Units, most likely first
+             * @description All units, the most likely first
              */
             ranking: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px")[];
             /**
              * Evidence
-             * @description Highest weight first
+             * @description Observations that support a unit, the highest weight first
              */
             evidence: components["schemas"]["UnitEvidenceOut"][];
             /**
              * Warnings
-             * @description Contradictions that the user should check
+             * @description Contradictions in the evidence, which the user should check; empty if there are none
              */
             warnings: components["schemas"]["MessageOut"][];
         };
@@ -2922,7 +3149,7 @@ export interface components {
             y: number;
             /**
              * Outline
-             * @description Lines and arcs of the outline: start, end and bulge, tan(sweep / 4)
+             * @description Lines and arcs of the outline of the area: start [X, Y] and end [X, Y] (mm), and bulge: tan(sweep / 4), 0 for a line
              */
             outline: [
                 [
@@ -2968,24 +3195,24 @@ export interface components {
             overcut: number;
             /**
              * Uncut
-             * @description Maximum uncut length of one edge (mm)
+             * @description Maximum length of one edge that is left uncut by mistake (mm)
              */
             uncut: number;
             /**
              * Uncut Total
-             * @description Uncut length of all edges (mm)
+             * @description Length of all edges that is left uncut by mistake (mm)
              * @default 0
              */
             uncut_total: number;
             /**
              * Setback Total
-             * @description Setback of all edges (mm)
+             * @description Length of all edges that is left uncut by plan, such as at the ends of creases (mm)
              * @default 0
              */
             setback_total: number;
             /**
              * Unreached
-             * @description Area that no cutter reaches (mm²)
+             * @description Total area that no cutter reaches (mm²)
              * @default 0
              */
             unreached: number;
@@ -2997,69 +3224,72 @@ export interface components {
             unreached_places: number;
             /**
              * Seconds
-             * @description Machine time of the program (s)
+             * @description Machine time of one copy (s)
              */
             seconds: number;
             /**
              * Seconds Retracted
-             * @description Machine time if the tool retracted fully for every turn (s)
+             * @description Machine time of one copy if the tool retracted fully for every turn (s); null if an older version compiled the job
              */
             seconds_retracted?: number | null;
-            /** Findings */
+            /**
+             * Findings
+             * @description Faults in the program; empty if there are none
+             */
             findings: components["schemas"]["FindingOut"][];
             /**
              * Areas
-             * @description Areas that no cutter reaches, largest first
+             * @description Areas that no cutter reaches, the largest first; empty if there are none
              */
             areas: components["schemas"]["UnreachedOut"][];
             /**
              * Edge Deviation
-             * @description Maximum distance of the tip from the edge (mm)
+             * @description Per edge: maximum distance of the tip from the edge (mm)
              */
             edge_deviation: number[];
             /**
              * Edge Overcut
-             * @description Length cut beyond the ends of the edge (mm)
+             * @description Per edge: length cut beyond the ends of the edge (mm)
              */
             edge_overcut: number[];
             /**
              * Edge Uncut
-             * @description Length of the edge that is not machined by mistake (mm)
+             * @description Per edge: length that is not machined by mistake (mm)
              */
             edge_uncut: number[];
             /**
              * Edge Setback
-             * @description Length of the edge that is not machined by plan, such as crease ends (mm)
+             * @description Per edge: length that is not machined by plan, such as crease ends (mm)
              */
             edge_setback: number[];
             /**
              * Edge Width
-             * @description Width of a V-groove at the top face (mm); 0 for other edges
+             * @description Per edge: width of a V-groove at the top face (mm); 0 for other edges
              */
             edge_width: number[];
             /**
              * Edge Web
-             * @description Board left below a V-groove (mm); 0 for other edges
+             * @description Per edge: thickness of the board left below a V-groove (mm); 0 for other edges
              */
             edge_web: number[];
             /**
              * Edge Flank
-             * @description Maximum deviation of a V-groove's flank (mm)
+             * @description Per edge: maximum deviation of the flanks of a V-groove (mm); 0 for other edges
              */
             edge_flank: number[];
             /**
              * Edge Unreached
-             * @description Length that no cutter reaches (mm)
+             * @description Per edge: length that no cutter reaches (mm)
              */
             edge_unreached: number[];
             /**
              * Edge Bottom Uncut
-             * @description Length not cut at the bottom face (mm)
+             * @description Per edge: length not cut at the bottom face of the board (mm)
              */
             edge_bottom_uncut: number[];
             /**
              * Edge Top Overcut
-             * @description Length cut beyond the ends at the top face (mm)
+             * @description Per edge: length cut beyond the ends at the top face of the board (mm)
              */
             edge_top_overcut: number[];
         };
@@ -3090,24 +3320,24 @@ export interface components {
             overcut: number;
             /**
              * Uncut
-             * @description Maximum uncut length of one edge (mm)
+             * @description Maximum length of one edge that is left uncut by mistake (mm)
              */
             uncut: number;
             /**
              * Uncut Total
-             * @description Uncut length of all edges (mm)
+             * @description Length of all edges that is left uncut by mistake (mm)
              * @default 0
              */
             uncut_total: number;
             /**
              * Setback Total
-             * @description Setback of all edges (mm)
+             * @description Length of all edges that is left uncut by plan, such as at the ends of creases (mm)
              * @default 0
              */
             setback_total: number;
             /**
              * Unreached
-             * @description Area that no cutter reaches (mm²)
+             * @description Total area that no cutter reaches (mm²)
              * @default 0
              */
             unreached: number;
@@ -3119,12 +3349,12 @@ export interface components {
             unreached_places: number;
             /**
              * Seconds
-             * @description Machine time of the program (s)
+             * @description Machine time of one copy (s)
              */
             seconds: number;
             /**
              * Seconds Retracted
-             * @description Machine time if the tool retracted fully for every turn (s)
+             * @description Machine time of one copy if the tool retracted fully for every turn (s); null if an older version compiled the job
              */
             seconds_retracted?: number | null;
         };
@@ -3133,10 +3363,11 @@ export interface components {
          * @description An error in the format of RFC 9457, with a hint and the entities that the error concerns.
          */
         Problem: {
+            /** @description Code that identifies the message; its arguments are in the schema Message */
             code: components["schemas"]["MessageCode"];
             /**
              * Arguments
-             * @description Arguments of the code; their types are in the schema Message
+             * @description Arguments by name, to be inserted into the text; their types for each code are in the schema Message
              */
             arguments: {
                 [key: string]: unknown;
@@ -3148,43 +3379,45 @@ export interface components {
             text: string;
             /**
              * Hint
-             * @description Action for the user in English; empty if there is none
+             * @description What the user can do, in English; empty if there is no hint
              */
             hint: string;
             /**
              * Type
+             * @description Always `about:blank`; `code` identifies the error
              * @default about:blank
              */
             type: string;
             /**
              * Title
-             * @description Name of the type of error
+             * @description Name of the type of error in English
              */
             title: string;
             /**
              * Status
-             * @description HTTP status
+             * @description HTTP status of the response
              */
             status: number;
             /**
              * Detail
-             * @description Same value as `text`, under the name that RFC 9457 gives it
+             * @description Same text as `text`, under the name that RFC 9457 prescribes
              */
             detail: string;
             /**
              * Source
-             * @description Entity handles or request fields that the error concerns
+             * @description Entity handles, edge rows or names of request fields that the error concerns; empty if there are none
              * @default []
              */
             source: string[];
             /**
              * Questions
+             * @description Questions that must be answered before the job can be created; empty for other errors
              * @default []
              */
             questions: components["schemas"]["QuestionOut"][];
             /**
              * Revision
-             * @description Current revision, if the request named an older one
+             * @description Current revision of the drawing, if the request named an older one; else null
              * @default null
              */
             revision: number | null;
@@ -8486,9 +8719,9 @@ export interface operations {
     list_drawings: {
         parameters: {
             query?: {
-                /** @description Position in the list, from the Link header */
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
                 cursor?: number | null;
-                /** @description Maximum length of the list */
+                /** @description Maximum number of items in the list */
                 limit?: number;
             };
             header?: never;
@@ -8521,7 +8754,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Repeating a request with the same key returns the first result */
+                /** @description Text chosen by the client; repeating a request with the same key returns the first result instead of creating a second drawing or job */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -8561,6 +8794,7 @@ export interface operations {
                 "If-None-Match"?: string | null;
             };
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8599,6 +8833,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8631,6 +8866,7 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8664,11 +8900,12 @@ export interface operations {
     get_edges: {
         parameters: {
             query?: {
-                /** @description `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
+                /** @description Format of the response: `json`, or `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8711,6 +8948,7 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8744,11 +8982,12 @@ export interface operations {
     get_import_report: {
         parameters: {
             query?: {
-                /** @description List only entities with this outcome */
+                /** @description List only entities with this outcome; all if it is missing */
                 outcome?: ("kept" | "merged" | "dropped") | null;
             };
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8780,6 +9019,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8811,6 +9051,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -8840,11 +9081,11 @@ export interface operations {
     list_jobs: {
         parameters: {
             query?: {
-                /** @description List only jobs in this state; may be repeated */
+                /** @description List only jobs in this state; may be repeated; all if it is missing */
                 state?: ("received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "cancelled")[] | null;
-                /** @description Position in the list, from the Link header */
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
                 cursor?: number | null;
-                /** @description Maximum length of the list */
+                /** @description Maximum number of items in the list */
                 limit?: number;
             };
             header?: never;
@@ -8877,7 +9118,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Repeating a request with the same key returns the first result */
+                /** @description Text chosen by the client; repeating a request with the same key returns the first result instead of creating a second drawing or job */
                 "Idempotency-Key"?: string | null;
             };
             path?: never;
@@ -8914,6 +9155,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -8945,6 +9187,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -8976,6 +9219,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9005,11 +9249,12 @@ export interface operations {
     get_verdict: {
         parameters: {
             query?: {
-                /** @description `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
+                /** @description Format of the response: `json`, or `columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with name, dtype, shape and offset of each array), and the arrays */
                 format?: "json" | "columns";
             };
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9042,6 +9287,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9073,6 +9319,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9104,6 +9351,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9139,6 +9387,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9170,6 +9419,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9201,6 +9451,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9232,6 +9483,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9263,6 +9515,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9294,6 +9547,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;
@@ -9323,11 +9577,11 @@ export interface operations {
     get_events: {
         parameters: {
             query?: {
-                /** @description Event id in place of the header */
+                /** @description Same as the header, which takes precedence */
                 after?: number | null;
             };
             header?: {
-                /** @description Id of the last received event */
+                /** @description Id of the last received event; later changes are sent again */
                 "Last-Event-ID"?: string | null;
             };
             path?: never;
@@ -9389,6 +9643,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the machine in the library */
                 name: string;
             };
             cookie?: never;
@@ -9478,6 +9733,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the board in the library */
                 name: string;
             };
             cookie?: never;
@@ -9509,6 +9765,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the board in the library */
                 name: string;
             };
             cookie?: never;
@@ -9602,6 +9859,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the classification profile */
                 name: string;
             };
             cookie?: never;
@@ -9633,6 +9891,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Name of the classification profile */
                 name: string;
             };
             cookie?: never;
@@ -9667,6 +9926,7 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
+                /** @description Name of the classification profile */
                 name: string;
             };
             cookie?: never;
@@ -9706,6 +9966,7 @@ export interface operations {
                 "If-Match"?: string | null;
             };
             path: {
+                /** @description Name of the classification profile */
                 name: string;
             };
             cookie?: never;
@@ -9735,6 +9996,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -9770,6 +10032,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the drawing */
                 id: string;
             };
             cookie?: never;
@@ -9841,6 +10104,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
+                /** @description Id of the job */
                 id: string;
             };
             cookie?: never;

@@ -324,6 +324,29 @@ def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(
     assert referred <= set(described["components"]["schemas"])
 
 
+def test_openapi_describes_every_property_and_every_parameter(client: httpx.Client) -> None:
+    described = client.get("/api/openapi.json").json()
+    properties = {
+        f"{name}.{field}": schema
+        for name, model in described["components"]["schemas"].items()
+        for field, schema in model.get("properties", {}).items()
+    }
+    parameters = {
+        f"{method} {path} {parameter['name']}": parameter
+        for path, operations in described["paths"].items()
+        for method, operation in operations.items()
+        for parameter in operation.get("parameters", [])
+    }
+    assert len(properties) > 300
+    assert len(parameters) > 40
+    bare = [
+        name
+        for name, schema in {**properties, **parameters}.items()
+        if not schema.get("description", "").strip()
+    ]
+    assert bare == []
+
+
 def test_health_and_readiness(client: httpx.Client) -> None:
     assert client.get("/healthz").json()["status"] == "ok"
     assert client.get("/readyz").json()["checks"] == {"database": "ok", "workers": "ok"}

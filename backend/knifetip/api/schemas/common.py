@@ -25,12 +25,25 @@ class QuestionOut(MessageOut):
     """A question that the user must answer before the drawing can be compiled."""
 
     kind: Literal["unit", "line-type", "tool"] = Field(
-        description="Decision that the question concerns"
+        description="Decision that is missing. unit: the unit of the drawing. line-type: the line "
+        "type of edges. tool: another line type for edges for whose line type the "
+        "machine has no tool"
     )
-    choices: list[str] = Field(description="Possible answers")
-    edges: list[int] = Field(description="Rows of the edges that the question concerns")
-    layer: str = Field(description="Layer that the question concerns; empty for none")
-    colour: int = Field(description="AutoCAD colour index that the question concerns; 0 for none")
+    choices: list[str] = Field(
+        description="Possible answers: units for `unit`, line types for the other kinds"
+    )
+    edges: list[int] = Field(
+        description="Rows of the edges that the question concerns, counted from 0; empty if it "
+        "concerns the whole drawing"
+    )
+    layer: str = Field(
+        description="Name of the layer of these edges; empty if the question concerns no single "
+        "layer"
+    )
+    colour: int = Field(
+        description="AutoCAD colour index of these edges, 1 … 255; 0 if the question concerns no "
+        "single colour"
+    )
 
 
 class Problem(MessageOut):
@@ -38,35 +51,53 @@ class Problem(MessageOut):
 
     text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
-    type: str = "about:blank"
-    title: str = Field(description="Name of the type of error")
-    status: int = Field(description="HTTP status")
-    detail: str = Field(description="Same value as `text`, under the name that RFC 9457 gives it")
-    source: list[str] = Field(
-        default=[], description="Entity handles or request fields that the error concerns"
+    type: str = Field(
+        default="about:blank", description="Always `about:blank`; `code` identifies the error"
     )
-    questions: list[QuestionOut] = Field(default=[])
+    title: str = Field(description="Name of the type of error in English")
+    status: int = Field(description="HTTP status of the response")
+    detail: str = Field(description="Same text as `text`, under the name that RFC 9457 prescribes")
+    source: list[str] = Field(
+        default=[],
+        description="Entity handles, edge rows or names of request fields that the error "
+        "concerns; empty if there are none",
+    )
+    questions: list[QuestionOut] = Field(
+        default=[],
+        description="Questions that must be answered before the job can be created; empty for "
+        "other errors",
+    )
     revision: int | None = Field(
-        default=None, description="Current revision, if the request named an older one"
+        default=None,
+        description="Current revision of the drawing, if the request named an older one; else null",
     )
 
 
 class ServiceOut(BaseModel):
     """Version of the server, and progress of compiling its kernels after an installation."""
 
-    version: str
+    version: str = Field(description="Version of knifetip on the server, such as 1.2.0")
     preparing: bool = Field(
-        description="Uploads and jobs may have to wait until the parts that they need are compiled"
+        description="Whether the server still compiles functions after an installation; uploads "
+        "and jobs that need these functions wait meanwhile"
     )
-    parts_compiled: int = Field(description="Parts compiled since the server started")
-    parts: int = Field(description="Parts that had to be compiled when the server started")
+    parts_compiled: int = Field(
+        description="Number of groups of functions compiled since the server started"
+    )
+    parts: int = Field(
+        description="Number of groups of functions that had to be compiled when the server started"
+    )
 
 
 class Health(BaseModel):
     """State of the server: whether it runs and can process requests."""
 
-    status: Literal["ok", "starting"] = Field(description="ok if all checks are ok")
-    version: str
+    status: Literal["ok", "starting"] = Field(
+        description="ok if the server can process requests; starting if it cannot, see `checks`"
+    )
+    version: str = Field(description="Version of knifetip on the server, such as 1.2.0")
     checks: dict[str, str] = Field(
-        default={}, description="State of the database and of the worker processes: ok or the fault"
+        default={},
+        description="`ok` or the fault, by component: `database` and `workers` (the processes "
+        "that read and compile); empty if nothing was checked",
     )

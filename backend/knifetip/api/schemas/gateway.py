@@ -13,8 +13,12 @@ from knifetip.api.schemas.messages import MessageIn
 class ClaimIn(Strict):
     """Request of a gateway for the next job of its machine."""
 
-    gateway: Name
-    machine: Name
+    gateway: Name = Field(
+        description="Name of the gateway, unique among all gateways, as it is shown in job events"
+    )
+    machine: Name = Field(
+        description="Name of the machine in the library, as in `GET /api/machines`"
+    )
     wait: float = Field(
         default=20.0, ge=0.0, le=60.0, description="Maximum time to wait for a job (s)"
     )
@@ -26,10 +30,10 @@ class Claim(BaseModel):
     job: str = Field(description="Id of the job")
     epoch: int = Field(description="Increases with each claim; to be sent with every report")
     lease: float = Field(description="Duration of the lease (s); renewed by each heartbeat")
-    program: str = Field(description="URL of the program")
-    sha256: str = Field(description="SHA-256 of the program")
+    program: str = Field(description="URL of the program, relative to the server")
+    sha256: str = Field(description="SHA-256 of the program (64 hexadecimal digits)")
     lines: int = Field(description="Number of program lines")
-    copies: int = Field(description="Number of copies that remain")
+    copies: int = Field(description="Number of copies that remain to be made")
     confirm: bool = Field(
         default=False,
         description="Send nothing to the machine; send heartbeats with `waiting` until the reply "
@@ -40,20 +44,23 @@ class Claim(BaseModel):
 class HeartbeatIn(Strict):
     """Report of a gateway on the progress of its job."""
 
-    job: Name
+    job: Name = Field(description="Id of the job, from the claim")
     epoch: Count = Field(description="Epoch of the claim")
     line: Count = Field(description="Number of executed program lines of the present copy")
     copies_done: Count = Field(default=0, description="Copies completed since this claim")
-    held: bool = Field(default=False, description="Whether the machine holds")
+    held: bool = Field(default=False, description="Whether the machine has stopped and can resume")
     waiting: bool = Field(
         default=False,
         description="Nothing has been sent to the machine; the gateway waits for `start`",
     )
     position: tuple[float, float, float, float] | None = Field(
-        default=None, description="Position on the sheet: X, Y of the head axis, Z of the tip, C"
+        default=None,
+        description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C "
+        "(degrees); null if it is not known",
     )
     seconds_left: float | None = Field(
-        default=None, description="Estimated time until the present copy ends (s)"
+        default=None,
+        description="Estimated time until the present copy ends (s); null if it is not known",
     )
 
 
@@ -61,7 +68,10 @@ class HeartbeatOut(BaseModel):
     """Response to a heartbeat: the command for the gateway."""
 
     command: Literal["wait", "start", "continue", "hold", "resume", "cancel"] = Field(
-        description="Command for the machine"
+        description="Command for the gateway: wait: send nothing to the machine yet. start: begin "
+        "the program. continue: no change. hold: stop the machine so that it can "
+        "resume. resume: continue after a hold. cancel: stop the machine and end the "
+        "job"
     )
     lease: float = Field(description="Duration of the lease from now on (s)")
 
@@ -69,16 +79,23 @@ class HeartbeatOut(BaseModel):
 class FinishIn(Strict):
     """Report of a gateway that a job has ended."""
 
-    job: Name
+    job: Name = Field(description="Id of the job, from the claim")
     epoch: Count = Field(description="Epoch of the claim")
     outcome: Literal["done", "interrupted", "cancelled", "returned"] = Field(
-        description="returned: the job is released; nothing was sent to the machine"
+        description="done: all copies are complete. interrupted: the machine stopped before the "
+        "end. cancelled: the machine was stopped as requested. returned: the job is "
+        "released; nothing was sent to the machine"
     )
     why: Annotated[str, Field(max_length=2000)] | MessageIn = Field(
-        default="", description="Cause: a message, or a text for which there is no code"
+        default="",
+        description="Cause of the end: a message, or a text for which there is no code; empty for "
+        "none",
     )
     line: Count | None = Field(
         default=None,
-        description="Last executed program line. Default: the line of the last heartbeat",
+        description="Last executed program line; null for the line of the last heartbeat",
     )
-    copies_done: Count | None = Field(default=None, description="Copies completed since this claim")
+    copies_done: Count | None = Field(
+        default=None,
+        description="Copies completed since this claim; null for the number in the last heartbeat",
+    )

@@ -34,11 +34,18 @@ CornerParameter = Annotated[
 class CornerAt(Strict):
     """Corner type of one corner, which is selected by its position."""
 
-    x: float = Field(description="Position in the drawing (mm), within 0.5 mm of the corner")
-    y: float = Field(description="Position in the drawing (mm)")
-    type: CornerType
+    x: float = Field(
+        description="X in the drawing (mm); the point must be within 0.5 mm of a corner"
+    )
+    y: float = Field(
+        description="Y in the drawing (mm); the point must be within 0.5 mm of a corner"
+    )
+    type: CornerType = Field(
+        description="Corner type of this corner; auto: the type that is fastest on the machine"
+    )
     k: CornerParameter | None = Field(
-        default=None, description="Parameter k of this corner. Default: k of the job"
+        default=None,
+        description="Parameter k of this corner, if it has type D; null for the `k` of the job",
     )
 
 
@@ -50,50 +57,81 @@ class Corners(Strict):
     machine.
     """
 
-    type: CornerType = "auto"
-    k: CornerParameter = 0.5
+    type: CornerType = Field(
+        default="auto",
+        description="Type of all corners that are not in `at`; auto: for each corner the type "
+        "that is fastest on the machine",
+    )
+    k: CornerParameter = Field(
+        default=0.5,
+        description="Parameter k of corners of type D, between 0 (like type B) and 1 (like type C)",
+    )
     interference: Literal["trim", "refuse"] = Field(
         default="trim",
-        description="Reaction if the cutter does not fit: leave the area uncut, or refuse the job",
+        description="What happens if the cutter does not fit into a place: trim leaves the area "
+        "uncut, refuse refuses the job",
     )
     at: list[CornerAt] = Field(
-        default=[], max_length=1000, description="Corners with a type of their own"
+        default=[],
+        max_length=1000,
+        description="Corners with a type of their own; empty if there are none",
     )
 
 
 class JobIn(Strict):
     """A new job: a drawing, a machine and a board."""
 
-    drawing: Name
+    drawing: Name = Field(description="Id of the drawing")
     revision: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
-        default=None, description="Expected revision of the drawing; 412 if it has changed since"
+        default=None,
+        description="Expected revision of the drawing; the status is 412 if the drawing has "
+        "another one. Null for the newest revision",
     )
-    machine: Name = "demo-table"
-    board: Name
+    machine: Name = Field(
+        default="demo-table",
+        description="Name of the machine in the library, as in `GET /api/machines`",
+    )
+    board: Name = Field(description="Name of the board in the library, as in `GET /api/boards`")
     profile: Name | None = Field(
-        default=None, description="Classification profile. Default: the profile of the drawing"
+        default=None,
+        description="Name of the classification profile; null for the profile of the drawing",
     )
     copies: int = Field(default=1, ge=1, le=1000, description="Number of sheets to make")
     priority: int = Field(
-        default=0, ge=-100, le=100, description="Jobs with a higher priority come first"
+        default=0,
+        ge=-100,
+        le=100,
+        description="Priority in the queue of the machine; jobs with a higher number come first",
     )
     overrides: list[Override] = Field(
-        default=[], max_length=1000, description="Line types of edges for this job only"
+        default=[],
+        max_length=1000,
+        description="Line types of edges for this job only, in addition to those of the drawing",
     )
     corners: Corners | None = Field(
         default=None,
-        description="Corner types, for routers and lasers only; null: the fastest types",
+        description="Corner types, for routers and lasers only; null for the fastest types",
     )
-    release: bool = Field(default=False, description="Queue the job as soon as it is ready")
+    release: bool = Field(
+        default=False,
+        description="Whether to queue the job as soon as its program is accepted; if false, the "
+        "job stays `ready` until it is released",
+    )
 
 
 class ConfirmIn(Strict):
     """Confirmation of a job by the operator; all fields are optional."""
 
     board: Name | None = Field(
-        default=None, description="Board on the table; refused if it is not the board of the job"
+        default=None,
+        description="Name of the board on the table; the request is refused if it is not the "
+        "board of the job. Null for no check",
     )
-    by: str = Field(default="", max_length=100, description="Name of the operator, for the record")
+    by: str = Field(
+        default="",
+        max_length=100,
+        description="Name of the operator, for the record of job events; empty if it is not known",
+    )
 
 
 class JobTool(BaseModel):
@@ -101,7 +139,7 @@ class JobTool(BaseModel):
 
     station: int = Field(description="Number of the station")
     name: str = Field(description="Name of the station")
-    kind: str = Field(description="Kind of the tool")
+    kind: str = Field(description="Kind of the tool, such as knife or crease-wheel")
 
 
 class VerdictSummary(BaseModel):
@@ -111,22 +149,39 @@ class VerdictSummary(BaseModel):
     tolerance: float = Field(description="Maximum permitted deviation (mm)")
     deviation: float = Field(description="Maximum distance of the tip from an edge (mm)")
     overcut: float = Field(description="Maximum length cut beyond the end of an edge (mm)")
-    uncut: float = Field(description="Maximum uncut length of one edge (mm)")
-    uncut_total: float = Field(default=0.0, description="Uncut length of all edges (mm)")
-    setback_total: float = Field(default=0.0, description="Setback of all edges (mm)")
-    unreached: float = Field(default=0.0, description="Area that no cutter reaches (mm²)")
+    uncut: float = Field(
+        description="Maximum length of one edge that is left uncut by mistake (mm)"
+    )
+    uncut_total: float = Field(
+        default=0.0, description="Length of all edges that is left uncut by mistake (mm)"
+    )
+    setback_total: float = Field(
+        default=0.0,
+        description="Length of all edges that is left uncut by plan, such as at the ends of "
+        "creases (mm)",
+    )
+    unreached: float = Field(default=0.0, description="Total area that no cutter reaches (mm²)")
     unreached_places: int = Field(default=0, description="Number of areas that no cutter reaches")
-    seconds: float = Field(description="Machine time of the program (s)")
+    seconds: float = Field(description="Machine time of one copy (s)")
     seconds_retracted: float | None = Field(
-        default=None, description="Machine time if the tool retracted fully for every turn (s)"
+        default=None,
+        description="Machine time of one copy if the tool retracted fully for every turn (s); "
+        "null if an older version compiled the job",
     )
 
 
 class JobOut(BaseModel):
     """A job with its state and progress."""
 
-    id: str
-    state: JobState
+    id: str = Field(description="Id of the job, assigned by the server")
+    state: JobState = Field(
+        description="State of the job. received: the compile has not begun. compiling: the "
+        "program is made. ready: the program is accepted. queued: the job waits for "
+        "its machine. running: the machine executes it. held: the machine has stopped "
+        "and can resume. done: all sheets are made. refused: the job cannot be "
+        "compiled. interrupted: the machine stopped before the end. scrapped: an "
+        "interrupted job was given up. cancelled: the job was cancelled"
+    )
     actions: list[OperatorAction] = Field(
         description="Actions that an operator may perform now; each is a route of the job. All "
         "others are refused with 409"
@@ -135,32 +190,44 @@ class JobOut(BaseModel):
         description="Why the job was refused or interrupted, or what it waits for; null if there "
         "is nothing to report"
     )
-    reason: str = Field(description="Text of `message` in English; empty if it is null")
-    hint: str = Field(description="Hint of `message` in English")
-    source: list[str] = Field(description="Handles of the entities that `message` concerns")
-    questions: list[QuestionOut] = Field(description="Open questions for which the job was refused")
+    reason: str = Field(description="Text of `message` in English; empty if `message` is null")
+    hint: str = Field(description="Hint of `message` in English; empty if there is none")
+    source: list[str] = Field(
+        description="Handles of the entities that `message` concerns; empty if it concerns none"
+    )
+    questions: list[QuestionOut] = Field(
+        description="Open questions for which the job was refused; empty if there are none"
+    )
     drawing: str = Field(description="Id of the drawing")
-    drawing_name: str
-    machine: str
-    board: str
-    profile: str = Field(description="Classification profile of the job")
+    drawing_name: str = Field(description="File name of the drawing")
+    machine: str = Field(description="Name of the machine in the library")
+    board: str = Field(description="Name of the board in the library")
+    profile: str = Field(description="Name of the classification profile of the job")
     copies: int = Field(description="Number of sheets to make")
     copies_done: int = Field(description="Number of completed sheets")
-    priority: int
-    created: float
-    updated: float
+    priority: int = Field(
+        description="Priority in the queue of the machine; jobs with a higher number come first"
+    )
+    created: float = Field(
+        description="Time at which the job was created (seconds since 1970-01-01 UTC)"
+    )
+    updated: float = Field(
+        description="Time of the last change of the job (seconds since 1970-01-01 UTC)"
+    )
     waiting_for: Literal["", "confirmation", "sheet", "machine", "turn"] = Field(
         default="",
-        description="What the job waits for: the confirmation of table, board and tools; "
-        "the confirmation of the next sheet; the machine; its turn in the queue. `message` "
-        "describes it",
+        description="What the job waits for. confirmation: the operator must confirm table, board "
+        "and tools. sheet: the operator must confirm the next sheet. machine: the "
+        "machine has not claimed the job. turn: other jobs come first. Empty: it does "
+        "not wait. `message` describes the reason",
     )
     tools: list[JobTool] = Field(
         default=[], description="Stations that the program uses; empty before the job is compiled"
     )
     requested_action: Literal["", "hold", "resume", "cancel"] = Field(
         default="",
-        description="Action that the operator requested and that the machine has not executed yet",
+        description="Action that the operator requested and that the machine has not carried out "
+        "yet; empty for none",
     )
     stage: Stage | Literal[""] = Field(
         description="Stage of the compile; `prepare` while the server compiles functions that the "
@@ -169,22 +236,28 @@ class JobOut(BaseModel):
     progress: float = Field(
         description="Completed fraction of the compile or of the execution, 0 … 1"
     )
-    line: int = Field(description="Number of executed lines of the program")
-    lines: int = Field(description="Number of program lines")
+    line: int = Field(description="Number of executed program lines of the present copy")
+    lines: int = Field(description="Number of program lines; 0 before the job is compiled")
     position: tuple[float, float, float, float] | None = Field(
-        description="Position on the sheet while running: X, Y of the head axis, Z of the tip, C"
+        description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C "
+        "(degrees); null if it is not known"
     )
-    seconds: float = Field(description="Estimated machine time of one copy (s)")
+    seconds: float = Field(
+        description="Estimated machine time of one copy (s); 0 before the job is compiled"
+    )
     seconds_left: float | None = Field(
-        description="Estimated time until the present copy ends (s); null if it is unknown"
+        description="Estimated time until the present copy ends (s); null if it is not known"
     )
     corners: Corners | None = Field(
         description="Corner types of the job; null for the fastest types"
     )
     program_sha256: str = Field(
-        description="SHA-256 of the program; empty before the job is compiled"
+        description="SHA-256 of the program (64 hexadecimal digits); empty before the job is "
+        "compiled"
     )
-    verdict: VerdictSummary | None = Field(description="Null before the program is verified")
+    verdict: VerdictSummary | None = Field(
+        description="Summary of the verdict on the program; null before the program is verified"
+    )
 
     @computed_field(  # type: ignore[prop-decorator]
         description="Former name of hint", json_schema_extra={"deprecated": True}
@@ -204,23 +277,36 @@ class JobOut(BaseModel):
 class JobEvent(BaseModel):
     """One state change of a job: its time, author and reason."""
 
-    id: int
+    id: int = Field(description="Number of the event; increases with time")
     job: str = Field(description="Id of the job")
-    at: float = Field(description="Time of the change")
+    at: float = Field(description="Time of the change (seconds since 1970-01-01 UTC)")
     state: JobState = Field(description="State after the change")
-    who: str = Field(description="Author of the change")
-    message: MessageOut | None = Field(description="Description of the change")
-    why: str = Field(description="Text of `message` in English")
+    who: str = Field(
+        description="Cause of the change: operator, worker (compile), gateway or clock (expired "
+        "lease), followed by its name if it is known"
+    )
+    message: MessageOut | None = Field(
+        description="Description of the change; null if there is nothing to add to the state"
+    )
+    why: str = Field(description="Text of `message` in English; empty if `message` is null")
 
 
 class FindingOut(MessageOut):
     """One fault that the verifier found, with its edge and program line."""
 
-    kind: str = Field(description="Kind of the fault")
-    measure: float = Field(description="Measured value (mm; degrees for a heading)")
-    edge: int = Field(description="Row of the edge; -1 for none")
-    handle: str = Field(description="Handle of the edge; empty for none")
-    line: int = Field(description="Program line, counted from 1; -1 for none")
+    kind: str = Field(
+        description="Kind of the fault: deviation, overcut, uncut, stray, depth, heading, order, "
+        "feed, travel or program"
+    )
+    measure: float = Field(description="Measured value (mm; degrees for `heading`)")
+    edge: int = Field(
+        description="Row of the edge in the drawing, counted from 0; -1 if the fault concerns no "
+        "edge"
+    )
+    handle: str = Field(
+        description="Handle of the edge's entity; empty if the fault concerns no edge"
+    )
+    line: int = Field(description="Program line, counted from 1; -1 if the fault concerns no line")
 
 
 #: X and Y in the drawing (mm).
@@ -234,7 +320,8 @@ class UnreachedOut(BaseModel):
     x: float = Field(description="X of the centre in the drawing (mm)")
     y: float = Field(description="Y of the centre in the drawing (mm)")
     outline: list[tuple[Point, Point, float]] = Field(
-        description="Lines and arcs of the outline: start, end and bulge, tan(sweep / 4)"
+        description="Lines and arcs of the outline of the area: start [X, Y] and end [X, Y] (mm), "
+        "and bulge: tan(sweep / 4), 0 for a line"
     )
 
 
@@ -247,25 +334,36 @@ class VerdictOut(VerdictSummary):
     ``area_first`` (first row of each outline) and ``area_size`` (mm²).
     """
 
-    findings: list[FindingOut]
-    areas: list[UnreachedOut] = Field(description="Areas that no cutter reaches, largest first")
-    edge_deviation: list[float] = Field(
-        description="Maximum distance of the tip from the edge (mm)"
+    findings: list[FindingOut] = Field(description="Faults in the program; empty if there are none")
+    areas: list[UnreachedOut] = Field(
+        description="Areas that no cutter reaches, the largest first; empty if there are none"
     )
-    edge_overcut: list[float] = Field(description="Length cut beyond the ends of the edge (mm)")
+    edge_deviation: list[float] = Field(
+        description="Per edge: maximum distance of the tip from the edge (mm)"
+    )
+    edge_overcut: list[float] = Field(
+        description="Per edge: length cut beyond the ends of the edge (mm)"
+    )
     edge_uncut: list[float] = Field(
-        description="Length of the edge that is not machined by mistake (mm)"
+        description="Per edge: length that is not machined by mistake (mm)"
     )
     edge_setback: list[float] = Field(
-        description="Length of the edge that is not machined by plan, such as crease ends (mm)"
+        description="Per edge: length that is not machined by plan, such as crease ends (mm)"
     )
     edge_width: list[float] = Field(
-        description="Width of a V-groove at the top face (mm); 0 for other edges"
+        description="Per edge: width of a V-groove at the top face (mm); 0 for other edges"
     )
-    edge_web: list[float] = Field(description="Board left below a V-groove (mm); 0 for other edges")
-    edge_flank: list[float] = Field(description="Maximum deviation of a V-groove's flank (mm)")
-    edge_unreached: list[float] = Field(description="Length that no cutter reaches (mm)")
-    edge_bottom_uncut: list[float] = Field(description="Length not cut at the bottom face (mm)")
+    edge_web: list[float] = Field(
+        description="Per edge: thickness of the board left below a V-groove (mm); 0 for other edges"
+    )
+    edge_flank: list[float] = Field(
+        description="Per edge: maximum deviation of the flanks of a V-groove (mm); 0 for other "
+        "edges"
+    )
+    edge_unreached: list[float] = Field(description="Per edge: length that no cutter reaches (mm)")
+    edge_bottom_uncut: list[float] = Field(
+        description="Per edge: length not cut at the bottom face of the board (mm)"
+    )
     edge_top_overcut: list[float] = Field(
-        description="Length cut beyond the ends at the top face (mm)"
+        description="Per edge: length cut beyond the ends at the top face of the board (mm)"
     )

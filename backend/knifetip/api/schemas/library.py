@@ -12,8 +12,8 @@ from knifetip.api.schemas.common import Name, Strict
 class FormatOut(BaseModel):
     """An import format of drawings."""
 
-    name: str
-    title: str
+    name: str = Field(description="Name of the format, such as dxf")
+    title: str = Field(description="Name of the format for display")
     extensions: list[str] = Field(
         description="File name extensions with the dot, most common first"
     )
@@ -22,24 +22,27 @@ class FormatOut(BaseModel):
 class DeflectionOut(BaseModel):
     """Maximum deflection of a cutter under load in a board (mm)."""
 
-    tool: str = Field(description="Name of the cutter's station")
-    x: float = Field(description="Deflection in X")
-    y: float = Field(description="Deflection in Y")
+    tool: str = Field(description="Name of the station that holds the cutter")
+    x: float = Field(description="Maximum deflection in X (mm)")
+    y: float = Field(description="Maximum deflection in Y (mm)")
 
 
 class BoardOut(BaseModel):
     """A board of the library; lengths in mm, angles in degrees."""
 
-    name: str
-    title: str
-    material: str
-    caliper: float = Field(description="Thickness")
-    grain: float = Field(description="Direction of flute or grain on the sheet")
-    crease_along: float = Field(description="Depth of a crease along flute or grain")
-    crease_across: float = Field(description="Depth of a crease across flute or grain")
-    groove_depth: float = Field(description="Depth of a V-groove below the top face")
+    name: str = Field(description="Name of the board in the library, to be used in requests")
+    title: str = Field(description="Name of the board for display; may be empty")
+    material: str = Field(description="Material: greyboard, corrugated or folding boxboard")
+    caliper: float = Field(description="Thickness of the board (mm)")
+    grain: float = Field(
+        description="Direction of flute or grain on the sheet, from the X axis (degrees, "
+        "counter-clockwise)"
+    )
+    crease_along: float = Field(description="Depth of a crease along flute or grain (mm)")
+    crease_across: float = Field(description="Depth of a crease across flute or grain (mm)")
+    groove_depth: float = Field(description="Depth of a V-groove below the top face (mm)")
     deflection: list[DeflectionOut] = Field(
-        description="Deflection of the cutters that were measured in this board"
+        description="Deflection of each cutter that was measured in this board; empty if none was"
     )
 
 
@@ -47,31 +50,43 @@ class MeasuredPoint(Strict):
     """One measured point of a cut contour."""
 
     azimuth: float = Field(
-        ge=-360.0, le=360.0, description="Direction of travel at the point (degrees)"
+        ge=-360.0,
+        le=360.0,
+        description="Direction of travel at the point, from the X axis (degrees, "
+        "counter-clockwise)",
     )
-    dx: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position (mm)")
-    dy: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position (mm)")
+    dx: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position in X (mm)")
+    dy: float = Field(ge=-100.0, le=100.0, description="Measured minus drawn position in Y (mm)")
 
 
 class CalibrationIn(Strict):
     """Points that were measured on a contour cut in a board."""
 
-    machine: Name
-    tool: Name = Field(description="Name of the cutter's station")
+    machine: Name = Field(
+        description="Name of the machine in the library on which the contour was cut"
+    )
+    tool: Name = Field(description="Name of the station that holds the cutter")
     side: Literal["left", "right"] = Field(
         default="left",
-        description="Side on which the cutter ran, in travel direction (knifetip: left)",
+        description="Side of the contour on which the cutter ran, seen in the direction of "
+        "travel; knifetip's programs run on the left",
     )
-    points: list[MeasuredPoint] = Field(min_length=1, max_length=10_000)
+    points: list[MeasuredPoint] = Field(
+        min_length=1, max_length=10_000, description="Measured points of the contour"
+    )
 
 
 class CalibrationOut(BaseModel):
     """Deflection of the cutter in the board, and the TOML text for the file of the board."""
 
-    board: str
-    machine: str
-    tool: str
-    x: float = Field(description="Deflection where the contour runs along Y (mm)")
-    y: float = Field(description="Deflection where the contour runs along X (mm)")
-    residual: float = Field(description="Largest residual of a point (mm)")
-    toml: str = Field(description="Text lines for the file of the board")
+    board: str = Field(description="Name of the board in the library")
+    machine: str = Field(description="Name of the machine in the library")
+    tool: str = Field(description="Name of the station that holds the cutter")
+    x: float = Field(description="Maximum deflection in X, where the contour runs along Y (mm)")
+    y: float = Field(description="Maximum deflection in Y, where the contour runs along X (mm)")
+    residual: float = Field(
+        description="Largest difference between a measured point and the fitted deflection (mm)"
+    )
+    toml: str = Field(
+        description="Text lines with the deflection, to be added to the TOML file of the board"
+    )

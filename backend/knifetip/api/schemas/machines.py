@@ -4,18 +4,50 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, ConfigDict, Field
 
-from knifetip.model.tool import Footprint
+
+class FootprintOut(BaseModel):
+    """Shape of the mark of a tool on the board, and position of the tool's tip, for drawing both.
+
+    The direction C is the direction in which the tool points, its heading.
+    """
+
+    model_config = ConfigDict(from_attributes=True)
+
+    shape: Literal["line", "disc", "groove", "wheel"] = Field(
+        description="line: a mark without width. disc: a disc about the tip. groove: a flank that "
+        "widens with the depth. wheel: the rim of a wheel"
+    )
+    radius: float = Field(description="Radius of the disc or wheel (mm); 0 for other shapes")
+    width: float = Field(description="Width of the wheel's rim (mm); 0 for other shapes")
+    slope: float = Field(
+        description="Width of a groove's flank per depth (mm per mm); 0 for other shapes"
+    )
+    blade: float = Field(
+        description="Length of the cutting edge, from the tip forward along C (mm); 0 for none"
+    )
+    left: float = Field(
+        description="Distance of the tip from the head's axis, to the left of C (mm)"
+    )
+    behind: float = Field(
+        description="Distance of the tip from the head's axis, backwards along C (mm)"
+    )
+    any_height: bool = Field(
+        description="Whether the mark is the same at every height of the tip, as with a laser"
+    )
 
 
 class ToolOut(BaseModel):
     """A tool with its dimensions in mm and degrees."""
 
     kind: str = Field(description="Kind of the tool, such as knife or crease-wheel")
-    dimensions: dict[str, float | bool] = Field(description="Dimensions by name")
-    footprint: Footprint = Field(
-        description="Outline of the tool for drawing, and the position of its tip"
+    dimensions: dict[str, float | bool] = Field(
+        description="Dimensions by name (mm; degrees for angles), or true and false for properties"
+    )
+    footprint: FootprintOut = Field(
+        description="Shape of the tool's mark on the board and position of its tip, for drawing "
+        "the tool"
     )
 
 
@@ -25,22 +57,22 @@ class StationOut(BaseModel):
     With this station, the joint position of the machine is the programmed position plus the datum.
     """
 
-    number: int = Field(description="Number in the T word of programs")
-    name: str
+    number: int = Field(description="Number of the station in the T words of programs")
+    name: str = Field(description="Name of the station, such as the tool's name on the machine")
     datum: dict[str, float] = Field(
         description="Offset of the tool by axis: x, y, z (mm) and c (degrees)"
     )
     output: int = Field(
         description="Digital output of the piston that lowers the station; -1 for none"
     )
-    tool: ToolOut
+    tool: ToolOut = Field(description="Tool in the station")
 
 
 class MachineOut(BaseModel):
     """A machine of the library with its current job."""
 
-    name: str
-    title: str
+    name: str = Field(description="Name of the machine in the library, to be used in requests")
+    title: str = Field(description="Name of the machine for display")
     width: float = Field(description="Width of the table along X (mm)")
     height: float = Field(description="Height of the table along Y (mm)")
     dialect: str = Field(description="Name of the controller language")
@@ -53,17 +85,22 @@ class MachineOut(BaseModel):
         description="Whether cuts are offset from their edge, so that corner types can be chosen"
     )
     feed: Literal["manual", "automatic"] = Field(
-        description="manual: every job and every copy waits until the operator confirms that the "
-        "sheet is on the table"
+        description="How sheets reach the table. manual: every job and every copy waits until the "
+        "operator confirms that the sheet is on the table. automatic: the machine "
+        "starts without confirmation"
     )
     axes: dict[str, dict[str, float]] = Field(
-        description="Travel, velocity and acceleration by axis (mm or degrees, s)"
+        description="Limits of the axes x, y, z and c: `low` and `high` are the lowest and "
+        "highest joint position (mm or degrees), `velocity` (mm/s or degrees/s) and "
+        "`acceleration` (mm/s² or degrees/s²) are maxima"
     )
-    stations: list[StationOut]
+    stations: list[StationOut] = Field(description="Tool stations on the head of the machine")
     gateway: Literal["connected", "absent"] = Field(
         description="Whether a gateway for the machine is connected"
     )
-    job: str | None = Field(description="Job on the machine's table")
+    job: str | None = Field(
+        description="Id of the job whose board is on the machine's table; null if there is none"
+    )
 
 
 class StationTool(ToolOut):

@@ -38,12 +38,15 @@ class MessageOut(BaseModel):
     #: Names of the fields that contain the text.
     text_fields: ClassVar[tuple[str, ...]] = ("text",)
 
-    code: str
+    code: str = Field(
+        description="Code that identifies the message; its arguments are in the schema Message"
+    )
     arguments: dict[str, Any] = Field(
-        description="Arguments of the code; their types are in the schema Message"
+        description="Arguments by name, to be inserted into the text; their types for each code "
+        "are in the schema Message"
     )
     text: str = Field(description="Text of the message in English")
-    hint: str = Field(description="Action for the user in English; empty if there is none")
+    hint: str = Field(description="What the user can do, in English; empty if there is no hint")
 
     @model_validator(mode="before")
     @classmethod
@@ -61,10 +64,27 @@ class MessageIn(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    code: str = Field(max_length=100)
-    arguments: dict[str, Any] = {}
-    text: str = Field(default="", max_length=2000)
-    hint: str = Field(default="", max_length=2000)
+    code: str = Field(
+        max_length=100,
+        description="Code that identifies the message; if the server does not know it, `text` and "
+        "`hint` are shown",
+    )
+    arguments: dict[str, Any] = Field(
+        default={},
+        description="Arguments by name, to be inserted into the text; their types for each code "
+        "are in the schema Message",
+    )
+    text: str = Field(
+        default="",
+        max_length=2000,
+        description="Text of the message in English, shown if the server does not know the code",
+    )
+    hint: str = Field(
+        default="",
+        max_length=2000,
+        description="What the user can do, in English, shown if the server does not know the "
+        "code; empty for no hint",
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -95,7 +115,10 @@ def describe_codes(schemas: dict[str, Any]) -> None:
     """
     for schema in schemas.values():
         if schema.pop(_MARK, False):
-            schema["properties"]["code"] = {"$ref": "#/components/schemas/MessageCode"}
+            schema["properties"]["code"] = {
+                "$ref": "#/components/schemas/MessageCode",
+                "description": schema["properties"]["code"]["description"],
+            }
     schemas["MessageCode"] = {"type": "string", "enum": list(CODES)}
     schemas["Message"] = {
         "description": "A code with its arguments.",

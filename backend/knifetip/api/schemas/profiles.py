@@ -21,47 +21,78 @@ class RuleIn(Strict):
     Conditions on names are shell patterns that ignore case; an empty list is no condition.
     """
 
-    type: LineTypeWord
-    layer: Patterns = Field(default=[], description="Patterns for the layer name")
-    colour: Colours = Field(default=[])
-    linetype: Patterns = Field(default=[], description="Patterns for the linetype")
+    type: LineTypeWord = Field(description="Line type for the edges that the rule matches")
+    layer: Patterns = Field(
+        default=[], description="Patterns for the name of the layer; empty for any layer"
+    )
+    colour: Colours = Field(
+        default=[],
+        description='AutoCAD colour indices (integers) or colours "#rrggbb"; empty for any colour',
+    )
+    linetype: Patterns = Field(
+        default=[], description="Patterns for the linetype, such as DASHED; empty for any linetype"
+    )
     entity: Patterns = Field(
-        default=[], description="Patterns for the kind of entity, such as LINE or ARC"
+        default=[],
+        description="Patterns for the type of the entity in the file, such as LINE or ARC; empty "
+        "for any type",
     )
     block: Patterns = Field(
-        default=[], description="Patterns for the name of the block that contains the entity"
+        default=[],
+        description="Patterns for the name of the block that contains the entity; empty for any "
+        "entity",
     )
 
 
 class ProfileIn(Strict):
     """The profile of a customer; the first rule that matches an edge sets its line type."""
 
-    title: Name
+    title: Name = Field(description="Name of the profile for display")
     extends: Name | None = Field(
-        default=None, description="Profile of the library whose rules also apply"
+        default=None,
+        description="Name of the library profile whose rules also apply; null for none",
     )
     overrules: bool = Field(
-        default=True, description="Whether these rules come before those of the extended profile"
+        default=True,
+        description="Whether the rules of this profile come before those of the extended profile; "
+        "without effect if `extends` is null",
     )
-    rules: list[RuleIn] = Field(max_length=500)
+    rules: list[RuleIn] = Field(
+        max_length=500,
+        description="Rules in the order in which they are tried; the first that matches an edge "
+        "sets its line type",
+    )
     version: Count | None = Field(
-        default=None, description="Expected version; may also be sent as If-Match"
+        default=None,
+        description="Version of the profile on which the change is based; may also be sent as "
+        "If-Match. Null for a new profile",
     )
 
 
 class RuleOut(BaseModel):
     """One rule of a profile."""
 
-    type: LineTypeWord
-    conditions: MessageOut = Field(description="Conditions that an edge must fulfil")
-    layer: list[str] = Field(default=[], description="Patterns for the layer name")
-    colour: list[int | str] = Field(default=[], description="AutoCAD colour indices, or #rrggbb")
-    linetype: list[str] = Field(default=[], description="Patterns for the linetype")
+    type: LineTypeWord = Field(description="Line type for the edges that the rule matches")
+    conditions: MessageOut = Field(description="Conditions that an edge must fulfil, as a message")
+    layer: list[str] = Field(
+        default=[], description="Patterns for the name of the layer; empty for any layer"
+    )
+    colour: list[int | str] = Field(
+        default=[],
+        description='AutoCAD colour indices (integers) or colours "#rrggbb"; empty for any colour',
+    )
+    linetype: list[str] = Field(
+        default=[], description="Patterns for the linetype, such as DASHED; empty for any linetype"
+    )
     entity: list[str] = Field(
-        default=[], description="Patterns for the kind of entity, such as LINE or ARC"
+        default=[],
+        description="Patterns for the type of the entity in the file, such as LINE or ARC; empty "
+        "for any type",
     )
     block: list[str] = Field(
-        default=[], description="Patterns for the name of the block that contains the entity"
+        default=[],
+        description="Patterns for the name of the block that contains the entity; empty for any "
+        "entity",
     )
     inherited: bool = Field(
         default=False, description="Whether the rule comes from the extended profile"
@@ -71,38 +102,50 @@ class RuleOut(BaseModel):
 class ProfileOut(BaseModel):
     """A classification profile with its rules in order."""
 
-    name: str
-    title: str
+    name: str = Field(description="Name of the profile, to be used in requests")
+    title: str = Field(description="Name of the profile for display")
     shipped: bool = Field(
-        default=False, description="Part of knifetip's library; cannot be changed"
+        default=False,
+        description="Whether the profile is part of knifetip's library; such a profile cannot be "
+        "changed",
     )
     extends: str | None = Field(
-        default=None, description="Profile of the library whose rules also apply; null for none"
+        default=None,
+        description="Name of the library profile whose rules also apply; null for none",
     )
     overrules: bool = Field(
         default=False, description="Whether the own rules come before those of the extended profile"
     )
-    version: int = Field(default=0, description="Increases with each change; 0 in the library")
-    updated: float = Field(default=0.0, description="Time of the last change; 0 in the library")
+    version: int = Field(
+        default=0,
+        description="Version of the profile; increases with each change; 0 for a library profile",
+    )
+    updated: float = Field(
+        default=0.0,
+        description="Time of the last change (seconds since 1970-01-01 UTC); 0 for a library "
+        "profile",
+    )
     rules: list[RuleOut] = Field(description="Rules in the order in which they are tried")
     fault: str = Field(
-        default="", description="Reason why the profile cannot be used any more; empty if it can"
+        default="",
+        description="Reason why the profile cannot be used any more, in English; empty if it can "
+        "be used",
     )
 
 
 class ChangeOut(BaseModel):
     """Edges whose line type a profile would change, with their line types before and after."""
 
-    before: LineTypeWord = Field(description="Present line type")
-    after: LineTypeWord = Field(description="Line type that the profile would give")
-    edges: list[int] = Field(description="Rows of the edges")
+    before: LineTypeWord = Field(description="Present line type of the edges")
+    after: LineTypeWord = Field(description="Line type that the profile would give the edges")
+    edges: list[int] = Field(description="Rows of the edges in the drawing, counted from 0")
 
 
 class PreviewRule(RuleOut):
     """A rule, with the number and total length of the edges that the rule matches."""
 
-    edges: int = Field(description="Number of edges")
-    length: float = Field(description="Total length of the edges (mm)")
+    edges: int = Field(description="Number of edges that the rule matches")
+    length: float = Field(description="Total length of the edges that the rule matches (mm)")
 
 
 class PreviewOut(BaseModel):
@@ -112,13 +155,21 @@ class PreviewOut(BaseModel):
         description="Rules of the profile, with the edges that they match"
     )
     open: int = Field(description="Number of edges that no rule matches")
-    changes: list[ChangeOut] = Field(description="Edges whose line type would change")
+    changes: list[ChangeOut] = Field(
+        description="Edges whose line type would change, in groups by line type before and after"
+    )
 
 
 class ProposalOut(BaseModel):
     """A proposed rule that gives edges the line types that the user set for them by hand."""
 
-    rule: RuleOut
-    explains: list[int] = Field(description="Corrected edges that the rule matches")
-    sure: bool = Field(description="Whether the rule changes no edge with a decided line type")
-    changes: list[ChangeOut] = Field(description="Other edges whose line type would change")
+    rule: RuleOut = Field(description="Proposed rule")
+    explains: list[int] = Field(
+        description="Rows of the edges that the user corrected and that the rule matches"
+    )
+    sure: bool = Field(
+        description="Whether the rule would change no edge that already has a line type"
+    )
+    changes: list[ChangeOut] = Field(
+        description="Edges that the user did not correct and whose line type the rule would change"
+    )

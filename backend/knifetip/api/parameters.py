@@ -1,0 +1,41 @@
+"""Headers, query parameters and path parameters that several routes have."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from fastapi import Header, Path, Query
+
+IdempotencyKey = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=200,
+        description="Text chosen by the client; repeating a request with the same key returns the "
+        "first result instead of creating a second drawing or job",
+    ),
+]
+Cursor = Annotated[
+    int | None,
+    Query(
+        ge=0,
+        le=2**31 - 1,
+        description="Position in the list where the page begins, from the Link header of the "
+        "previous page",
+    ),
+]
+Limit = Annotated[int, Query(ge=1, le=500, description="Maximum number of items in the list")]
+DrawingId = Annotated[str, Path(description="Id of the drawing")]
+JobId = Annotated[str, Path(description="Id of the job")]
+MachineName = Annotated[str, Path(description="Name of the machine in the library")]
+BoardName = Annotated[str, Path(description="Name of the board in the library")]
+ProfileName = Annotated[str, Path(description="Name of the classification profile")]
+DataFormat = Annotated[
+    Literal["json", "columns"],
+    Query(
+        description="Format of the response: `json`, or `columns` for arrays in one block of "
+        "bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with "
+        "name, dtype, shape and offset of each array), and the arrays"
+    ),
+]
