@@ -28,6 +28,7 @@ from knifetip.kernels import (
     OutI32_1,
     OutI64_1,
     OutU8_1,
+    inline_kernel,
     kernel,
 )
 
@@ -339,6 +340,56 @@ def _improve_queued(
     return gained, low, high
 
 
+@inline_kernel
+def _random_sections(state: int, last: int) -> tuple[int, int, int, int]:
+    """Choose two neighbouring sections of a tour at random, among at most 40 tracks in sequence.
+
+    The first section contains the positions ``first`` to ``middle - 1`` of the tour, the second
+    section the positions ``middle`` to ``end - 1``.  Either of them may be empty.
+
+    Parameters
+    ----------
+    state
+        State of the linear congruential generator of random numbers.
+    last
+        Last position of the tour.
+
+    Returns
+    -------
+    The next state of the generator, ``first``, ``middle`` and ``end``.
+    """
+    span = min(last, 40)
+    state = (state * 1103515245 + 12345) & 0x7FFFFFFF
+    base = 1 + (state >> 8) % (last - span + 1)
+    first, end, total = last + 1, 0, 0
+    for _ in range(3):
+        state = (state * 1103515245 + 12345) & 0x7FFFFFFF
+        position = base + (state >> 8) % span
+        first, end = min(first, position), max(end, position)
+        total += position
+    return state, first, total - first - end, end
+
+
+@inline_kernel
+def _swap_change(
+    first: int, middle: int, last: int, tour: I32_1, side: U8_1, ends: F64_4A, rates: F64_2
+) -> float:
+    """Return the increase of the time of the tour if two neighbouring sections are swapped (s).
+
+    The sections are as in ``_swap``, and neither of them contains the origin.
+    """
+    more = (
+        _link_time(first - 1, 0, middle, 0, tour, side, ends, rates)
+        - _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+        + _link_time(last, 0, first, 0, tour, side, ends, rates)
+        - _link_time(middle - 1, 0, middle, 0, tour, side, ends, rates)
+    )
+    if last + 1 < len(tour):
+        more += _link_time(middle - 1, 0, last + 1, 0, tour, side, ends, rates)
+        more -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+    return more
+
+
 @kernel(checks_division=True)
 def improve_tour(
     tour: OutI32_1,
@@ -396,28 +447,11 @@ def improve_tour(
     kept, kept_side = tour.copy(), side.copy()
     state = 12345
     for _ in range(trials if last >= 3 else 0):
-        cut = np.empty(3, np.int64)
-        span = min(last, 40)
-        state = (state * 1103515245 + 12345) & 0x7FFFFFFF
-        base = 1 + (state >> 8) % (last - span + 1)
-        for place in range(3):
-            state = (state * 1103515245 + 12345) & 0x7FFFFFFF
-            cut[place] = base + (state >> 8) % span
-        cut.sort()
-        s, m, e = cut[0], cut[1], cut[2]
-        if s == m or m == e:
+        state, s, m, end = _random_sections(state, last)
+        if s == m or m == end:
             continue
-        # Positions s … m - 1 and m … e - 1 are swapped.
-        e -= 1
-        gained = (
-            _link_time(s - 1, 0, m, 0, tour, side, ends, rates)
-            - _link_time(s - 1, 0, s, 0, tour, side, ends, rates)
-            + _link_time(e, 0, s, 0, tour, side, ends, rates)
-            - _link_time(m - 1, 0, m, 0, tour, side, ends, rates)
-        )
-        if e < last:
-            gained += _link_time(m - 1, 0, e + 1, 0, tour, side, ends, rates)
-            gained -= _link_time(e, 0, e + 1, 0, tour, side, ends, rates)
+        e = end - 1
+        change = _swap_change(s, m, e, tour, side, ends, rates)
         size = 0
         for place in (s - 1, s, m - 1, m, e, e + 1):
             if 1 <= place <= last and not waiting[tour[place]]:
@@ -441,7 +475,7 @@ def improve_tour(
             least_time,
         )
         low, high = min(low, s), max(high, e)
-        if gained + more < 0.0:
+        if change + more < 0.0:
             kept[low : high + 1] = tour[low : high + 1]
             kept_side[low : high + 1] = side[low : high + 1]
         else:

@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.errors import ProgramUnreadable
-from knifetip.kernels import U8_1, kernel
+from knifetip.kernels import U8_1, inline_kernel, kernel
 from knifetip.messages import Message
 from knifetip.verification.columns import F64, I32, U8
 
@@ -94,6 +94,37 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
     ]
 
 
+@inline_kernel
+def _scan_number(raw: U8_1, at: int) -> tuple[int, float, int]:
+    """Read the decimal number that begins at byte ``at`` of a program.
+
+    Returns the index of the byte after the number, its value, and how many digits it has.  The
+    value is wrong if there are more than 15 digits.
+    """
+    size = len(raw)
+    negative = False
+    if at < size and (raw[at] == 43 or raw[at] == 45):
+        negative = raw[at] == 45
+        at += 1
+    digits = 0
+    mantissa = 0
+    scale = 1.0
+    point = False
+    while at < size and (48 <= raw[at] <= 57 or (raw[at] == 46 and not point)):
+        if raw[at] == 46:
+            point = True
+        else:
+            digits += 1
+            if digits <= 15:
+                # Below 2^53, so the quotient is the float nearest to the decimal number.
+                mantissa = mantissa * 10 + (raw[at] - 48)
+                if point:
+                    scale *= 10.0
+        at += 1
+    value = mantissa / scale
+    return at, -value if negative else value, digits
+
+
 @kernel(checks_division=True)
 def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
     """Scan the bytes of a program once, and return its n words and k faults.
@@ -147,37 +178,17 @@ def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
         elif 65 <= byte <= 90 or 97 <= byte <= 122:
             if byte >= 97:
                 byte = np.uint8(byte - 32)
-            at += 1
-            negative = False
-            if at < size and (raw[at] == 43 or raw[at] == 45):
-                negative = raw[at] == 45
-                at += 1
-            digits = 0
-            whole = 0
-            scale = 1.0
-            point = False
-            while at < size and (48 <= raw[at] <= 57 or (raw[at] == 46 and not point)):
-                if raw[at] == 46:
-                    point = True
-                else:
-                    digits += 1
-                    if digits <= 15:
-                        # Below 2^53, so the quotient is the float nearest to the decimal number.
-                        whole = whole * 10 + (raw[at] - 48)
-                        if point:
-                            scale *= 10.0
-                at += 1
-            value = whole / scale
+            at, value, digits = _scan_number(raw, at + 1)
             if digits == 0:
                 code = 4
             elif digits > 15:
                 code = 5
-            elif value > greatest:
+            elif abs(value) > greatest:
                 code = 7
             else:
                 line_of[words] = line
                 letter_of[words] = byte
-                value_of[words] = -value if negative else value
+                value_of[words] = value
                 words += 1
         else:
             code = 1
