@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from knifetip.kernels import kernel
+from knifetip.kernels import I32_1, kernel
 from knifetip.offset.raw_segments import COLUMNS, NO_FAILURE, move_segments
 from knifetip.offset.records import (
     Contours,
@@ -21,6 +21,7 @@ from knifetip.offset.records import (
     OffsetGroups,
     OffsetSegments,
     RegionOffset,
+    empty_segments,
 )
 from knifetip.offset.region import offset_region, unreached_area
 from knifetip.offset.self_contact import Scratch
@@ -36,18 +37,15 @@ def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegm
     """
     if wanted <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
-    size = 2 * wanted
-    start = np.empty((size, 2))
-    end = np.empty((size, 2))
-    bulge = np.empty(size)
-    source = np.empty(size, np.int32)
-    inserted = np.empty(size, np.bool_)
+    larger = empty_segments(2 * wanted)
     # Copied row by row, since an assignment of slices takes seconds to compile.
     for i in range(used):
-        start[i, 0], start[i, 1] = out.start[i, 0], out.start[i, 1]
-        end[i, 0], end[i, 1] = out.end[i, 0], out.end[i, 1]
-        bulge[i], source[i], inserted[i] = out.bulge[i], out.source[i], out.inserted[i]
-    return OffsetSegments(start, end, bulge, source, inserted)
+        larger.start[i, 0], larger.start[i, 1] = out.start[i, 0], out.start[i, 1]
+        larger.end[i, 0], larger.end[i, 1] = out.end[i, 0], out.end[i, 1]
+        larger.bulge[i] = out.bulge[i]
+        larger.source[i] = out.source[i]
+        larger.inserted[i] = out.inserted[i]
+    return larger
 
 
 @kernel
@@ -68,36 +66,57 @@ def _reserve_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
     return OffsetChains(first, owner, chains.unreached)
 
 
-@kernel
-def _copy_path(
+@kernel(allocates=False)
+def _copy_paths(
     contours: Contours,
-    path: int,
+    paths: I32_1,
+    segments: MovedSegments,
     out: OffsetSegments,
     done: int,
     chains: OffsetChains,
     count: int,
-) -> int:
-    """Append a path unchanged, for a tool without radius, and return the next free row of ``out``.
+) -> tuple[int, int, int, int]:
+    """Append paths unchanged, for a tool without radius.
+
+    Stops at the first path that has a segment without length or with a coordinate that is not a
+    number.  Paths without segments are omitted.
 
     Parameters
     ----------
-    path
-        Index of the path in ``contours``.
+    paths
+        Indices of the paths in ``contours``.
+    segments
+        Scratch rows for the moved segments of one path.
     out, done
         Columns for the segments of all offsets, and the number of segments written before.
     chains, count
-        Columns for the chains of all offsets; the path is written as chain ``count``.
+        Columns for the chains of all offsets, and the number of chains written before.
+
+    Returns
+    -------
+    done, count
+        Number of segments and number of chains that are written.
+    code, segment
+        Failure code (a constant of ``raw_segments``), and the contour segment that failed.
     """
-    chains.first[count] = done
-    chains.owner[count] = path
-    for i in range(contours.first[path], contours.first[path + 1]):
-        out.start[done, 0], out.start[done, 1] = contours.start[i, 0], contours.start[i, 1]
-        out.end[done, 0], out.end[done, 1] = contours.end[i, 0], contours.end[i, 1]
-        out.bulge[done] = contours.bulge[i]
-        out.source[done] = i
-        out.inserted[done] = False
-        done += 1
-    return done
+    for path in paths:
+        low, high = contours.first[path], contours.first[path + 1]
+        if low == high:
+            continue
+        code, row = move_segments(contours, low, high, 0.0, segments.table, 0)
+        if code != NO_FAILURE:
+            return done, count, code, row
+        chains.first[count] = done
+        chains.owner[count] = path
+        count += 1
+        for i in range(low, high):
+            out.start[done, 0], out.start[done, 1] = contours.start[i, 0], contours.start[i, 1]
+            out.end[done, 0], out.end[done, 1] = contours.end[i, 0], contours.end[i, 1]
+            out.bulge[done] = contours.bulge[i]
+            out.source[done] = i
+            out.inserted[done] = False
+            done += 1
+    return done, count, NO_FAILURE, 0
 
 
 @kernel
@@ -162,13 +181,7 @@ def offset_groups(
     boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * most))
     scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)))
     size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * most + 256
-    out = OffsetSegments(
-        np.empty((size, 2)),
-        np.empty((size, 2)),
-        np.empty(size),
-        np.empty(size, np.int32),
-        np.empty(size, np.bool_),
-    )
+    out = empty_segments(size)
     result = OffsetChains(
         np.empty(count + 16, np.int32), np.empty(count + 16, np.int32), np.zeros(count)
     )
@@ -198,18 +211,12 @@ def offset_groups(
                 group -= 1
                 continue
         if signed[path] == 0.0:
-            for path in paths:
-                a, b = first[path], first[path + 1]
-                if a == b:
-                    continue
-                code, row = move_segments(contours, a, b, 0.0, segments.table, 0)
-                if code != NO_FAILURE:
-                    failure = (code, row, row, 0.0)
-                    break
-                result = _reserve_chains(result, chains + 2)
-                done = _copy_path(contours, path, out, done, result, chains)
-                chains += 1
-            if failure[0] != NO_FAILURE:
+            result = _reserve_chains(result, chains + len(paths) + 1)
+            done, chains, code, row = _copy_paths(
+                contours, paths, segments, out, done, result, chains
+            )
+            if code != NO_FAILURE:
+                failure = (code, row, row, 0.0)
                 break
             continue
         region = offset_region(contours, paths, signed[path], corners, refuse, scratch)

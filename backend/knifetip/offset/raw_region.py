@@ -28,11 +28,13 @@ from knifetip.offset.raw_segments import (
 from knifetip.offset.records import (
     Contours,
     CornerTypes,
+    MovedPath,
     MovedSegments,
     OffsetSegments,
     RawRows,
     RegionCorners,
     RegionPaths,
+    empty_segments,
 )
 from knifetip.offset.transition import MAX_SEGMENTS, write_transition
 from knifetip.offset.trim import trim_path
@@ -197,13 +199,7 @@ def write_raw_region(
     for m in range(len(paths.member)):
         most = max(most, paths.begin[m + 1] - paths.begin[m])
     capacity = (MAX_SEGMENTS + 1) * most
-    made = OffsetSegments(
-        np.empty((capacity, 2)),
-        np.empty((capacity, 2)),
-        np.empty(capacity),
-        np.empty(capacity, np.int32),
-        np.empty(capacity, np.bool_),
-    )
+    made = empty_segments(capacity)
     table = segments.table
     put = 0
     lost = -1
@@ -217,14 +213,13 @@ def write_raw_region(
             return put, lost, code, row
         closed = paths.closed[m]
         begun = put
-        count, code, row, _ = trim_path(
-            contours, a, b, closed, signed, corners, segments, at, made, 0, rows
-        )
+        path = MovedPath(a, b, closed, signed, segments, at)
+        count, code, row, _ = trim_path(contours, path, corners, made, 0, rows)
         if code == NO_FAILURE:
             put = _write_trimmed(made, count, closed, raw, put, m)
         else:
             move_segments(contours, a, b, signed, table, at)
-            put = raw_offset(contours, a, b, closed, signed, corners, segments, at, raw, put, m)
+            put = raw_offset(contours, path, corners, raw, put, m)
             for here in range(at, at + b - a):
                 if math.isnan(table[here, MOVED]):
                     lost = a + here - at
@@ -263,7 +258,8 @@ def write_far_side(
     table = segments.table
     corners = CornerTypes(np.zeros(1, np.uint8), np.zeros(1), 0)
     move_segments(back, 0, count, signed, table, 0)
-    put = raw_offset(back, 0, count, False, signed, corners, segments, 0, raw, put, -1)
+    path = MovedPath(0, count, False, signed, segments, 0)
+    put = raw_offset(back, path, corners, raw, put, -1)
     for e in range(2):
         if e == 0:
             x, y, ux, uy = back.start[0, 0], back.start[0, 1], -table[0, U1X], -table[0, U1Y]

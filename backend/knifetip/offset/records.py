@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from knifetip.kernels import (
     F64_1,
     F64_2,
@@ -17,6 +19,7 @@ from knifetip.kernels import (
     OutI32_1,
     OutI64_1,
     OutI64_2,
+    kernel,
 )
 
 
@@ -44,6 +47,17 @@ class MovedSegments(NamedTuple):
     joint: OutI64_1  #: (n,) kind of joint at each start, such as ``raw_segments.CONVEX``
 
 
+class MovedPath(NamedTuple):
+    """One path, with the rows of its segments among moved segments."""
+
+    low: int  #: first contour segment of the path
+    high: int  #: contour segment after the last one of the path
+    closed: bool  #: whether the path is closed
+    signed: float  #: radius of the tool (mm), positive left of travel
+    segments: MovedSegments  #: the moved segments
+    at: int  #: row of the path's first segment in them
+
+
 class OffsetSegments(NamedTuple):
     """Output columns with capacity for m segments of offset paths."""
 
@@ -52,6 +66,18 @@ class OffsetSegments(NamedTuple):
     bulge: OutF64_1  #: (m,)
     source: OutI32_1  #: (m,) contour segment that each segment comes from
     inserted: OutBool_1  #: (m,) whether the segment belongs to a transition
+
+
+@kernel
+def empty_segments(capacity: int) -> OffsetSegments:
+    """Return output columns with capacity for ``capacity`` segments; the values are arbitrary."""
+    return OffsetSegments(
+        np.empty((capacity, 2)),
+        np.empty((capacity, 2)),
+        np.empty(capacity),
+        np.empty(capacity, np.int32),
+        np.empty(capacity, np.bool_),
+    )
 
 
 class RawRows(NamedTuple):

@@ -8,8 +8,15 @@ from __future__ import annotations
 
 import math
 
-from knifetip.geometry.tolerance import POINT
 from knifetip.kernels import F64_2, kernel
+from knifetip.offset.corners import (
+    classify_corner,
+    concave_crossing,
+    join_segments,
+    line_crossing,
+    smooth_joint,
+    write_corner_transition,
+)
 from knifetip.offset.raw_segments import (
     CHORD,
     CONCAVE,
@@ -17,22 +24,15 @@ from knifetip.offset.raw_segments import (
     EX,
     EY,
     MOVED,
-    NEGLIGIBLE_SHIFT,
     OPEN,
     RADIUS,
     SHIFTED,
     SMOOTH,
     SX,
     SY,
-    U1X,
-    U1Y,
-    U2X,
-    U2Y,
     remaining_bulge,
 )
-from knifetip.offset.records import Contours, CornerTypes, MovedSegments, RawRows
-from knifetip.offset.transition import write_transition
-from knifetip.offset.trim import concave_crossing
+from knifetip.offset.records import Contours, CornerTypes, MovedPath, RawRows
 
 
 @kernel
@@ -60,15 +60,12 @@ def _trim_point(
         Radius of the tool, positive left of travel.
     """
     if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
-        u1x, u1y = table[before, U2X], table[before, U2Y]
-        u2x, u2y = table[here, U1X], table[here, U1Y]
-        factor = signed / (1.0 + u1x * u2x + u1y * u2y)
-        if abs(factor * (u1x * u2y - u1y * u2x)) > 0.49 * min(
-            table[before, CHORD], table[here, CHORD]
-        ):
+        _, cross, dot = classify_corner(table, before, here, signed)
+        factor = signed / (1.0 + dot)
+        if abs(factor * cross) > 0.49 * min(table[before, CHORD], table[here, CHORD]):
             return math.nan, math.nan
-        start = contours.start
-        return start[next_, 0] - factor * (u1y + u2y), start[next_, 1] + factor * (u1x + u2x)
+        x, y = contours.start[next_, 0], contours.start[next_, 1]
+        return line_crossing(table, before, here, x, y, factor)
     if math.isnan(table[before, MOVED]) or math.isnan(table[here, MOVED]):
         return math.nan, math.nan
     hits, gx, gy, _, sine, _ = concave_crossing(contours, last, next_, table, before, here, signed)
@@ -87,77 +84,44 @@ def _trim_point(
 
 
 @kernel
-def _trim_long_neighbours(
-    contours: Contours,
-    low: int,
-    high: int,
-    closed: bool,
-    signed: float,
-    segments: MovedSegments,
-    at: int,
-) -> None:
+def _trim_long_neighbours(contours: Contours, path: MovedPath) -> None:
     """Classify each corner of a path, and trim neighbouring moved segments to their intersection.
 
-    They are trimmed only if each of them keeps about half its length.
-
-    Parameters
-    ----------
-    low, high
-        The path has the contour segments low … high - 1.
-    closed
-        Whether the path is closed.
-    signed : mm
-        Radius of the tool, positive left of travel.
-    segments, at
-        The moved segments, and the row of the path's first segment in them.
+    They are trimmed only if each of them keeps about half its length.  Writes the kinds of the
+    corners and the trimmed ends into ``path.segments``.
     """
-    start, table, joint = contours.start, segments.table, segments.joint
+    low, high, closed, signed, (table, joint), at = path
+    start = contours.start
     count = high - low
-    size = abs(signed)
     for i in range(count):
         here = at + i
         joint[here] = OPEN
         if i == 0 and not closed:
             continue
         before = at + (i - 1 if i > 0 else count - 1)
-        u1x, u1y = table[before, U2X], table[before, U2Y]
-        u2x, u2y = table[here, U1X], table[here, U1Y]
-        cross = u1x * u2y - u1y * u2x
-        dot = u1x * u2x + u1y * u2y
         last = low + (i - 1 if i > 0 else count - 1)
-        if dot > 0.0 and size * abs(cross) < POINT:
-            factor = signed / (1.0 + dot)
-            gx = start[low + i, 0] - factor * (u1y + u2y)
-            gy = start[low + i, 1] + factor * (u1x + u2x)
-            off = abs(gx - table[here, SX]) + abs(gy - table[here, SY])
-            joint[here] = SHIFTED if off > NEGLIGIBLE_SHIFT else SMOOTH
-        elif cross * signed < 0.0 or dot < -1.0 + 1e-12:
-            joint[here] = CONVEX
+        joint[here], _, dot = classify_corner(table, before, here, signed)
+        if joint[here] == CONVEX:
             continue
+        if joint[here] == SMOOTH:
+            x, y = start[low + i, 0], start[low + i, 1]
+            gx, gy = line_crossing(table, before, here, x, y, signed / (1.0 + dot))
+            joint[here] = smooth_joint(table, here, gx, gy)
         else:
             # Parts beyond the crossing are too close to a neighbour, but in a very flat corner by
             # less than DISTANCE_TOLERANCE, so they are removed here.
-            joint[here] = CONCAVE
             gx, gy = _trim_point(contours, last, low + i, table, before, here, signed)
             if math.isnan(gx):
                 continue
             joint[here] = SHIFTED
-        table[before, EX] = gx
-        table[before, EY] = gy
-        table[here, SX] = gx
-        table[here, SY] = gy
+        join_segments(table, before, here, gx, gy)
 
 
 @kernel
 def raw_offset(
     contours: Contours,
-    low: int,
-    high: int,
-    closed: bool,
-    signed: float,
+    path: MovedPath,
     corners: CornerTypes,
-    segments: MovedSegments,
-    at: int,
     raw: RawRows,
     put: int,
     member: int,
@@ -169,14 +133,8 @@ def raw_offset(
 
     Parameters
     ----------
-    low, high
-        The path has the contour segments low … high - 1.
-    closed
-        Whether the path is closed.
-    signed : mm
-        Radius of the tool, positive left of travel.
-    segments, at
-        The moved segments, and the row of the path's first segment in them.
+    path
+        The path; its moved segments are trimmed in place.
     raw, put
         Output rows, and the index of the first row to write.
     member
@@ -186,8 +144,9 @@ def raw_offset(
     -------
     The next free row of ``raw``.
     """
-    _trim_long_neighbours(contours, low, high, closed, signed, segments, at)
-    start, bulge, (table, joint), (rows, info) = contours.start, contours.bulge, segments, raw
+    _trim_long_neighbours(contours, path)
+    low, high, closed, signed, (table, joint), at = path
+    start, bulge, (rows, info) = contours.start, contours.bulge, raw
     count = high - low
     for i in range(count):
         here = at + i
@@ -197,18 +156,8 @@ def raw_offset(
         if joint[here] == CONVEX:
             before = at + (i - 1 if i > 0 else count - 1)
             begun = put
-            put = write_transition(
-                corners.kind[corners.step * (low + i)],
-                start[low + i, 0],
-                start[low + i, 1],
-                table[before, U2X],
-                table[before, U2Y],
-                table[here, U1X],
-                table[here, U1Y],
-                signed,
-                corners.k[corners.step * (low + i)],
-                rows,
-                put,
+            put = write_corner_transition(
+                contours, low + i, table, before, here, signed, corners, rows, put
             )
             for j in range(begun, put):
                 info[j, 0] = low + i

@@ -1,0 +1,279 @@
+"""corners: classify the corners of a path, and connect the moved segments there.
+
+Moved segments are the rows of ``MovedSegments.table``.  At a corner, ``before`` and ``here`` are
+the rows of the segments before and after it, and ``signed`` is the radius of the tool (mm),
+positive left of travel.
+"""
+
+from __future__ import annotations
+
+import math
+
+from knifetip.geometry.intersect import TOUCH
+from knifetip.geometry.tolerance import POINT
+from knifetip.kernels import F64_2, OutF64_2, inline_kernel, kernel
+from knifetip.offset.raw_segments import (
+    CONCAVE,
+    CONVEX,
+    EX,
+    EY,
+    MOVED,
+    NEGLIGIBLE_SHIFT,
+    RADIUS,
+    SHIFTED,
+    SMOOTH,
+    SX,
+    SY,
+    U1X,
+    U1Y,
+    U2X,
+    U2Y,
+)
+from knifetip.offset.records import Contours, CornerTypes
+from knifetip.offset.transition import write_transition
+
+
+@inline_kernel
+def classify_corner(
+    table: F64_2, before: int, here: int, signed: float
+) -> tuple[int, float, float]:
+    """Return the kind of a corner, and the sine and cosine of the angle by which it turns left.
+
+    The kind is ``SMOOTH`` if the moved segments meet within the tolerance of a point, ``CONVEX`` if
+    they leave a gap, or if the path turns back, and ``CONCAVE`` if they overlap.
+    """
+    u1x, u1y = table[before, U2X], table[before, U2Y]
+    u2x, u2y = table[here, U1X], table[here, U1Y]
+    cross = u1x * u2y - u1y * u2x
+    dot = u1x * u2x + u1y * u2y
+    if dot > 0.0 and abs(signed) * abs(cross) < POINT:
+        return SMOOTH, cross, dot
+    if cross * signed < 0.0 or dot < -1.0 + 1e-12:
+        return CONVEX, cross, dot
+    return CONCAVE, cross, dot
+
+
+@inline_kernel
+def line_crossing(
+    table: F64_2, before: int, here: int, x: float, y: float, factor: float
+) -> tuple[float, float]:
+    """Return the intersection of two moved lines at the corner (x, y), in mm.
+
+    ``factor`` is the signed radius of the tool, divided by 1 plus the cosine of the corner's angle.
+    """
+    u1x, u1y = table[before, U2X], table[before, U2Y]
+    u2x, u2y = table[here, U1X], table[here, U1Y]
+    return x - factor * (u1y + u2y), y + factor * (u1x + u2x)
+
+
+@inline_kernel
+def smooth_joint(table: F64_2, here: int, x: float, y: float) -> int:
+    """Return the kind of the joint if a smooth corner is joined at (x, y).
+
+    The kind is ``SHIFTED`` if (x, y) is farther than rounding errors from the start of the moved
+    segment ``here``, else ``SMOOTH``.
+    """
+    shift = abs(x - table[here, SX]) + abs(y - table[here, SY])
+    return SHIFTED if shift > NEGLIGIBLE_SHIFT else SMOOTH
+
+
+@inline_kernel
+def join_segments(table: OutF64_2, before: int, here: int, x: float, y: float) -> None:
+    """Move the end of the segment before a corner and the start of the one after it to (x, y)."""
+    table[before, EX] = x
+    table[before, EY] = y
+    table[here, SX] = x
+    table[here, SY] = y
+
+
+@inline_kernel
+def write_corner_transition(
+    contours: Contours,
+    i: int,
+    table: F64_2,
+    before: int,
+    here: int,
+    signed: float,
+    corners: CornerTypes,
+    rows: OutF64_2,
+    put: int,
+) -> int:
+    """Write the transition at the start of contour segment ``i`` to ``rows``, from row ``put`` on.
+
+    Returns the next free row.  The columns of ``rows`` are x0, y0, x1, y1 and bulge.
+    """
+    return write_transition(
+        corners.kind[corners.step * i],
+        contours.start[i, 0],
+        contours.start[i, 1],
+        table[before, U2X],
+        table[before, U2Y],
+        table[here, U1X],
+        table[here, U1Y],
+        signed,
+        corners.k[corners.step * i],
+        rows,
+        put,
+    )
+
+
+@kernel(allocates=False)
+def _twice_circular_segment(x: float, y: float, radius: float) -> float:
+    """Return twice the area between a chord and its arc of less than half a turn (mm²).
+
+    (x, y) is the vector of the chord.  The area has the sign of ``radius``; it is 0 for radius 0.
+    """
+    if radius == 0.0:
+        return 0.0
+    square = min(0.25 * (x * x + y * y) / (radius * radius), 1.0)
+    half = math.sqrt(square)
+    if square < 0.01:
+        # Series of asin h - h √(1 - h²), which cancels for small h.
+        more = 0.0378605769230769 + square * (0.030078125 + square * 0.0246438419117647)
+        more = 0.0694444444444444 + square * (0.0497159090909091 + square * more)
+        more = 0.2 + square * (0.107142857142857 + square * more)
+        area = 2.0 * half * square * (0.666666666666667 + square * more)
+    else:
+        area = 2.0 * (math.asin(half) - half * math.sqrt(1.0 - square))
+    return math.copysign(radius * radius * area, radius)
+
+
+@kernel(allocates=False)
+def _contains_point(
+    table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
+) -> bool:
+    """Return whether a moved segment contains a point (x, y) that lies on its line or circle.
+
+    The segment goes from (sx, sy) to (ex, ey); row ``at`` of ``table`` has its radius.
+    """
+    dx, dy = ex - sx, ey - sy
+    slack = TOUCH * (abs(dx) + abs(dy))
+    radius = table[at, RADIUS]
+    if radius == 0.0:
+        along = (x - sx) * dx + (y - sy) * dy
+        return -slack <= along <= dx * dx + dy * dy + slack
+    side = dx * (y - sy) - dy * (x - sx)
+    return (side if radius > 0.0 else -side) <= slack
+
+
+@inline_kernel
+def _contact_point(
+    gx: float, gy: float, table: F64_2, at: int, ux: float, uy: float
+) -> tuple[float, float]:
+    """Return the point at which a disc around (gx, gy) touches a contour segment at a corner.
+
+    Coordinates are relative to the corner (mm).
+
+    Parameters
+    ----------
+    gx, gy : mm
+        Centre of the disc, on the line or circle of the moved segment.
+    table, at
+        Moved segments, and the row of the segment.
+    ux, uy
+        Unit tangent of the segment at the corner.
+    """
+    radius = table[at, RADIUS]
+    if radius == 0.0:
+        along = gx * ux + gy * uy
+        return along * ux, along * uy
+    cx, cy = -radius * uy, radius * ux
+    scale = radius / table[at, MOVED]
+    return cx + (gx - cx) * scale, cy + (gy - cy) * scale
+
+
+@kernel(allocates=False)
+def concave_crossing(
+    contours: Contours,
+    last: int,
+    next_: int,
+    table: F64_2,
+    before: int,
+    here: int,
+    signed: float,
+) -> tuple[int, float, float, float, float, float]:
+    """Intersect the two moved segments at a concave corner, at least one of which is an arc.
+
+    Parameters
+    ----------
+    last, next_
+        Contour segments before and after the corner.
+    table, before, here
+        Moved segments, and the rows in which ``last`` and ``next_`` are.
+    signed : mm
+        Radius of the tool, positive left of travel.
+
+    Returns
+    -------
+    hits
+        Number of intersections.
+    x, y : mm
+        The intersection.
+    cosine, sine
+        Cosine and sine of the angle, at the centre of a disc at the intersection, between the two
+        points at which the disc touches the contour segments.
+    twice : mm²
+        Twice the area between corner and contact points that the disc cannot reach, plus twice the
+        area of the disc's sector between the contact points.
+    """
+    start, end = contours.start, contours.end
+    x, y = start[next_, 0], start[next_, 1]
+    u1x, u1y = table[before, U2X], table[before, U2Y]
+    u2x, u2y = table[here, U1X], table[here, U1Y]
+    radius1, radius2 = table[before, RADIUS], table[here, RADIUS]
+    moved1, moved2 = table[before, MOVED], table[here, MOVED]
+    # Relative to the corner, untrimmed segments: a is the end of one, b the start of the other.
+    ax, ay = -signed * u1y, signed * u1x
+    bx, by = -signed * u2y, signed * u2x
+    sx = start[last, 0] - signed * table[before, U1Y] - x
+    sy = start[last, 1] + signed * table[before, U1X] - y
+    ex = end[next_, 0] - signed * table[here, U2Y] - x
+    ey = end[next_, 1] + signed * table[here, U2X] - y
+    c1x, c1y = -radius1 * u1y, radius1 * u1x
+    c2x, c2y = -radius2 * u2y, radius2 * u2x
+    if radius1 == 0.0 or radius2 == 0.0:
+        if radius1 == 0.0:
+            ux, uy, off, size = u1x, u1y, u1x * (c2y - ay) - u1y * (c2x - ax), moved2
+            fx, fy = c2x + off * uy, c2y - off * ux
+        else:
+            ux, uy, off, size = u2x, u2y, u2x * (c1y - by) - u2y * (c1x - bx), moved1
+            fx, fy = c1x + off * uy, c1y - off * ux
+        square = (size - off) * (size + off)
+        rise = math.sqrt(max(square, 0.0))
+        rx, ry = rise * ux, rise * uy
+    else:
+        dx, dy = c2x - c1x, c2y - c1y
+        apart = dx * dx + dy * dy
+        foot = 0.5 + 0.5 * (moved1 - moved2) * (moved1 + moved2) / apart
+        square = moved1 * moved1 / apart - foot * foot
+        rise = math.sqrt(max(square, 0.0))
+        fx, fy = c1x + foot * dx, c1y + foot * dy
+        rx, ry = -rise * dy, rise * dx
+    if not square > 0.0:
+        return 0, x, y, 1.0, 0.0, 0.0
+    gx, gy = fx + rx, fy + ry
+    hits = int(
+        _contains_point(table, before, sx, sy, ax, ay, gx, gy)
+        and _contains_point(table, here, bx, by, ex, ey, gx, gy)
+    )
+    ox, oy = fx - rx, fy - ry
+    if _contains_point(table, before, sx, sy, ax, ay, ox, oy) and _contains_point(
+        table, here, bx, by, ex, ey, ox, oy
+    ):
+        hits += 1
+        gx, gy = ox, oy
+    # Contact points of the disc around g with both segments.
+    f1x, f1y = _contact_point(gx, gy, table, before, u1x, u1y)
+    f2x, f2y = _contact_point(gx, gy, table, here, u2x, u2y)
+    twice = (
+        f2x * f1y
+        - f2y * f1x
+        + _twice_circular_segment(f1x, f1y, radius1)
+        + _twice_circular_segment(f2x, f2y, radius2)
+    )
+    ax, ay, bx, by = f1x - gx, f1y - gy, f2x - gx, f2y - gy
+    sine = ax * by - ay * bx
+    if signed < 0.0:
+        sine, twice = -sine, -twice
+    scale = 1.0 / (signed * signed)
+    return hits, x + gx, y + gy, (ax * bx + ay * by) * scale, sine * scale, twice + sine
