@@ -38,8 +38,9 @@ class Findings:
             self._kept.append(Finding(kind, message, float(measure), int(edge), int(line)))
 
     def add_faults(self, faults: Iterable[tuple[int, Message]]) -> None:
-        """Append a finding of kind "program" for each fault: a 1-based program line and a
-        message.
+        """Append a finding of kind "program" for each fault of a program, until the list is full.
+
+        A fault is a 1-based program line and a message.
         """
         for line, message in faults:
             self.add("program", message, 0.0, line=line)

@@ -52,9 +52,7 @@ class TipPoses:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:
-    """n paths of the tip in the board: lines and arcs at constant depth, and the end points of
-    plunges.
-    """
+    """n paths of the tip in the board: lines and arcs at constant depth, and ends of plunges."""
 
     curve: F64  #: (n, 6) rows as in ``curves.curve``
     z: F64  #: (n,) height of the tip above the table, mm
@@ -71,10 +69,10 @@ class TipPaths:
 
 
 def tip_offset(heading: F64, station: Station) -> F64:
-    """Return the vector from the head's axis to the tip of a station's tool at n headings, (n, 2)
-    mm.
+    """Return the vector from the head's axis to the tip of a station's tool, one per heading, (n,
+    2) mm.
 
-    ``heading`` are the headings of the tool, (n,) degrees.
+    ``heading`` are the n headings of the tool, (n,) degrees.
     """
     cos, sin = np.cos(np.radians(heading)), np.sin(np.radians(heading))
     tool = expected_tool(station.tool)
@@ -83,8 +81,8 @@ def tip_offset(heading: F64, station: Station) -> F64:
 
 
 def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
-    """Return the poses of the tip of the selected station's tool at the start and end of each
-    move.
+    """Return the poses of the tip of the selected station's tool at the start and end of each of
+    the n moves.
     """
     start, end = moves.start.copy(), moves.end.copy()
     for index, station in enumerate(machine.stations):
@@ -159,19 +157,19 @@ def tip_paths(
 def _path_pieces(
     moves: Moves, tip: TipPoses, rows: I64, point: Bool, machine: Machine
 ) -> tuple[I64, F64, F64]:
-    """Return the k lines and arcs that the tip follows in moves.
+    """Return the k lines and arcs that the tip follows in some of the moves.
 
     Parameters
     ----------
     rows
-        Indices of the moves.
+        Indices of these moves.
     point
-        Mask of those moves that give only a point, the end of the move.
+        Mask of these moves: True if the move gives only a point, the end of the move.
 
     Returns
     -------
-    Index of the move of each line or arc (k,), the lines and arcs as curves (k, 6), and the start
-    and end of each as fractions of the move (k, 2).
+    Index of the move of each line or arc (k,), the lines and arcs in the format of ``curves.curve``
+    (k, 6), and the start and end of each as fractions of the move (k, 2).
     """
     start, end = tip.start[rows, :2], tip.end[rows, :2]
     start = np.where(point[rows][:, None], end, start)
@@ -222,8 +220,8 @@ def _flatten_paths(
 
     Returns
     -------
-    Index into ``rows`` of each chord (k,), the chords as curves (k, 6), and the start and end of
-    each chord as fractions of the move (k, 2).
+    Index into ``rows`` of each chord (k,), the chords in the format of ``curves.curve`` (k, 6), and
+    the start and end of each chord as fractions of the move (k, 2).
     """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])

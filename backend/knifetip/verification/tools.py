@@ -35,7 +35,7 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """The name in messages of the tool that makes this operation, which is a key of
+        """Name of the tool that makes this operation, for messages; it is a key of
         ``english.TOOLS``.
         """
         return ("knife", "knife", "wheel", "v-cutter", "cutter")[self]

@@ -1,8 +1,8 @@
 """Verify that a program makes the drawn edges.
 
 A reader converts the program's bytes to moves of the machine's joints, kinematics computes the
-paths of the tool tip, and the checks compare the paths with each edge.  No code is shared with the
-stages that make programs, so programs from any source can be verified.
+paths of the tool tip, and the checks compare the paths with each edge.  Verification shares no code
+with the stages that make programs, so programs from any source can be verified.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ def verify(
 
 
 def _samples(context: CheckContext) -> Samples:
-    """Return the deviations measured at points of the edges.
+    """Return the deviations of tip paths from the edges, measured at points of the edges.
 
     If there are more than ``MAX_SAMPLES`` points, evenly spaced ones of them are returned.
     """

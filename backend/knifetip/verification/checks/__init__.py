@@ -1,1 +1,1 @@
-"""The checks that a program must pass; each adds findings, and measured figures of each edge."""
+"""The checks of a program; each adds findings, and measured figures of each edge."""

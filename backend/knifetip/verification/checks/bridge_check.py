@@ -1,10 +1,10 @@
 """Check the bridges that hold a part in the sheet.
 
 A bridge is a gap that the paths of the blade's tip leave in a closed path of edges.  Its width is
-measured in the top face of the board.  A slanted blade cuts the top face ahead of its tip; the
-length by which it does is the lead.  If the tip stops before a bridge, the gap in the tip's path is
-therefore wider than the bridge by the lead.  If the tip enters the board after a bridge, the cut in
-the top face and the cut in the bottom face begin at the same point.
+measured in the top face of the board.  A slanted blade cuts the top face ahead of its tip, by a
+length called the lead.  If the tip stops before a bridge, the gap in the tip's path is therefore
+wider than the bridge by the lead.  If the tip enters the board after a bridge, the cut in the top
+face and the cut in the bottom face begin at the same point.
 """
 
 from __future__ import annotations
@@ -53,9 +53,9 @@ def find_bridges(
     overlaps
         Overlaps of the paths of the knife's tip with the edges.
     paths, edges
-        The c paths of edges, and the edges that form them.
+        The c paths that the edges form, and the edges.
     held : (c,)
-        Mask of the paths of edges that are searched for bridges.
+        Mask of the paths that are searched for bridges.
     lead : mm
         Length by which the blade cuts the top face ahead of its tip.
     """
@@ -119,8 +119,7 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
 
 
 def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
-    """Return 1.0 for each of k positions on closed paths at which a cut stretch ends, else 0.0,
-    (k,).
+    """Return whether a cut stretch ends at each of k positions on closed paths: 1.0 or 0.0, (k,).
 
     Parameters
     ----------
@@ -141,11 +140,11 @@ def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F6
 def check_bridges(
     found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
-    """Yield four values for each fault of a bridge: kind of finding, index of an edge, message,
-    measure.
+    """Check all bridges; for each fault yield the kind of finding, the index of an edge, the
+    message, and the size of the fault.
 
     The edge is the one that the bridge lies on, or the first edge of a path with too few bridges.
-    The measure is the length (mm) by which a bridge is wrong, the width of a superfluous bridge, or
+    The size is the length (mm) by which a bridge is wrong, the width of a superfluous bridge, or
     0 for too few bridges.
 
     Parameters
@@ -153,7 +152,7 @@ def check_bridges(
     found
         All bridges.
     paths, edges
-        The c paths of edges, and the edges that form them.
+        The c paths that the edges form, and the edges.
     held : (c,)
         Mask of the paths that must have bridges.
     board
@@ -201,10 +200,11 @@ def check_bridges(
 
 
 def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
-    """Return the index of the edge that each of k bridges lies on, (k,), and a length (k,) mm.
+    """Return the index of the edge that each of k bridges lies on, (k,), and the missing distance
+    from a sharp corner, (k,) mm.
 
-    The length is the length by which the bridge is too near to a sharp corner at an end of that
-    edge, and 0 if the bridge is far enough from both ends.
+    The missing distance is the length by which the bridge is too near to a sharp corner at an end
+    of that edge, and 0 if the bridge is far enough from both ends.
     """
     size = edges.curve[:, 5]
     edge, place = paths.locate(found.path, found.middle, edges.curve)

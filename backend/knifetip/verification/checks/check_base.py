@@ -1,8 +1,8 @@
 """Base class of the checks that compare the path of a tool's tip with the edges.
 
-It checks position, depth and heading of the tip, and whether each edge is cut or creased
-completely.  A tip path within the tolerance of a drawn edge counts as cutting or creasing that
-edge.
+The base class checks position, depth and heading of the tip, and whether each edge is cut or
+creased completely.  A tip path within the tolerance of a drawn edge counts as cutting or creasing
+that edge.
 
 Heading: let ρ be the distance from the tip to the farthest point of the tool (the blade's width,
 half the wheel's contact length, or a V-cutter's cutting edge).  If the heading differs by ΔC from
@@ -72,7 +72,9 @@ class StationCheck(ABC):
         self.set_edges(edges)
 
     def set_edges(self, edges: Edges) -> None:
-        """Set the edges that must be cut, creased or grooved, each over its entire length."""
+        """Set the edges that must be cut, creased or grooved; each is required over its entire
+        length.
+        """
         self.edges = edges
         self.size = edges.curve[:, 5]
         self.low, self.high = np.zeros(len(edges)), self.size.copy()
@@ -83,7 +85,7 @@ class StationCheck(ABC):
         self.spare = np.zeros((len(edges), 2))
 
     def run(self) -> None:
-        """Run the check, unless there are neither tip paths nor edges to compare."""
+        """Run the check if there are tip paths or edges to compare, else do nothing."""
         if len(self.curve) or len(self.edges):
             self.check()
 
@@ -134,7 +136,8 @@ class StationCheck(ABC):
         self.findings.add(kind, message, measure, edge=row, line=line)
 
     def record_overcut(self, edges: I64, measure: F64) -> None:
-        """Raise the recorded overcut of each edge of ``edges`` to ``measure`` if that is greater.
+        """Increase the recorded overcut of each edge of ``edges`` to ``measure`` if ``measure`` is
+        greater.
 
         ``edges`` are k indices of edges, and ``measure`` is the overcut of each of them, (k,) mm.
         """
@@ -151,7 +154,8 @@ class StationCheck(ABC):
     def check_position(
         self, overlaps: Overlaps, final: Bool | None = None, wide: F64 | None = None
     ) -> None:
-        """Check the distance of the tip paths from the edges, and the depth of the tip.
+        """Check the distance of the tip paths from the edges, and the depth of the tip; add
+        findings.
 
         Parameters
         ----------
@@ -212,7 +216,7 @@ class StationCheck(ABC):
     def check_heading(
         self, overlaps: Overlaps, reach: F64, turn: float, chorded: Bool | None = None
     ) -> None:
-        """Check the heading of the tool along edges and past the ends of edges.
+        """Check the heading of the tool along edges and past the ends of edges; add findings.
 
         Parameters
         ----------
@@ -223,9 +227,9 @@ class StationCheck(ABC):
         turn : degrees
             Rotation after which the tool has the same shape again: 180 or 360.
         chorded : (n,)
-            Mask of the edges that the tool follows in chords.  The heading is compared with the
-            direction of the chord there, and elsewhere with the direction of the edge.  None if the
-            tool follows no edge in chords.
+            Mask of the edges that the tool follows in chords; None if the tool follows no edge in
+            chords. On these edges the heading is compared with the direction of the chord, on all
+            other edges with the direction of the edge.
         """
         best = np.flatnonzero(overlaps.best)
         work, edge = overlaps.curve[best], overlaps.edge[best]
@@ -301,8 +305,8 @@ class StationCheck(ABC):
     def check_uncut(
         self, overlaps: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
     ) -> None:
-        """Check that tip paths cover edges completely; record the length of each edge that is not
-        covered.
+        """Check that tip paths cover edges completely; add a finding for each gap, and record the
+        uncovered length of each edge.
 
         An edge must be covered between the points at which the tip may start and must stop.
 

@@ -113,8 +113,9 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
 def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
     """Return one point on each of n lines and arcs, (n, 2) mm.
 
-    ``ends`` are their start and end points, (n, 2, 2) mm, and ``bulge`` their bulges, (n,).
-    ``share`` is the position of each point as a fraction of the length of its line or arc, (n,).
+    ``ends`` are the start and end points of the lines and arcs, (n, 2, 2) mm, and ``bulge`` their
+    bulges, (n,).  ``share`` is the position of each point as a fraction of the length of its line
+    or arc, (n,).
     """
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
@@ -183,7 +184,8 @@ def _measure_stretches(
 def _check_added_work(
     after: Dieline, target: I64, along: F64, report: Callable[[int, float, Message], None]
 ) -> None:
-    """Report each cleaned edge that extends beyond drawn stretches by over twice the gap tolerance.
+    """Report each cleaned edge that extends beyond the drawn stretches by more than twice the gap
+    tolerance.
 
     A cleaned edge on which no drawn stretch lies is reported too.
 

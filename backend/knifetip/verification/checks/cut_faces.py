@@ -360,9 +360,10 @@ def _search_left(
 
 @kernel(checks_division=True)
 def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
-    """Find where a curve crosses the ray from the point (x, y) to the left, nearest to the point.
+    """Find where a curve crosses the ray that runs from the point (x, y) to the left.
 
-    Returns the x of that crossing (mm), -inf for none, and whether the curve runs upwards there.
+    Returns the x of the crossing nearest to the point (mm), -inf for none, and whether the curve
+    runs upwards there.  ``curve`` is one row in the format of ``curves.curve``, (6,).
     """
     best, up = -math.inf, False
     if curve[0] == 0.0:

@@ -27,7 +27,10 @@ from knifetip.verification.tools import OperationKind, expected_tool
 
 
 def check_edges(context: CheckContext, work: TipPaths) -> None:
-    """Compare the tip paths ``work`` with all edges; add findings and figures to ``context``."""
+    """Compare the tip paths ``work`` with all edges of the dieline.
+
+    Findings, and the measured figures of each edge, are added to ``context``.
+    """
     held = {expected_tool(station.tool).through_kind for station in context.machine.stations}
     knives, cutters = OperationKind.CUT in held, OperationKind.MILL in held
     for operation, kinds in WORKED_TYPES.items():
@@ -58,7 +61,7 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
     Parameters
     ----------
     work, rows
-        Tip paths, and the indices of the tip paths that count.
+        Tip paths of the program, and the indices of the tip paths that are considered.
     edges
         The n edges.
     tolerance : mm

@@ -85,11 +85,11 @@ class GrooveCheck(StationCheck):
             )
 
     def _add_run_outs(self, blade: VCutter) -> Bool:
-        """Lengthen the edges of grooves by their required run-outs past the board's edge, in place.
+        """Lengthen the grooves by their required run-outs past the board's edge, in place.
 
-        The tip must not go farther than required, because there may be an obstacle beside the
-        board.  Returns the mask of the start and end of each of n grooves at which the groove
-        leaves the board, shape (n, 2).
+        A run-out must not be longer than required, because there may be an obstacle beside the
+        board. Returns the mask of the start and end of each of n grooves at which the groove leaves
+        the board, shape (n, 2).  ``blade`` is the V-cutter.
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
@@ -112,7 +112,7 @@ class GrooveCheck(StationCheck):
         return boundary
 
     def _deepest_passes(self, overlaps: Overlaps) -> Bool:
-        """Return the mask of the overlaps of the deepest passes.
+        """Return the mask of the overlaps that belong to the deepest pass over an edge.
 
         Each edge has one deepest pass in each direction of travel.  ``overlaps`` are the overlaps
         of the tip paths with the edges.  Adds a finding for each pass that is shallower than the
@@ -168,7 +168,8 @@ class GrooveCheck(StationCheck):
             )
 
     def _check_flanks(self, overlaps: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
-        """Check the distance from the edge at which each flank of a groove reaches the top face.
+        """Check the distance from the edge at which each flank of a groove reaches the top face;
+        add findings.
 
         The distance should be depth × tan(tilt), with the tilt of the V-cutter.  In each pass the
         blade leans to the right of its direction of travel, and cuts the flank on that side.

@@ -1,8 +1,8 @@
 """Find cuts so near to a V-groove that a flank of the groove damages the cut edge of the board.
 
 In the top face a groove is a strip on both sides of its line, bounded by its flanks.  A cut inside
-the strip loses its edge.  There are two exceptions: a cut on which the groove ends or over which it
-runs out, and a cut that crosses the groove.
+the strip loses its sharp edge.  Two kinds of cuts are permitted inside the strip: a cut on which
+the groove ends or over which it runs out, and a cut that crosses the groove.
 """
 
 from __future__ import annotations
@@ -88,9 +88,10 @@ def _nearest_points(
     overlaps
         Stretches of the chords ``pieces`` that are inside the strips of the grooves ``strip``.
     pieces, owner : (p, 6), (p,)
-        p chords of cuts, and the index of the cut of each chord.
+        p chords of cuts, in the format of ``curves.curve``, and the index of the cut of each chord.
     strip, before : (n, 6), (n,)
-        n grooves lengthened at both ends, and the length added at the start of each (mm).
+        n grooves lengthened at both ends, in the same format, and the length added at the start of
+        each (mm).
     """
     share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     aside = np.stack(

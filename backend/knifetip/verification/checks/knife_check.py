@@ -51,12 +51,13 @@ class KnifeCheck(StationCheck):
         self._check_work(depth, depth)
 
     def _check_work(self, leads: float, runs: float) -> None:
-        """Compare the knife's tip paths with the edges.
+        """Compare the knife's tip paths with the edges; add findings and figures.
 
         Parameters
         ----------
         leads : mm
-            Depth of the tip below the top face.  The blade's lead is this depth times tan(slant).
+            Depth of the tip below the top face.  The lead, the length by which the blade cuts the
+            top face ahead of its tip, is this depth times tan(slant).
         runs : mm
             Depth from which the planned overrun past an end that meets a cut is computed, also by
             multiplying with tan(slant).
@@ -140,7 +141,7 @@ class KnifeCheck(StationCheck):
 
     @property
     def _needs_bridges(self) -> bool:
-        """True if the check is of cuts through the board and the board's record requires bridges in
+        """Whether the check is of cuts through the board and the board's record requires bridges in
         them.
         """
         board = self.context.board
@@ -163,10 +164,11 @@ class KnifeCheck(StationCheck):
         return result
 
     def _tracks_along(self, overlaps: Overlaps, some: Bool) -> Bool:
-        """Return the mask of the tracks of which more than half follows edges of the mask ``some``.
+        """Return the mask of the t tracks that follow marked edges for more than half of their
+        length, (t,).
 
         A track is a chain of tip paths between two lifts.  ``overlaps`` are the overlaps of the tip
-        paths with all n edges; ``some`` is a mask of these edges, (n,).
+        paths with all n edges; ``some`` is the mask of the marked edges, (n,).
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
@@ -185,7 +187,8 @@ class KnifeCheck(StationCheck):
         rounds: Bool,
         lead: float,
     ) -> None:
-        """Check the width, number and spacing of bridges, and their distance from corners.
+        """Check the width, number and spacing of bridges, and their distance from corners; add
+        findings.
 
         Parameters
         ----------
@@ -224,10 +227,10 @@ class KnifeCheck(StationCheck):
             self.add_finding(kind, int(solid[at]), message, measure)
 
     def _remove_leads(self, blade: Knife) -> None:
-        """Remove the tip paths of lead-ins and lead-outs from this check, after checking their
-        headings.
+        """Check the headings on lead-ins and lead-outs, and then remove the tip paths of these from
+        the check.
 
-        A lead-in or lead-out runs through waste, so it matches no edge.  ``blade`` states its
+        A lead-in or lead-out runs through waste, so it matches no edge.  ``blade`` contains its
         length.
         """
         if (blade.lead_in <= 0.0 and blade.lead_out <= 0.0) or len(self.curve) == 0:
@@ -287,8 +290,8 @@ class KnifeCheck(StationCheck):
     def _check_perforations(
         self, overlaps: Overlaps, which: I64, dashed: Bool, lead: float
     ) -> None:
-        """Check the lengths of the cuts of perforations, and the lengths of the gaps between these
-        cuts.
+        """Check the lengths of the cuts of perforations and of the gaps between these cuts; add
+        findings.
 
         The planned length of a tip path is the length of the cut less the blade's lead.
 

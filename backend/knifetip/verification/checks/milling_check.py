@@ -9,7 +9,7 @@ A cutter that deflects by δx along X and δy along Y under load is moved that m
 edge.  Its centre is at P + ((r - δx) n_x, (r - δy) n_y), with the point P on the edge and the unit
 normal n towards the waste.  Round a convex corner the centre moves on an ellipse.
 
-Source: the radius paper, equations 1-9; the reach into corners is our derivation.
+Source: "Tool radius compensation", equations 1-9.  The reach into corners was derived for knifetip.
 """
 
 from __future__ import annotations

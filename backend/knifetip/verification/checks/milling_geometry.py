@@ -14,7 +14,7 @@ from knifetip.verification.curves.intervals import EPSILON
 
 
 def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
-    """Return start and end of the stretch of each of n curves near a point, (n,) mm each.
+    """Return the start and the end of the stretch of each of n curves near a point, (n,) mm each.
 
     The stretch is the part of the curve within ``limit`` of the point.  If there is none, the
     returned start is greater than the end.  Only one stretch per curve is returned, although an arc
@@ -23,7 +23,8 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
     Parameters
     ----------
     curve, point : (n, 6), (n, 2) mm
-        Curves, and for each curve the point that it is compared with.
+        Curves in the format of ``curves.curve``, and for each curve the point that it is compared
+        with.
     limit : mm
         Greatest distance from the point.
     """
@@ -107,7 +108,8 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     Parameters
     ----------
     points, edge : (n, 2) mm and (n, 6)
-        Centres of the disc, and the edge that the disc at each centre is compared with.
+        Centres of the disc, and for each centre the edge with which the disc is compared, in the
+        format of ``curves.curve``.
     reach : (2,) mm
         Half-axes of the disc along X and Y.
     """

@@ -81,10 +81,11 @@ def check_travel(moves: Moves, machine: Machine, findings: Findings) -> Bool:
 
 
 def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check the feed of each move: the tool's feed at constant height, its plunge feed otherwise.
+    """Check the feed of each move; add findings.
 
-    A turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must
-    be the time of its travel at the tool's feed or the time of its turn, whichever is longer.
+    The feed must be the tool's feed at constant height, and the tool's plunge feed otherwise.  A
+    turn of C alone may run at the greatest speed of C.  The duration of a timed move (G93) must be
+    the time of its travel at the tool's feed or the time of its turn, whichever is longer.
     """
     own = np.full(len(moves.line), np.nan)
     level = np.abs(moves.end[:, 2] - moves.start[:, 2]) <= LEVEL
@@ -142,7 +143,8 @@ def _number(moves: Moves, machine: Machine, row: int) -> int:
 
 
 def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findings) -> None:
-    """Check the states of the outputs during each move in which a tool is in the board.
+    """Check the states of the outputs during each move in which a tool is in the board; add
+    findings.
 
     The station of the tool must be lowered and all other stations raised.  The outputs that the
     tool needs must be on, and the spindle must be on if and only if the tool needs it.
@@ -240,7 +242,7 @@ def check_board_moves(
 def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> None:
     """Check that a laser beam is off in rapids, and that the head keeps its height while it is on.
 
-    ``beam`` is the mask of the n moves whose station carries a laser, (n,).
+    Adds findings.  ``beam`` is the mask of the n moves whose station carries a laser, (n,).
     """
     on = beam & tip.inside
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
@@ -256,7 +258,7 @@ def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> 
 def _check_turns(
     moves: Moves, tip: TipPoses, machine: Machine, stay: Bool, slanted: Bool, findings: Findings
 ) -> None:
-    """Check that C turns by the same angle as the direction of travel in the board.
+    """Check that C turns by the same angle as the direction of travel in the board; add findings.
 
     On a line or an arc, C and the direction of travel turn at constant rates, so comparing their
     angles covers the entire move.  A comparison of the headings at the ends of the move would miss

@@ -41,10 +41,11 @@ def check_switching(moves: Moves, machine: Machine, board: Board, findings: Find
 
 
 def _check_stated(moves: Moves, machine: Machine, highest: float, findings: Findings) -> None:
-    """Check that the program sets each output and the spindle before it moves the head.
+    """Check that the program sets each output and the spindle before it moves the head; add
+    findings.
 
-    Only a straight lift to the height ``highest`` (mm), at which every station clears the board, is
-    permitted before that.
+    Before that, only a straight lift to the height ``highest`` (mm) is permitted, at which every
+    station clears the board.
     """
     lift = _is_upright(moves) & (moves.code == 0) & (moves.end[:, 2] >= highest - PRINT_ROUNDING)
     things = {
@@ -121,7 +122,7 @@ def _check_heights(
 
 
 def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> None:
-    """Check that a station is lowered only while all other stations are raised."""
+    """Add a finding for each program line that lowers a station while another one is lowered."""
     switches = moves.switches
     output = np.array([station.output for station in machine.stations])
     beside = switches.beside & (output != output[switches.lowers][:, None])

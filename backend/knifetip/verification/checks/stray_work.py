@@ -72,7 +72,9 @@ def check_stray_work(
 def _report_stray(
     check: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
-    """Add a finding for each group of stretches on no edge: past an end, beside an edge, or stray.
+    """Add a finding for each group of stretches that lie on no edge.
+
+    The finding reports a group that lies past an end of an edge, beside an edge, or elsewhere.
 
     Parameters
     ----------
@@ -153,7 +155,7 @@ def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F
 
 
 def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return the index of an edge that at least half of a span of a curve follows, -1 for none.
+    """Return the index of an edge that runs along at least half of a span of a curve, -1 for none.
 
     ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """
@@ -163,10 +165,12 @@ def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
 
 
 def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]:
-    """Return the index of the nearest edge along a span of a curve, and its distance (mm).
+    """Return the index of the nearest edge beside a span of a curve, and the distance of the edge
+    (mm).
 
-    Only edges that run along at least 80 % of the span count; without one, return -1 and 0.
-    ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
+    Only edges that run along at least 80 % of the span are considered; if there are none, -1 and 0
+    are returned.  ``curve`` is the index of the curve, and ``span`` is the start and end of the
+    span on it (mm).
     """
     mine, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
@@ -176,7 +180,8 @@ def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]
 
 
 def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
-    """Return the index of an edge that a curve leaves or reaches at an end of a span, -1 for none.
+    """Return the index of an edge that a curve follows up to the start of a span, or from the end
+    of the span, -1 for none.
 
     ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """

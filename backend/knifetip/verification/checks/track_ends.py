@@ -23,7 +23,8 @@ from knifetip.verification.findings import MAX_FINDINGS
 
 
 class _RunStops(NamedTuple):
-    """Points at which the knife leaves the board after each of k runs, and which of them are wrong.
+    """Points at which the knife leaves the board after each of k runs, and which of these points
+    are wrong.
 
     A run is a chain of tracks, each of which begins where the previous track ended.  A track is a
     chain of tip paths between two lifts.

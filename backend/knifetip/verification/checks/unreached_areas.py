@@ -6,7 +6,7 @@ edge, or is stopped between two corners.  From there the loop follows the disc's
 the start of the next stretch.  In a concave corner that turns by φ, a disc of radius r leaves the
 area r² (tan φ/2 - φ/2).
 
-Source: our derivation.
+The formula was derived for knifetip.
 """
 
 from __future__ import annotations

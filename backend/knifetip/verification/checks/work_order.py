@@ -1,8 +1,9 @@
 """Check that no tool cuts or creases a piece of board that earlier cuts have released.
 
-``cut_faces`` divides the sheet into faces.  A piece of a cut is complete at the program line that
-finishes it; until then the two faces beside it are connected.  A face is released from the sheet at
-the last line at which a path of connected faces still leads from it to the outside::
+The cuts divide the sheet into faces (see ``cut_faces``).  A piece of a cut is complete at the
+program line that finishes it; until then the two faces beside it are connected.  A face is released
+from the sheet at the last line at which a path of connected faces still leads from it to the
+outside::
 
     free(face) = max over all paths from the face to the outside of
                  min over the pieces that the path crosses of complete(piece)
@@ -69,10 +70,10 @@ class _WorkedSpans:
 
 
 def check_work_order(context: CheckContext, work: TipPaths) -> None:
-    """Check that tip paths inside a contour come before the program line that completes the
-    contour.
+    """Add a finding for each tip path on a piece of board that earlier cuts have released.
 
-    ``work`` are all tip paths of the program; findings are added to ``context``.
+    ``work`` are all tip paths of the program, in the order of the program; findings are added to
+    ``context``.
     """
     cuts, _, _ = without_duplicates(context.edges.with_types(LineType.CUT))
     if len(cuts) == 0 or len(work.z) == 0:
@@ -198,7 +199,8 @@ def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed
 def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _WorkedSpans:
     """Return the stretches of the edges ``cuts`` that the tools have cut.
 
-    The path of a knife's tip lies on the cut; the path of a cutter's centre lies beside the cut.
+    ``work`` are all tip paths.  The path of a knife's tip lies on its cut; the path of a cutter's
+    centre lies beside its cut.
     """
     size = cuts.curve[:, 5]
     knife = np.flatnonzero(work.operation == OperationKind.CUT)

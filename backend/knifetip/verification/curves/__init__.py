@@ -1,1 +1,1 @@
-"""Lines and arcs as rows of numbers, overlaps of them, and unions of intervals on them."""
+"""Lines and arcs as rows of numbers, their overlaps with edges, and unions of intervals on them."""

@@ -18,8 +18,8 @@ from knifetip.verification.columns import F64
 def point_at(curve: F64, along: F64) -> F64:
     """Return one point on each of n curves, (n, 2) mm.
 
-    ``curve`` is (n, 6); ``along`` is the distance of each point from the start of its curve, (n,)
-    mm.
+    ``curve``, (n, 6), has the format that the module describes.  ``along`` is the distance of each
+    point from the start of its curve, (n,) mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])
@@ -31,10 +31,11 @@ def point_at(curve: F64, along: F64) -> F64:
 
 
 def azimuth_at(curve: F64, along: F64) -> F64:
-    """Return the direction of travel at one point on each of n curves, (n,) degrees.
+    """Return the direction of travel at one point on each of n curves, (n,) degrees from the X
+    axis.
 
-    ``curve`` is (n, 6); ``along`` is the distance of each point from the start of its curve, (n,)
-    mm.
+    ``curve``, (n, 6), has the format that the module describes.  ``along`` is the distance of each
+    point from the start of its curve, (n,) mm.
     """
     straight = curve[:, 0] == 0.0
     radius = np.where(straight, 1.0, curve[:, 3])

@@ -139,7 +139,8 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
     curve_of : (k,)
         Index of the curve of each overlap.  The overlaps are sorted by curve, then by distance.
     spans : (k, 5) mm
-        As in ``sort_overlaps``.
+        Start and end of each overlap along its curve (columns 0 and 1), and its greatest distance
+        from the edge (column 4).
     length, until : (n,) mm
         Length of each of n curves, and the length from its start that is considered.
     """

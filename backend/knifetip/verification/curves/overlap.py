@@ -218,9 +218,10 @@ def _search_grid(
 
 @kernel(checks_division=True)
 def _project(edge: F64_1, x: float, y: float) -> Any:
-    """Return the position of the point (x, y) along an edge, and its signed distance from the edge.
+    """Return the position of the point (x, y) along an edge, and its distance from the edge.
 
-    Both are in mm, and refer to the infinite line or the full circle of the edge.
+    Both are in mm, and refer to the infinite line or the full circle of the edge.  The distance is
+    positive to the left of a line and outside of a circle.
     """
     dx = x - edge[1]
     dy = y - edge[2]
@@ -248,8 +249,9 @@ def _overlap_pair(
     """Write the overlaps of one curve with one edge to the rows of ``hits``; return their number.
 
     ``low`` and ``high`` are the start and end of the part of the edge that is compared, and
-    ``limit`` is the greatest distance of an overlap from the edge (mm).  The five columns of a row
-    are those of ``spans`` in ``sort_overlaps``.
+    ``limit`` is the greatest distance of an overlap from the edge (mm).  A row has five lengths
+    (mm): start and end of the overlap along the curve, the positions on the edge of these two
+    points, and the greatest distance from the edge.
     """
     near = np.empty((8, 2))
     if curve[0] == 0.0:

@@ -37,7 +37,7 @@ CROSSING_LENGTH: Final = 0.01
 
 
 def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
-    """Return the creases ``edges`` split where cuts cross them, and the k crossing points, (k, 2)
+    """Return the creases ``edges``, split where cuts cross them, and the crossing points, (k, 2)
     mm.
     """
     crease, at = _cut_crossings(edges.curve, cuts)
@@ -218,7 +218,7 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
 
 
 def concatenate_edges(edges: Edges, more: Edges) -> Edges:
-    """Return all edges of ``edges``, followed by all edges of ``more``, as one record."""
+    """Return one record that contains all edges of ``edges``, followed by all edges of ``more``."""
     return Edges(
         *(
             np.concatenate([getattr(edges, name), getattr(more, name)])

@@ -1,6 +1,6 @@
 """The expected paths of a cutter's centre: the offset of each edge, as lines and arcs.
 
-Source: the radius paper, equations 1-9.
+Source: "Tool radius compensation", equations 1-9.
 """
 
 from __future__ import annotations
@@ -91,10 +91,11 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
 
 
 def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
-    """Return chords for the offset of one arc, for a disc with different half-axes along X and Y.
+    """Return chords that replace the offset of one arc by an elliptic disc.
 
     ``row`` is the index of the arc in ``edges``.  ``grows`` is 1 if the offset lies outside the
-    circle of the arc, and -1 if it lies inside.  ``reach`` are the half-axes of the disc, (2,) mm.
+    circle of the arc, and -1 if it lies inside.  ``reach`` are the half-axes of the disc along X
+    and Y, (2,) mm.
     """
     curve = edges.curve[row]
     axes = curve[3] + grows * reach

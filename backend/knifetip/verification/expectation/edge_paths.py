@@ -77,9 +77,10 @@ def link_ends(edges: Edges, kink: float, ring: Bool | None = None) -> tuple[I64,
 
 
 def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:
-    """Return the mask of k pairs of ends whose two edges coincide near these ends, (k,).
+    """Return the mask of the pairs of edge ends whose two edges coincide near these ends, (k,).
 
-    ``one`` and ``other`` are the indices of the two ends of each pair, which lie at one point.
+    ``one`` and ``other`` are the indices of the two ends of each of k pairs.  The two ends of a
+    pair lie at one point.
     """
     size = np.minimum(edges.curve[one // 2, 5], edges.curve[other // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
@@ -93,7 +94,7 @@ def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgePaths:
-    """c paths that n edges form by following each other end to end."""
+    """c paths, each a sequence of edges that follow each other end to end; n edges in total."""
 
     path: I64  #: (n,) the path of each edge
     begin: F64  #: (n,) mm from the start of the path to the edge

@@ -175,7 +175,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
 
 
 def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
-    """Return the smaller angle between directions, in degrees, from 0 to half of ``turn``.
+    """Return the smaller angle between two directions, in degrees, from 0 to half of ``turn``.
 
     ``one`` and ``other`` are arrays of directions (degrees) that are compared element by element.
     Directions that differ by a multiple of ``turn`` (degrees) are equal.

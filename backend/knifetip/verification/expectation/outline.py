@@ -39,7 +39,7 @@ class CutOutlines:
 
     @property
     def outer(self) -> Bool:
-        """Mask of the n cuts on outer contours, either of blanks or of parts inside holes, shape
+        """Mask of the n cuts that lie on outer contours, of blanks or of parts inside holes, shape
         (n,).
         """
         result: Bool = self.closing & (self.depth % 2 == 0)
@@ -259,8 +259,9 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
 def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
     """Return how often a curve crosses the ray from the point (x, y) along +X.
 
-    The curve is divided into pieces that only rise or only fall.  A piece crosses the ray's line if
-    one of its ends is above y and the other is not (half-open rule).
+    ``curve`` is one row in the format of ``curves.curve``, (6,).  It is divided into pieces that
+    only rise or only fall.  A piece crosses the ray's line if one of its ends is above y and the
+    other is not (half-open rule).
     """
     if curve[0] == 0.0:
         y0 = curve[2]

@@ -5,7 +5,8 @@ left the board when both sides have left it.  Let u be the groove's direction, n
 the outward normal of the board's edge.  The groove's line leaves the board at its end, and one of
 its sides leaves (W/2) |n·m| / (u·m) later.
 
-Source of the run-out: the turning paper, section 1, on a flat board.
+Source: "A new method of turning processing in multi axis linkage NC machining", section 1 (run-out
+on a flat board).
 """
 
 from __future__ import annotations
@@ -31,9 +32,7 @@ _MIN_SINE: Final = math.sin(math.radians(5.0))
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RunOuts:
-    """Required run-outs past the board's edge, one for each of the 2n ends of n straight
-    grooves.
-    """
+    """Required run-outs past the board's edge, one for each of the 2n ends of n grooves."""
 
     boundary: Bool  #: (2n,) the groove leaves the board at this end
     least: F64  #: (2n,) mm that the tip must go past the end

@@ -1,1 +1,1 @@
-"""Readers that convert programs back to moves, one for each family of controller languages."""
+"""Readers that convert programs back to moves: one for HPGL, one for all dialects of RS274/NGC."""

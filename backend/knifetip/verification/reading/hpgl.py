@@ -112,8 +112,9 @@ def _add_faults(faults: _Faults, lines: I64, message: Message) -> None:
 
 
 def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instructions:
-    """Return the instructions of a program; append faults for bytes that are part of no
-    instruction.
+    """Return the instructions of a program.
+
+    Appends faults to ``faults`` for bytes that are part of no instruction.
     """
     if device.comments:
         text = _COMMENT.sub(lambda match: b" " * len(match[0]), bytes(text))
@@ -203,8 +204,16 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 def _value_in_force(values: I64, where: Bool, before: int) -> I64:
     """Return the value in force after each of k instructions, (k,).
 
-    It is the value in ``values`` of the last instruction of the mask ``where`` up to and including
-    that instruction, or ``before`` if there is none yet.
+    It is the value that this instruction or the last one before it has set.
+
+    Parameters
+    ----------
+    values : (k,)
+        Value of each instruction, if the instruction sets it.
+    where : (k,)
+        Mask of the instructions that set the value.
+    before
+        Value before the first instruction that sets it.
     """
     if len(where) == 0:
         return np.zeros(0, np.int64)
@@ -214,8 +223,9 @@ def _value_in_force(values: I64, where: Bool, before: int) -> I64:
 
 
 def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
-    """Convert instructions to moves; append a fault for each wrong number of arguments to
-    ``faults``.
+    """Convert instructions to moves.
+
+    Appends a fault to ``faults`` for each instruction with a wrong number of arguments.
     """
     code, count = instructions.code, np.diff(instructions.first)
     single = np.zeros(len(code), np.int64)
@@ -266,7 +276,10 @@ def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
 def _check_state(
     instructions: _Instructions, track: _Track, plotter: Plotter, faults: _Faults
 ) -> None:
-    """Append faults for missing IN or PA, unknown pens, values or positions out of range, and a
+    """Append a fault to ``faults`` for each instruction that the plotter would not accept in its
+    state.
+
+    Such faults are a missing IN or PA, an unknown pen, a value or position out of range, and a
     program that ends with the pen down or selected.
     """
     code, device = instructions.code, plotter.device

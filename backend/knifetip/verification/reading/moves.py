@@ -1,7 +1,8 @@
 """The moves of a program in a form that is independent of the controller language.
 
-Each language has its own reader in this package, which converts the program's bytes to moves and
-faults.  A reader shares no code with the emitter of its language.
+Each language (HPGL, and RS274/NGC with its dialects) has its own reader in this package, which
+converts the program's bytes to moves and faults.  A reader shares no code with the emitter of its
+language.
 """
 
 from __future__ import annotations
@@ -56,7 +57,9 @@ class Moves:
 
 
 class ProgramReader(Protocol):
-    """Interface of the reader for one controller language."""
+    """Interface of a reader of programs in one controller language (HPGL or a dialect of
+    RS274/NGC).
+    """
 
     def placement(self, text: bytes) -> tuple[float, float] | None:
         """Return the placement that the program's comments state, or None if they state none.
