@@ -14,9 +14,9 @@ from knifetip.topology.planar_graph import PlanarGraph
 
 
 def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
-    """Return for each edge the other edge that covers the greatest part of its length, (n,).
+    """Return for each of n edges the other edge that covers the greatest part of its length, (n,).
 
-    The entry is -1 for an edge that other edges do not cover along its whole length.
+    The entry is -1 for an edge of which some part is covered by no other edge.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
 
 @kernel
 def _overlaid(edge: I32_1, first: I32_1, same: I32_1, length: F64_1, on: OutI32_1) -> None:
-    # For each piece that others coincide with: the edge of one of these.
+    # For each piece with coincident pieces: the edge of one of these pieces.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):
         if edge[p] != edge[same[p]] and edge[p] >= 0:

@@ -26,13 +26,16 @@ from knifetip.topology.segment import BULGE, chord_length, outward_direction
 def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64]:
     """Return the mask of dashes, the links between them, and the search distance of each edge end.
 
+    A dash is a short straight edge in a row of at least three with nearly equal gaps.  A link is a
+    straight connection of two vertices that closes the gap between two dashes.
+
     Parameters
     ----------
     lines
         The n edges of the drawing.
     reach
-        Least search distance; the two outer ends of a row of dashes get a longer one if the gaps
-        between the dashes are wide.
+        Least search distance (drawing units); the two outer ends of a row of dashes get a longer
+        one if the gaps between the dashes are wide.
     loose : (q,)
         Whether only one edge ends at each of q vertices.  This function sets the entries of
         vertices that get a link to False.
@@ -42,7 +45,7 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     dashed : (n,)
         Whether each edge is a dash of a row.
     links : (t, 2)
-        Pairs of vertices that a link connects.
+        Start vertex and end vertex of each of t links.
     gap_of : (2n,)
         Search distance: largest distance from the start and from the end of each edge to another
         edge that it may be linked to.
@@ -76,10 +79,32 @@ def _form_rows(
     twin: I32_1,
     loose: OutBool_1,
 ) -> Any:
-    """Find rows of at least three dashes, and return the same three arrays as ``link_dashes``.
+    """Find rows of at least three dashes with nearly equal gaps, and link neighbouring dashes.
 
-    ``facing`` (2n,) is the number of the end that each end of an edge faces across a gap, -1 if it
-    faces none.  Writes False to ``loose`` for the vertices that get a link.
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of n edges.
+    facing : (2n,)
+        Number of the end that each end of an edge faces across a gap, -1 if it faces none; edge i
+        has the ends 2 i (start) and 2 i + 1 (end).
+    tolerance
+        Largest distance between ends that became one vertex.
+    reach
+        Least search distance for ends of edges.
+    end_vertex, twin : (2n,) and (n,)
+        Vertex of each end, and the first edge that coincides with each edge.
+    loose : (q,)
+        Whether only one edge ends at each vertex; set to False for vertices that get a link.
+
+    Returns
+    -------
+    dashed : (n,)
+        Whether each edge is a dash of a row.
+    links : (t, 2)
+        Pairs of vertices; a link closes the gap between the two vertices of a pair.
+    gap_of : (2n,)
+        Largest distance from each end to another edge that it may be linked to.
     """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
@@ -140,10 +165,20 @@ def _find_dangling_ends(
     ends: F64_3, bulge: F64_1, end_vertex: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
     cell: OutI32_1, begin: int, end: int,
 ) -> None:  # fmt: skip
-    """Write the grid cells of dangling ends of straight edges to ``cell``, (2n,).
+    """Write to ``cell`` the grid cell of each dangling end of a straight edge.
 
-    ``cell`` has one entry for the start and one for the end of each edge.  Only the entries of
-    dangling ends of edges ``begin`` … ``end`` - 1 are written.
+    Only the entries of dangling ends of edges ``begin`` … ``end`` - 1 are written.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    end_vertex, twin : (2n,) and (n,)
+        Vertex of each end, and the first edge that coincides with each edge.
+    loose : (q,)
+        Whether only one edge ends at each vertex.
+    cell : (2n,)
+        Number of the cell of the start and of the end of each edge.
     """
     low, size, side, _, _ = grid
     for i in range(begin, end):
@@ -165,6 +200,10 @@ def _find_facing_ends(
 
     Parameters
     ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges; edge i has the ends 2 i and 2 i + 1.
+    tolerance
+        Largest distance between ends that became one vertex (drawing units).
     unit
         Number of drawing units in a millimetre.
     begins : (side² + 1,)

@@ -12,7 +12,7 @@ from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutF64_1, OutF64_2, kernel
 from knifetip.topology.segment import BULGE
 
-#: Largest number of pairs of edges in one cell, per edge of the drawing: beyond it is too crowded.
+#: Largest number of pairs of edges in one cell, per edge of the drawing; beyond it no grid is made.
 _WORK: Final = 400
 #: Number of edges that are sampled to estimate the main area of a drawing.
 _SAMPLE: Final = 10_000
@@ -32,12 +32,14 @@ class EdgeGrid(NamedTuple):
 
 
 def build_grid(ends: F64, bulge: F64, tolerance: float, reach: float) -> EdgeGrid | None:
-    """Return the grid of n ≥ 1 edges, or None if they are so crowded that a grid does not help.
+    """Return a grid that lists n ≥ 1 edges by cell, or None if the edges are too crowded for it.
+
+    Lengths are in drawing units.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
-        Ends and bulges of the edges.
+        Start and end points and bulges of the edges.
     tolerance
         An edge that is nearer to a cell than this is listed in the cell.
     reach
@@ -71,9 +73,10 @@ def build_grid(ends: F64, bulge: F64, tolerance: float, reach: float) -> EdgeGri
 
 @kernel(allocates=False)
 def _measure_boxes(ends: F64_3, bulge: F64_1, boxes: OutF64_2, bounds: OutF64_1) -> None:
-    """Write the bounding box of each edge to ``boxes``, (n, 4), and enlarge ``bounds`` around them.
+    """Write the bounding box of each of n edges to ``boxes``, and enlarge ``bounds`` around them.
 
-    ``bounds`` (4,) and each bounding box are x min, y min, x max, y max.
+    ``boxes`` (n, 4) and ``bounds`` (4,) contain x min, y min, x max and y max.  ``ends`` (n, 2, 2)
+    and ``bulge`` (n,) are the end points and bulges of the edges.
     """
     for i in range(len(bulge)):
         ax, ay, bx, by = ends[i, 0, 0], ends[i, 0, 1], ends[i, 1, 0], ends[i, 1, 1]
@@ -131,6 +134,8 @@ def _cells_of_edges(
 
     Parameters
     ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
     boxes : (n, 4)
         Bounding box of each edge.
     low, size : (2,) and (2,)
@@ -138,7 +143,7 @@ def _cells_of_edges(
     side
         Number of columns and of rows of the grid.
     pad
-        Distance from a cell within which an edge counts as in the cell.
+        An edge counts as in a cell if it is nearer to the cell than this.
     """
     cell, edge = np.empty(limit, np.int32), np.empty(limit, np.int32)
     total = 0

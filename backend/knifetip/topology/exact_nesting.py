@@ -37,7 +37,9 @@ _MARGIN: Final = 1e-6
 def find_enclosing_faces(
     start: F64, end: F64, bulge: F64, face: I32, outer: Bool, component: I32
 ) -> tuple[I64, I64]:
-    """Return the bounded face around each component and the depth of the nesting of each component.
+    """Return for each component of n edges the bounded face around it, and its nesting depth.
+
+    A component is a set of connected edges.
 
     Parameters
     ----------
@@ -70,7 +72,7 @@ def find_enclosing_faces(
     owner = component[above // 2]
     lowest = _lowest_points(start, end, component, spans, owner, count)
     boxes = _boxes_of_spans(spans)
-    # The uppermost spans come first, so that a ray meets its span early.
+    # The reversed order begins at the top, so that a search finds the span of a ray early.
     order = order_boxes(boxes)[::-1].copy()
     hit = _first_below(lowest, spans, owner, boxes[order], order)
     # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
@@ -83,14 +85,15 @@ def find_enclosing_faces(
 def _follow_hits(
     order: I64_1, hit: I64_1, above: I64_1, face: I32_1, outer: Bool_1, component: I32_1
 ) -> Any:
-    """Return the face around each component and its nesting depth, from the hits of the rays.
+    """Return the face around each of c components and the nesting depth of the component.
 
-    The results are ``enclosing`` and ``depth`` of ``find_enclosing_faces``.
+    A vertical ray runs downwards from the lowest point of each component.  A span is a part of an
+    edge that runs from left to right; it is hit by a ray that meets it first.
 
     Parameters
     ----------
     order : (c,)
-        Components from the lowest to the highest.
+        Components, sorted by their lowest points from low to high.
     hit : (c,)
         Span that the ray of each component hits, -1 for none.
     above : (k,)
@@ -101,6 +104,13 @@ def _follow_hits(
         Whether each face is the outer face of its component.
     component : (n,)
         Component of each edge.
+
+    Returns
+    -------
+    enclosing : (c,)
+        Bounded face that contains each component, -1 if there is none.
+    depth : (c,)
+        Number of components around each component.
     """
     enclosing = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
@@ -120,9 +130,17 @@ def _follow_hits(
 def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, radius: F64_1) -> Any:
     """Return the k spans of n edges, and the half-edge on the upper side of each span, (k,).
 
-    The spans, (k, 8), are x and y of the left end and of the right end, x and y of the centre and
-    radius of the circle, and 1 for its upper half, -1 for its lower half or 0 for a line.
-    Half-edge 2 i is the left side of edge i, half-edge 2 i + 1 its right side.
+    A span is a part of an edge that runs from left to right.  The spans, (k, 8), are x and y of the
+    left end and of the right end, x and y of the centre and radius of the circle, and 1 for the
+    upper half of the circle, -1 for its lower half or 0 for a line.  Half-edge 2 i is the left side
+    of edge i, half-edge 2 i + 1 its right side.
+
+    Parameters
+    ----------
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+        The edges.
+    centre, radius : (n, 2) and (n,) mm
+        Centre and radius of each edge that is an arc.
     """
     spans = np.empty((3 * len(bulge), _SPAN))
     above = np.empty(3 * len(bulge), np.int64)
@@ -178,7 +196,12 @@ def _add_span(
 
 @kernel(checks_division=True)
 def _height_at(span: F64_1, x: float) -> float:
-    """Return the y coordinate of a span at the x coordinate ``x`` (mm)."""
+    """Return the y coordinate (mm) of a span at the x coordinate ``x`` (mm).
+
+    ``span`` (8,) is a part of a line or a circle: x and y of its left end and of its right end, x
+    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
+    (line).
+    """
     if x <= span[0]:
         return float(span[1])
     if x >= span[2]:
@@ -190,7 +213,12 @@ def _height_at(span: F64_1, x: float) -> float:
 
 @kernel(checks_division=True)
 def _slope_at(span: F64_1, x: float) -> float:
-    """Return the slope dy/dx of a span at x = ``x``; infinite at the end of a half circle."""
+    """Return the slope dy/dx of a span at x = ``x`` (mm); infinite at the end of a half circle.
+
+    ``span`` (8,) is a part of a line or a circle: x and y of its left end and of its right end, x
+    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
+    (line).
+    """
     if span[7] == 0.0:
         return float((span[3] - span[1]) / (span[2] - span[0]))
     rise = math.sqrt(max(span[6] ** 2 - (x - span[4]) ** 2, 0.0))
@@ -205,8 +233,14 @@ def _lowest_points(
 ) -> Any:
     """Return the lowest point on the edges of each of ``count`` components, (count, 2) mm.
 
-    ``component`` (n,) is the component of each edge; ``spans`` (k, 8) are the spans of the edges,
-    and ``owner`` (k,) is the component of each span.
+    Parameters
+    ----------
+    start, end : (n, 2) mm
+        Start and end points of the edges.
+    component : (n,)
+        Component of each edge.
+    spans, owner : (k, 8) and (k,)
+        Spans, the parts of the edges that run from left to right, and the component of each span.
     """
     lowest = np.full((count, 2), math.inf)
     for i in range(len(component)):
@@ -224,7 +258,12 @@ def _lowest_points(
 
 @kernel
 def _boxes_of_spans(spans: F64_2) -> Any:
-    """Return the bounding box of each span, (k, 4), enlarged for rounding."""
+    """Return the bounding box of each of k spans, (k, 4), enlarged for rounding.
+
+    ``spans`` (k, 8) are parts of lines and circles: x and y of the left end and of the right end, x
+    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
+    (line).
+    """
     boxes = np.empty((len(spans), 4))
     for i in range(len(spans)):
         boxes[i, 0], boxes[i, 2] = spans[i, 0], spans[i, 2]
@@ -240,7 +279,8 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 def _first_below(lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
-    The ray runs infinitesimally to the right of the lowest point.  So it hits a span that starts
+    A span is a part of an edge that runs from left to right.  The search follows a vertical ray
+    that runs infinitesimally to the right of the lowest point.  So the ray hits a span that starts
     exactly below the point, and of two spans that start at one point the steeper one is the upper
     one.  Of spans with equal height and slope the last one is returned.
 

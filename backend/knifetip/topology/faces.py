@@ -19,7 +19,7 @@ from knifetip.topology.graph_nesting import enclosing_faces, find_left_neighbour
 from knifetip.topology.planar_graph import PlanarGraph
 from knifetip.topology.segment import BULGE
 
-#: Number of different directions in a right angle.
+#: Number of directions in a right angle that are distinguished.
 _FINE: Final = 10_000_000
 
 
@@ -69,14 +69,15 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tup
     start, end, bulge : (p,)
         Start vertex, end vertex and bulge of each piece.
     same : (p,)
-        First piece that coincides with each piece; only this first piece divides the plane.
+        First piece that coincides with each piece, the piece itself if there is none.  Of
+        coincident pieces only the first one divides the plane.
 
     Returns
     -------
     left, right : (p,) and (p,)
         Face on the left and on the right of each piece.
     area : (f,)
-        Signed area of each face; zero or negative for outer faces.
+        Signed area of each of f faces; zero or negative for outer faces.
     """
     lines = (vertex, start, end, bulge, same)
     left, right, area = _trace(*lines, *_half_edges_by_vertex(*lines))
@@ -102,7 +103,17 @@ def _half_edges_by_vertex(
 ) -> Any:
     """Return the half-edges that leave each of q vertices, in counter-clockwise order.
 
-    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves the end of piece p.
+    Half-edge 2 p leaves the start of piece p, half-edge 2 p + 1 leaves the end of piece p.  Of
+    coincident pieces only the first one has half-edges.
+
+    Parameters
+    ----------
+    position : (q, 2)
+        Position of each vertex.
+    start, end, bulge : (p,)
+        Start vertex, end vertex and bulge of each piece.
+    same : (p,)
+        First piece that coincides with each piece, the piece itself if there is none.
 
     Returns
     -------
@@ -147,7 +158,9 @@ def _half_edges_by_vertex(
 def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> int:
     """Return the angle code of the direction in which half-edge ``half`` leaves its vertex.
 
-    The function ``_angle_code`` defines the code.
+    The function ``_angle_code`` defines the code.  Half-edge 2 p leaves the start of piece p,
+    half-edge 2 p + 1 leaves its end.  ``position`` (q, 2) are the positions of the vertices;
+    ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of each piece.
     """
     p = half // 2
     a, b, bend = start[p], end[p], bulge[p]
@@ -166,7 +179,10 @@ def _direction(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: in
 def _curvature_rank(position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, half: int) -> float:
     """Return a number that grows with the curvature of half-edge ``half``, positive to the left.
 
-    The number sorts half-edges that leave a vertex in the same direction.
+    The number sorts half-edges that leave a vertex in the same direction.  Half-edge 2 p leaves the
+    start of piece p, half-edge 2 p + 1 leaves its end.  ``position`` (q, 2) are the positions of
+    the vertices; ``start``, ``end`` and ``bulge`` (p,) are start vertex, end vertex and bulge of
+    each piece.
     """
     p = half // 2
     a, b = start[p], end[p]
@@ -185,10 +201,21 @@ def _trace(
     around: I32_1,
     begins: I32_1,
 ) -> Any:
-    """Return the faces left and right of each piece, and the signed area of each face.
+    """Return the faces left and right of each piece, (p,) each, and the area of each face, (f,).
 
-    ``around`` and ``begins`` are the results of ``_half_edges_by_vertex``; the other arguments are
-    the arguments of ``trace_sides``.
+    The area is signed: zero or negative for outer faces.
+
+    Parameters
+    ----------
+    position : (q, 2)
+        Position of each vertex.
+    start, end, bulge : (p,)
+        Start vertex, end vertex and bulge of each piece.
+    same : (p,)
+        First piece that coincides with each piece, the piece itself if there is none.
+    around, begins : (h,) and (q + 1,)
+        The half-edges that leave vertex v, counter-clockwise, are
+        ``around[begins[v] : begins[v + 1]]``.
     """
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
@@ -241,10 +268,18 @@ def _trace(
 def _outer_faces(
     component_count: int, component: I32_1, left: I32_1, right: I32_1, area: F64_1
 ) -> Any:
-    """Return the outer face of each component, and the component of each face.
+    """Return the outer face of each of c components, (c,), and the component of each face, (f,).
 
-    ``component`` (p,) is the component of each piece.  The outer face of a component is its face
-    with the least signed area.
+    The outer face of a component is its face with the least signed area.
+
+    Parameters
+    ----------
+    component_count
+        Number of components, c.
+    component, left, right : (p,)
+        Component of each piece, and the faces on its left and on its right.
+    area : (f,)
+        Signed area of each face.
     """
     outside = np.full(component_count, -1, np.int32)
     component_of_face = np.empty(len(area), np.int32)

@@ -50,8 +50,9 @@ def link_loose_ends(
 ) -> tuple[Splits, I32, VertexTable]:
     """Link each dangling end of an edge to the nearest edge ahead of it.
 
-    A straight edge is linked across wider gaps if there are other edges straight ahead of both of
-    its ends, as is often true of creases.
+    A link is a straight connection of two vertices that closes a gap.  Gaps at a straight edge may
+    be wider if there are other edges straight ahead of both of its ends, as is often true of
+    creases.
 
     Parameters
     ----------
@@ -69,7 +70,7 @@ def link_loose_ends(
     splits
         Splits of the edges to which links lead, unless a link leads to an end of an edge.
     links : (t, 2)
-        Pairs of vertices that a link connects.
+        Start vertex and end vertex of each link.
     vertices
         The given vertices and the vertices of the splits.
     """
@@ -108,16 +109,28 @@ def _find_targets(
 ) -> None:
     """Find the nearest edge ahead of each dangling end of edges ``begin`` … ``end`` - 1.
 
-    Writes the edge that is found to ``partner``, (2n,), and the parameter of the nearest point on
-    it to ``where``, (2n,).  The entries of ends without an edge ahead are not changed.  A straight
-    edge with other edges at most ``ahead`` away straight ahead of both of its ends uses at least
-    the search distance ``ahead``.
+    A straight edge with other edges at most ``ahead`` away straight ahead of both of its ends uses
+    at least the search distance ``ahead``.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    end_vertex, twin : (2n,) and (n,)
+        Vertex of each end, and the first edge that coincides with each edge.
+    loose : (q,)
+        Whether only one edge ends at each vertex.
+    gap_of : (2n,)
+        Search distance of each end.
+    partner, where : (2n,)
+        Receive for each end the edge that is found, and the parameter of the nearest point on it
+        (0 … 1).  The entries of ends without an edge ahead are not changed.
     """
     low, size, side, first, listed = grid
     for i in range(begin, end):
         if twin[i] != i or not (loose[end_vertex[2 * i]] or loose[end_vertex[2 * i + 1]]):
             continue
-        # Whether there is a line straight ahead of both ends.
+        # Whether there are edges straight ahead of both ends.
         both = loose[end_vertex[2 * i]] and loose[end_vertex[2 * i + 1]] and abs(bulge[i]) <= BULGE
         both = both and chord_length(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
@@ -159,8 +172,20 @@ def _make_links(
 ) -> Any:
     """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
 
-    ``met`` are the ends that have an edge ahead; ``partner`` and ``where`` are this edge and the
-    parameter on it, as ``_find_targets`` writes them.
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    tolerance
+        A link leads to an end of the edge ahead if the nearest point is at most this far from it.
+    end_vertex : (2n,)
+        Vertex of each end.
+    met
+        Numbers of the ends that have an edge ahead; edge i has the ends 2 i and 2 i + 1.
+    partner, where : (2n,)
+        The edge ahead of each end, and the parameter of its nearest point (0 … 1).
+    vertices
+        Table of the vertices, to which the vertices of the splits are added.
     """
     count = vertices.known
     row = np.empty(len(met), np.int32)
@@ -197,7 +222,7 @@ def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits,
     lines
         The edges of the drawing.
     link : (t, 2)
-        Pairs of vertices that a link connects.
+        Start vertex and end vertex of each link.
     vertices
         The vertices of edges and links.
 
@@ -206,7 +231,7 @@ def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits,
     splits
         Splits of the edges that cross links.
     links : (at least t, 2)
-        Pairs of vertices that a link connects after the splits.
+        Start vertex and end vertex of each link after the splits.
     vertices
         The given vertices and the vertices of the splits.
     """
@@ -236,10 +261,20 @@ def _find_crossed(
     begin: int,
     end: int,
 ) -> None:
-    """Write to ``is_crossed`` whether an edge crosses each of the links ``begin`` … ``end`` - 1.
+    """Write to ``is_crossed`` whether a straight edge crosses links ``begin`` … ``end`` - 1.
 
-    ``link`` (t, 2) are the pairs of vertices that a link connects, and ``point`` (q, 2) the
-    positions of the vertices.
+    Parameters
+    ----------
+    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
+        Start and end points and bulge of each edge, and the first edge that coincides with it.
+    tolerance
+        Distance from an end of the link or of the edge within which a crossing does not count.
+    link : (t, 2)
+        Start vertex and end vertex of each link.
+    point : (q, 2)
+        Positions of the vertices.
+    is_crossed : (t,)
+        Receives the result for each link.
     """
     for k in range(begin, end):
         is_crossed[k] = (
@@ -258,7 +293,18 @@ def _first_line_through(
     grid: EdgeGrid,
     k: int,
 ) -> tuple[int, float, float, float]:
-    """Return the edge that crosses link ``k`` nearest to the start of the link, and the crossing.
+    """Return the straight edge that crosses link ``k`` nearest to its start, and the crossing.
+
+    Parameters
+    ----------
+    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
+        Start and end points and bulge of each edge, and the first edge that coincides with it.
+    tolerance
+        Distance from an end of the link or of the edge within which a crossing does not count.
+    link : (t, 2)
+        Start vertex and end vertex of each link.
+    point : (q, 2)
+        Positions of the vertices.
 
     Returns
     -------
@@ -303,9 +349,25 @@ def _split_at_lines(
 ) -> Any:
     """Split the links with the numbers ``wanted`` at all edges that cross them.
 
-    Returns edge, parameter and vertex of the splits of edges, then the links, (t, 2), then the
-    vertices in three values: position of each vertex, next vertex in its hash bucket, and number of
-    vertices.
+    Parameters
+    ----------
+    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
+        Start and end points and bulge of each edge, and the first edge that coincides with it.
+    end_vertex : (2n,)
+        Vertex of each end of an edge.
+    link : (t, 2)
+        Start vertex and end vertex of each link.
+    vertices
+        Table of the vertices, to which the vertices of the splits are added.
+
+    Returns
+    -------
+    edge, parameter, vertex : (k,) each
+        The edge, the parameter on it and the vertex of each split of an edge.
+    links : (t, 2)
+        Start vertex and end vertex of each link after the splits.
+    point, onward, known
+        New values of these columns of ``vertices``.
     """
     point, vertex_count, onward, head = vertices
     row = np.empty(16, np.int32)

@@ -66,7 +66,7 @@ def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32,
     Parameters
     ----------
     beside
-        Nearest piece of another component to the left of each component.
+        First piece of another component to the left of each component.
     left, right : (p,)
         Faces on the left and on the right of each piece.
     outside : (c,)
@@ -97,17 +97,23 @@ def _find_left(
 ) -> None:
     """Find the nearest pieces to the left of components ``begin`` … ``end`` - 1.
 
-    Writes the pieces to ``piece``, (c,), and to ``upward``, (c,), whether each piece runs upwards
-    at the point at which the ray from the component meets it.
+    A ray runs to the left from the leftmost vertex of each component.
 
     Parameters
     ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
     position : (q, 2)
         Positions of the vertices.
     first_piece, parameter : (n + 1,) and (p,)
         First piece of each edge, and the parameter on the edge at which each piece starts.
     component, leftmost : (p,) and (c,)
         Component of each piece, and leftmost vertex of each component.
+    tolerance
+        Largest distance between ends that became one vertex.
+    piece, upward : (c,)
+        Receive the piece that the ray of each component meets first, and whether this piece runs
+        upwards there.
     """
     low, size, side, first, listed = grid
     for c in range(begin, end):
@@ -140,10 +146,19 @@ def _find_left(
 
 @kernel
 def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
-    """Return the face that contains each component, (c,), -1 if there is none.
+    """Return the bounded face that contains each of c components, (c,), -1 if there is none.
 
-    ``hit`` (c,) is the face that the ray of each component meets first, -1 for none.  If it is the
-    outer face of a neighbouring component, the face that contains the neighbour is returned.
+    A ray runs to the left from each component.
+
+    Parameters
+    ----------
+    hit : (c,)
+        Face that the ray meets first, -1 for none.  If it is the outer face of another component,
+        the face that contains that component is returned.
+    outside : (c,)
+        Outer face of each component.
+    owner : (f,)
+        Component of each face.
     """
     component_count = len(hit)
     within = np.full(component_count, -1, np.int32)
@@ -168,10 +183,11 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Return the x coordinate of edge ``i`` at y = ``y``, and whether the edge runs upwards there.
+    """Return the x coordinate of edge ``i`` at height ``y``, and whether the edge runs upwards there.
 
     The x coordinate is NaN if the edge does not reach that height.  ``root`` is 0 for the left half
-    and 1 for the right half of the circle of an arc; it has no effect on lines.
+    and 1 for the right half of the circle of an arc; it has no effect on lines.  ``ends`` (n, 2, 2)
+    and ``bulge`` (n,) are the end points and bulges of the edges.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     bx, by = ends[i, 1, 0], ends[i, 1, 1]
@@ -198,7 +214,10 @@ def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float
 
 @kernel(allocates=False)
 def _parameter_at(ends: F64_3, bulge: F64_1, i: int, x: float, y: float) -> float:
-    """Return the parameter, 0 … 1, of the point (``x``, ``y``) on edge ``i``."""
+    """Return the parameter, 0 (start) … 1 (end), of the point (``x``, ``y``) on edge ``i``.
+
+    ``ends`` (n, 2, 2) and ``bulge`` (n,) are the end points and bulges of the edges.
+    """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]

@@ -25,7 +25,7 @@ MIN_CHUNK: Final = 40_000
 
 
 class Splits(NamedTuple):
-    """The c splits of edges at vertices: the edge, the parameter on it and the vertex of each."""
+    """Positions at which edges are split: for each of c splits its edge, parameter and vertex."""
 
     row: I32_1  #: (c,) edge that is split
     parameter: F64_1  #: (c,) parameter on the edge, 0 … 1
@@ -33,12 +33,12 @@ class Splits(NamedTuple):
 
 
 def concatenate(*several: Splits) -> Splits:
-    """Return the splits of all given records in one record."""
+    """Return one record with the splits of all given records, in their order."""
     return Splits(*(np.concatenate(column) for column in zip(*several, strict=True)))
 
 
 class Crossings(NamedTuple):
-    """The c crossings of two straight edges each, at points between the ends of the edges."""
+    """Points at which two straight edges cross between their ends, c in total."""
 
     pair: I32_2  #: (c, 2) the two edges
     parameter: F64_2  #: (c, 2) parameters of the point on both edges, 0 … 1
@@ -47,10 +47,18 @@ class Crossings(NamedTuple):
 def find_crossings(
     ends: F64, bulge: F64, tolerance: float, grid: EdgeGrid, limit: int
 ) -> Crossings:
-    """Return the points at which straight edges cross between their ends.
+    """Return the points at which two of n straight edges cross between their ends.
 
     The search ends soon after it has found ``limit`` crossings; further crossings are then missing.
-    ``grid`` lists the edges in each cell.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of all edges; arcs are left out.
+    tolerance
+        Distance from an end of an edge within which a crossing counts as at the end.
+    grid
+        Grid that lists the edges in each cell.
     """
 
     def crossed(run: tuple[int, int]) -> Any:
@@ -63,7 +71,7 @@ def find_crossings(
 def find_splits(
     lines: Lines, vertices: VertexTable, pairs: Crossings, limit: int
 ) -> tuple[Splits, Splits, VertexTable] | None:
-    """Return the points at which edges must be split, or None if they are more than ``limit``.
+    """Return the points at which edges must be split, or None if there are more than ``limit``.
 
     Parameters
     ----------
@@ -72,7 +80,7 @@ def find_splits(
     vertices
         Vertices at the ends of the edges.
     pairs
-        Crossings of the edges.
+        Crossings of two edges each.
 
     Returns
     -------
@@ -112,9 +120,18 @@ def find_splits(
 def _split_at_crossings(
     ends: F64, tolerance: float, pairs: Crossings, vertices: VertexTable
 ) -> tuple[Splits, VertexTable]:
-    """Return the splits of the two edges of each crossing, and the given vertices with new ones.
+    """Return the splits of the two edges of each crossing, and the vertices including new ones.
 
     A vertex is added at each crossing that has no vertex within the tolerance.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of the edges.
+    pairs
+        The crossings.
+    vertices
+        The vertices before the function adds any.
     """
     pair, parameter = pairs
     vertices = with_capacity(vertices, len(pair))
@@ -134,7 +151,18 @@ def _split_by_ends(
     begin: int,
     end: int,
 ) -> Any:
-    """Return the splits of edges at vertices ``begin`` … ``end`` - 1 at which they do not end.
+    """Return the splits of edges at vertices ``begin`` … ``end`` - 1 that are inside an edge.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    tolerance
+        Largest distance of a vertex from an edge that is split there.
+    end_vertex : (2n,)
+        Vertex of the start and the end of each edge; no edge is split at these two vertices.
+    point : (q, 2)
+        Positions of the vertices.
 
     Returns
     -------
@@ -173,6 +201,13 @@ def _crossings_in_cells(
     """Return the crossings of straight edges in the grid cells ``begin`` … ``end`` - 1.
 
     The search ends after the cell with which the number of crossings exceeds ``limit``.
+
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges; arcs are left out.
+    tolerance
+        Distance from an end of an edge within which a crossing counts as at the end.
 
     Returns
     -------
@@ -226,9 +261,11 @@ def _merge_crossings(
     vertices: VertexTable,
     at: OutI32_1,
 ) -> int:
-    """Write the vertex of each crossing to ``at``, and return the number of all vertices.
+    """Write the vertex of each crossing to ``at``, (c,), and return the number of all vertices.
 
-    A crossing within the tolerance of a vertex gets this vertex; otherwise a vertex is added.
+    A crossing within the tolerance of a vertex gets this vertex; otherwise a vertex is added to
+    ``vertices``.  ``pair`` (c, 2) are the two edges of each crossing, and ``parameter`` (c, 2) the
+    parameters of the crossing on them.  ``ends`` (n, 2, 2) are the end points of the edges.
     """
     count = vertices.known
     for k in range(len(pair)):

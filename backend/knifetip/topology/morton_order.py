@@ -16,9 +16,9 @@ from knifetip.kernels import F64_3, kernel
 
 #: Number of edges below which the order does not matter, because they fit into the cache.
 _MANY: Final = 20_000
-#: An edge is far from the one before beyond this fraction of the drawing's size.
+#: An edge is far from the preceding edge beyond this fraction of the drawing's size.
 _FAR: Final = 1.0 / 16.0
-#: Largest fraction of edges that may be far from the one before in an order that is kept.
+#: Largest fraction of edges that may be far from the preceding edge in an order that is kept.
 _LEAPS: Final = 0.2
 #: Number of columns and of rows of cells, a power of two.
 _CELLS: Final = 256
@@ -46,9 +46,10 @@ def spatial_order(ends: F64) -> I64 | None:
 
 @kernel
 def _start_extent(ends: F64_3) -> Any:
-    """Return the extent of the start points of the edges, (3,).
+    """Return the extent of the start points of n edges: least x, least y, and size, (3,).
 
-    It is the least x, the least y, and the larger of width and height of their bounding box.
+    The size is the larger of width and height of their bounding box.  ``ends`` (n, 2, 2) are the
+    start and end points of the edges.
     """
     left = right = ends[0, 0, 0]
     low = high = ends[0, 0, 1]
@@ -61,9 +62,10 @@ def _start_extent(ends: F64_3) -> Any:
 
 @kernel
 def _count_leaps(ends: F64_3, far: float) -> int:
-    """Return the number of edges whose start is far from the start of the preceding edge.
+    """Return how many of n edges have a start far from the start of the preceding edge.
 
-    Starts are far from each other if they are more than ``far`` apart in x or in y.
+    Two starts are far from each other if they are more than ``far`` apart in x or in y.  ``ends``
+    (n, 2, 2) are the start and end points of the edges.
     """
     leaps = 0
     for i in range(1, len(ends)):
@@ -74,10 +76,16 @@ def _count_leaps(ends: F64_3, far: float) -> int:
 
 @kernel
 def _sort_by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
-    """Return the rows of the edges, (n,), sorted by the Morton code of the cell of the start point.
+    """Return the rows of n edges, (n,), sorted by the Morton code of the cell of the start point.
 
-    ``left`` and ``low`` are the least x and y of the start points; ``scale`` is the number of cells
-    per unit of length.
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of the edges.
+    left, low
+        Least x and least y of the start points.
+    scale
+        Number of grid cells per unit of length.
     """
     count = len(ends)
     cell = np.empty(count, np.int64)

@@ -67,6 +67,8 @@ def _chords(position: F64_2, start: I32_1, end: I32_1) -> Any:
 def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> PlanarGraph | None:
     """Return the planar graph of n edges, or None if n is 0 or the edges are too crowded.
 
+    Lengths are in drawing units.
+
     Parameters
     ----------
     ends, bulge : (n, 2, 2) and (n,)
@@ -114,19 +116,41 @@ def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> Planar
 def _find_crossings(
     ends: F64, bulge: F64, tolerance: float, reach: float, limit: int
 ) -> tuple[EdgeGrid, Crossings] | None:
-    """Return a grid of the edges and their crossings, or None if the edges are too crowded.
+    """Return a grid of n edges and the crossings of the edges, or None if they are too crowded.
 
-    The search ends soon after ``limit`` crossings; ``reach`` is the largest distance from an edge
-    at which the grid will be searched.
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    tolerance
+        Distance from an end of an edge within which a crossing counts as at the end.
+    reach
+        Largest distance from an edge at which the grid will be searched.
+    limit
+        Number of crossings above which the edges count as too crowded.
     """
     grid = build_grid(ends, bulge, tolerance, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, tolerance, grid, limit))
 
 
 def _merge_vertices(ends: F64, bulge: F64, tolerance: float) -> tuple[VertexTable, I32, I32]:
-    """Return the vertices, the vertex of each end, and the first edge coincident with each edge.
+    """Return the vertices, the vertex of each edge end, and the first coincident edge of each edge.
 
-    The vertices of the ends have the shape (2n,), the coincident edges the shape (n,).
+    Parameters
+    ----------
+    ends, bulge : (n, 2, 2) and (n,)
+        Start and end points and bulges of the edges.
+    tolerance
+        Ends that are nearer to each other than this get one vertex.
+
+    Returns
+    -------
+    vertices
+        Table of the vertices.
+    end_vertex : (2n,)
+        Vertex of the start and of the end of each edge.
+    twin : (n,)
+        First edge that coincides with each edge, the edge itself if there is none.
     """
     vertices, end_vertex = merge_ends(ends, tolerance)
     return (
@@ -183,9 +207,10 @@ def _dangling_vertices(
     ----------
     end_vertex, twin : (2n,) and (n,)
         Vertex of the start and the end of each edge, and the first edge that coincides with each
-        edge.
+        edge, which is the edge itself if there is none.
     end_splits, crossing_splits
-        Vertices at which edges are split by the ends of other edges and at crossings.
+        Vertices at which edges are split by the ends of other edges, and vertices at which they are
+        split at crossings.
     """
     degree = np.zeros(vertex_count, np.uint8)
     for half in range(len(end_vertex)):
@@ -201,7 +226,7 @@ def _dangling_vertices(
 def _split_into_pieces(
     bulge: F64_1, end_vertex: I32_1, row: I32_1, parameter: F64_1, cut: I32_1, link: I32_2
 ) -> Any:
-    """Return the pieces of all edges, split at the given vertices, followed by the links.
+    """Return the pieces of n edges, split at the given vertices, followed by the links.
 
     Parameters
     ----------
@@ -212,12 +237,15 @@ def _split_into_pieces(
     row, parameter, cut : (c,)
         Edge, parameter on the edge, and vertex of each split.
     link : (t, 2)
-        Pairs of vertices that a link connects.
+        Start vertex and end vertex of each link.
 
     Returns
     -------
-    start, end, bulge, edge, parameter, first
-        Columns of ``PlanarGraph``.
+    start, end, bulge, edge, parameter : (p,)
+        Start vertex, end vertex and bulge of each piece, its edge (-1 for a link), and the
+        parameter on the edge at which it starts.
+    first : (n + 1,)
+        The pieces of edge i are ``first[i]`` … ``first[i + 1] - 1``.
     """
     n, cuts, links = len(bulge), len(row), len(link)
     begins = np.zeros(n + 1, np.int32)

@@ -21,8 +21,9 @@ def distance_to(
 ) -> tuple[float, float]:
     """Return the distance of (``x``, ``y``) from segment ``i``, and the nearest parameter on it.
 
-    The parameter is 0 … 1.  The distance may be infinite for a segment that is clearly farther away
-    than ``far``.
+    The parameter is 0 at the start and 1 at the end of the segment.  The distance may be infinite
+    for a segment that is clearly farther away than ``far``.  ``ends`` (n, 2, 2) and ``bulge`` (n,)
+    are the end points and bulges of n segments.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -50,8 +51,9 @@ def _distance_to_arc(
 ) -> tuple[float, float]:
     """Return the distance of (``x``, ``y``) from an arc, and the nearest parameter on it.
 
-    The arc starts at (0, 0), ends at (``dx``, ``dy``) and has the bulge ``b``.  The distance may be
-    infinite for an arc that is clearly farther away than ``far``.
+    The parameter is 0 at the start and 1 at the end of the arc.  The arc starts at (0, 0), ends at
+    (``dx``, ``dy``) and has the bulge ``b``.  The distance may be infinite for an arc that is
+    clearly farther away than ``far``.
     """
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
@@ -81,7 +83,10 @@ def _distance_to_arc(
 
 @inline_kernel
 def point_at(ends: F64_3, bulge: F64_1, i: int, parameter: float) -> tuple[float, float]:
-    """Return the point (x, y) of segment ``i`` at a parameter from 0 (start) to 1 (end)."""
+    """Return the point (x, y) of segment ``i`` at a parameter from 0 (start) to 1 (end).
+
+    ``ends`` (n, 2, 2) and ``bulge`` (n,) are the end points and bulges of n segments.
+    """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
     b = bulge[i]
@@ -97,10 +102,11 @@ def point_at(ends: F64_3, bulge: F64_1, i: int, parameter: float) -> tuple[float
 
 @inline_kernel
 def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, float]:
-    """Return the unit vector in which a segment would continue beyond one of its ends.
+    """Return the unit vector (x, y) in which a segment would continue beyond one of its ends.
 
-    ``half`` is 2 i for the start of segment i and 2 i + 1 for its end.  The vector is (0, 0) if
-    both ends are at one point.
+    ``half`` is the number of the end: 2 i for the start of segment i and 2 i + 1 for its end.  The
+    vector is (0, 0) if both ends are at one point.  ``ends`` (n, 2, 2) and ``bulge`` (n,) are the
+    end points and bulges of n segments.
     """
     i = half // 2
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
@@ -137,6 +143,9 @@ def crossing_parameters(
 
 @inline_kernel
 def chord_length(ends: F64_3, i: int) -> float:
-    """Return the distance between the two ends of segment ``i``."""
+    """Return the distance between the start and the end of segment ``i``.
+
+    ``ends`` (n, 2, 2) are the start and end points of n segments.
+    """
     dx, dy = ends[i, 1, 0] - ends[i, 0, 0], ends[i, 1, 1] - ends[i, 0, 1]
     return math.sqrt(dx * dx + dy * dy)

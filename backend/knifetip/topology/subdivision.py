@@ -35,7 +35,7 @@ class Subdivision:
 
     @property
     def merged(self) -> I64:
-        """Bounded face that each of the f faces is or is in, (f,).
+        """Bounded face that equals or contains each of the f faces, (f,).
 
         The entry of a bounded face is the face itself.  The entry of an outer face is the bounded
         face around its component, or -1 if no bounded face contains its component.

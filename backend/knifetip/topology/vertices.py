@@ -1,7 +1,8 @@
-"""vertices: merge points within a tolerance into one vertex, and find edges that coincide.
+"""vertices: merge points into the vertices of a graph, and find edges that coincide.
 
-A point gets the nearest vertex within the tolerance, or becomes a vertex if there is none.  Points
-with equal coordinates get the same vertex, even if a nearer vertex is added between them.
+Points within a tolerance of each other become one vertex: a point gets the nearest existing vertex
+within the tolerance, or a new vertex if there is none.  Points with equal coordinates always get
+the same vertex, also if a nearer vertex is added after the first of them.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ _FINE: Final = 1000.0
 
 
 class VertexTable(NamedTuple):
-    """A hash table that finds q vertices by their positions."""
+    """The positions of q vertices, with a hash table that finds the vertices near a point."""
 
     point: OutF64_2  #: (≥ q, 2) position of each vertex
     known: int  #: q, the number of vertices
@@ -43,9 +44,10 @@ class VertexTable(NamedTuple):
 
 
 def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
-    """Return the vertices at the ends of n edges, (n, 2, 2), and the vertex of each end, (2n,).
+    """Return the vertices at the ends of n edges, and the vertex of each end, (2n,).
 
-    An end gets the nearest vertex that is at most ``tolerance`` away, or a new vertex.
+    An end gets the nearest vertex that is at most ``tolerance`` away, or a new vertex.  ``ends``
+    (n, 2, 2) are the start and end points of the edges; edge i has the ends 2 i and 2 i + 1.
     """
     count = len(ends)
     size = 1 << (4 * count + 15).bit_length()
@@ -61,7 +63,7 @@ def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
-    """Return a table with the same vertices, to which ``more`` vertices can be added."""
+    """Return a copy of a table of vertices with capacity for ``more`` further vertices."""
     point, onward = np.empty((vertices.known + more, 2)), np.empty(vertices.known + more, np.int32)
     point[: vertices.known] = vertices.point[: vertices.known]
     onward[: vertices.known] = vertices.onward[: vertices.known]
@@ -72,10 +74,23 @@ def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
 def _merge_points(
     ends: F64_3, tolerance: float, vertices: VertexTable, end_vertex: OutI32_1, several: OutBool_1
 ) -> Any:
-    """Write the vertex of each end to ``end_vertex``, (2n,), and add new vertices to the table.
+    """Add the vertices at the ends of n edges to a table, and return two numbers.
 
-    Sets ``several``, (2n,), to True for ends with several vertices within the tolerance.  Returns
-    the number of vertices and the number of ends for which ``several`` is True.
+    The numbers are the number of vertices in the table, and the number of ends with several
+    vertices within the tolerance.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of the edges; edge i has the ends 2 i and 2 i + 1.
+    tolerance
+        Largest distance of an end from its vertex.
+    vertices
+        Table to which vertices are added.
+    end_vertex : (2n,)
+        Receives the vertex of each end.
+    several : (2n,)
+        Set to True for ends with several vertices within the tolerance.
     """
     count = near = 0
     for half in range(len(end_vertex)):
@@ -95,11 +110,20 @@ def _merge_points(
 
 @kernel
 def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return the slot of the hash table ``known`` for the position of an end of an edge.
+    """Return the slot of the hash table ``known`` for the position of one end of an edge.
 
-    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.  Positions are equal if they
-    are equal after rounding to multiples of 1 / ``fine``.  The slot contains an end at this
-    position, or a negative number if no such end is in the table.
+    The slot contains the number of an end at the same position, or a negative number if the table
+    has no such end.  Positions are the same if they are equal after rounding to multiples of 1 /
+    ``fine``.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of n edges.
+    half
+        Number of the end: 2 i for the start of edge i and 2 i + 1 for its end.
+    known
+        Hash table of numbers of ends; empty slots are negative.
     """
     mask = len(known) - 1
     x, y = _rounded_position(ends, half, fine)
@@ -111,9 +135,10 @@ def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
 
 @kernel
 def _rounded_position(ends: F64_3, half: int, fine: float) -> Any:
-    """Return x and y of an end of an edge, rounded to integers, in units of 1 / ``fine``.
+    """Return x and y of an end of an edge, multiplied by ``fine`` and rounded to integers.
 
-    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
+    ``half`` is the number of the end: 2 i for the start of edge i and 2 i + 1 for its end.
+    ``ends`` (n, 2, 2) are the start and end points of n edges.
     """
     return (
         np.int64(np.rint(ends[half // 2, half % 2, 0] * fine)),
@@ -123,7 +148,10 @@ def _rounded_position(ends: F64_3, half: int, fine: float) -> Any:
 
 @kernel(allocates=False)
 def _hash_bucket(cx: int, cy: int, mask: int) -> Any:
-    """Return the hash bucket of the pair of integers ``cx`` and ``cy``, from 0 to ``mask``."""
+    """Return the hash bucket, 0 … ``mask``, of the pair of integers (``cx``, ``cy``).
+
+    ``mask`` is the number of buckets, a power of two, minus 1.
+    """
     key = np.uint64(cx) * np.uint64(0x9E3779B97F4A7C15) ^ np.uint64(cy) * np.uint64(
         0xC2B2AE3D27D4EB4F
     )
@@ -142,8 +170,15 @@ def vertex_at(
 ) -> int:
     """Return the vertex within the tolerance of (``x``, ``y``); add one if there is none.
 
-    An added vertex has the number ``count``.  ``point``, ``onward`` and ``head`` are the columns of
-    the ``VertexTable`` and are written to; the caller counts the added vertex.
+    Parameters
+    ----------
+    tolerance
+        Largest distance of the point from the vertex.
+    point, head, onward
+        Columns of a ``VertexTable``, to which an added vertex is written.
+    count
+        Number of vertices in the table, which is also the number of an added vertex.  The caller
+        must increase it after an addition.
     """
     at = _nearest_vertex(x, y, tolerance, point, head, onward)
     if at == _NONE:
@@ -160,7 +195,8 @@ def _nearest_vertex(
 
     The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are within
     the tolerance, and none is exactly at the point, the number is ``_SEVERAL`` minus the nearest
-    vertex, because returning a second value would take longer.
+    vertex, because returning a second value would take longer.  ``point``, ``head`` and ``onward``
+    are columns of a ``VertexTable``.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
@@ -202,9 +238,10 @@ def _add_vertex(
     head: OutI32_1,
     onward: OutI32_1,
 ) -> None:
-    """Add a vertex at (``x``, ``y``) to the columns of a ``VertexTable``.
+    """Add a vertex with the given number at (``x``, ``y``) to the columns of a ``VertexTable``.
 
-    ``number`` is the number of the vertex; ``point``, ``head`` and ``onward`` are the columns.
+    ``point``, ``head`` and ``onward`` are the columns.  ``tolerance`` is the tolerance within which
+    points become one vertex; it determines the size of the hash cells.
     """
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
     own = _hash_bucket(math.floor(fx), math.floor(fy), len(head) - 1)
@@ -215,11 +252,10 @@ def _add_vertex(
 
 @kernel
 def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, tolerance: float) -> Any:
-    """Return the first edge that coincides with each of n edges, (n,).
+    """Return for each of n edges the first edge that coincides with it, (n,).
 
-    The entry is the edge itself if no earlier edge coincides with it.
-
-    Edges coincide if they connect the same vertices along the same line or arc.
+    The entry is the edge itself if no earlier edge coincides with it.  Two edges coincide if they
+    connect the same vertices along the same line or arc.
 
     Parameters
     ----------
@@ -228,7 +264,7 @@ def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, toler
     point : (q, 2)
         Positions of the vertices.
     tolerance
-        Half of the largest distance between the middles of coincident arcs.
+        Half of the largest distance between the midpoints of coincident arcs.
     """
     count = len(start)
     same = np.empty(count, np.int32)
@@ -261,10 +297,20 @@ def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, toler
 
 @kernel
 def _unify_equal_ends(ends: F64_3, tolerance: float, several: I32_1, end_vertex: OutI32_1) -> None:
-    """Give ends of edges at equal positions the vertex of the first of these ends.
+    """Give all ends of edges at one position the vertex of the first of these ends.
 
-    ``several`` are the ends that have several vertices within the tolerance.  Writes to
-    ``end_vertex``, (2n,), for these ends and for all ends at their positions.
+    Only positions of ends that have several vertices within the tolerance are treated.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end points of n edges; edge i has the ends 2 i and 2 i + 1.
+    tolerance
+        Largest distance of an end from its vertex.
+    several
+        Numbers of the ends that have several vertices within the tolerance.
+    end_vertex : (2n,)
+        Vertex of each end; the entries of unified ends are overwritten.
     """
     mask = 1
     while mask < 4 * len(several):
