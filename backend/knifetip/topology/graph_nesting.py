@@ -183,7 +183,7 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
 @inline_kernel
 def _x_at(ends: F64_3, bulge: F64_1, i: int, y: float, root: int) -> tuple[float, bool]:
-    """Return the x coordinate of edge ``i`` at height ``y``, and whether the edge runs upwards there.
+    """Return the x coordinate of edge ``i`` at height ``y``, and whether it runs upwards there.
 
     The x coordinate is NaN if the edge does not reach that height.  ``root`` is 0 for the left half
     and 1 for the right half of the circle of an arc; it has no effect on lines.  ``ends`` (n, 2, 2)

@@ -127,7 +127,7 @@ def _find_crossings(
     reach
         Largest distance from an edge at which the grid will be searched.
     limit
-        Number of crossings above which the edges count as too crowded.
+        Number of crossings soon after which the search ends; further crossings are then missing.
     """
     grid = build_grid(ends, bulge, tolerance, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, tolerance, grid, limit))
