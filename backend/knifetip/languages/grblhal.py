@@ -1,4 +1,4 @@
-"""grblhal: the language record of RS274/NGC as grblHAL and grbl 1.1 read it."""
+"""grblhal: the language record of the dialect of RS274/NGC that grblHAL and grbl 1.1 read."""
 
 from knifetip.languages.language import Language
 

@@ -1,4 +1,4 @@
-"""language: the record that describes one controller language.
+"""language: the record that describes one controller language (HPGL or a dialect of RS274/NGC).
 
 A record names its components as "module:attribute"; a component is imported when it is first used.
 Protocols define the interfaces of the components.  The protocols use types of ``model``; only the
@@ -47,7 +47,8 @@ class Language:
         return pkgutil.resolve_name(getattr(self, role))
 
     def load_driver(self) -> Any:
-        """Import and return the gateway driver of the language.
+        """Import and return the gateway driver of the language, which sends programs to the
+        controller.
 
         Raises
         ------
@@ -59,7 +60,8 @@ class Language:
         return self.load_part("driver")
 
     def read_settings(self, fields: Mapping[str, Any], machine: Machine) -> object:
-        """Return the validated settings of a machine, None if the language has no settings.
+        """Return the validated controller settings of a machine, None if the language has no
+        settings.
 
         ``fields`` is the table ``[controller]`` of the machine's TOML file.
 

@@ -1,4 +1,4 @@
-"""linuxcnc: the language record of RS274/NGC as LinuxCNC reads it."""
+"""linuxcnc: the language record of the dialect of RS274/NGC that LinuxCNC reads."""
 
 from knifetip.languages.language import Language
 

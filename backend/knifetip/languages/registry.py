@@ -28,12 +28,12 @@ def language_names() -> list[str]:
 
 @cache
 def find_language(name: str) -> Language:
-    """Return the controller language with the given name.
+    """Return the record of the controller language with a name such as ``linuxcnc`` or ``hpgl``.
 
     Raises
     ------
     LibraryError
-        No language has the name, or another package registers an invalid record for the name.
+        There is no language with this name, or another package registers an invalid record for it.
     """
     if name in _own_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
@@ -50,13 +50,14 @@ def find_language(name: str) -> Language:
 def with_language(machine: Machine, name: str) -> Machine:
     """Return a copy of a machine whose controller language is replaced by the language ``name``.
 
-    If the name is empty, or names the language of the machine, the machine is returned unchanged.
+    If the name is empty or is the name of the machine's own language, the machine is returned
+    unchanged.
 
     Raises
     ------
     LibraryError
-        No language has the name, or the language cannot drive the machine, for example because it
-        needs settings.
+        There is no language with this name, or the language cannot drive the machine, for example
+        because it needs settings.
     """
     if name in ("", machine.dialect):
         return machine
@@ -76,7 +77,7 @@ def with_language(machine: Machine, name: str) -> Machine:
 
 @cache
 def _own_names() -> frozenset[str]:
-    """Return the names of the controller languages of this package."""
+    """Return the names of the controller languages that are modules of this package."""
     package = importlib.import_module(__package__)
     modules = {module.name for module in pkgutil.iter_modules(package.__path__)}
     return frozenset(modules - {"language", "registry"})

@@ -14,7 +14,8 @@ def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
     Parameters
     ----------
     pose : (n + 1, k) float64
-        Poses between the n moves: X and Y first, then axes that change linearly along each move.
+        Poses before the first of the n moves and after each move: X and Y (mm) first, then axes
+        that change linearly along each move.
     bulge : (n,) float64
         tan(sweep / 4) of each move in XY.
     pieces : (n,) int64
@@ -23,9 +24,9 @@ def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
     Returns
     -------
     pose : (m + 1, k) float64
-        Poses between the m pieces.
+        Poses before the first of the m pieces and after each piece.
     move : (m,) int64
-        The move that each piece belongs to.
+        Index of the move to which each piece belongs.
     """
     rows = np.repeat(np.arange(len(bulge)), pieces)
     if len(rows) == len(bulge):

@@ -1,7 +1,8 @@
-"""digits: format numbers as columns of characters.
+"""digits: format numbers as rows of characters in a matrix.
 
 The lines of a program are rows of a matrix of characters, so that all lines are formatted at once.
-A zero byte stands for no character; the text is the matrix without zero bytes.
+Unused positions of a row contain the byte 0.  The text of the program is the bytes of the matrix
+in row order, without the zero bytes.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ Characters: TypeAlias = NDArray[np.uint8]
 
 
 def digit_columns(values: I64, decimals: int, *, brief: bool) -> Characters:
-    """Return numbers with a fixed number of decimals as characters, (n, k) bytes.
+    """Return n numbers with a fixed number of decimals as characters, (n, k) bytes.
 
-    Each row has one number; bytes that have no character are 0.
+    Each row contains the characters of one number; unused positions contain the byte 0.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""emit: write the program of a toolpath in the language of the machine's controller."""
+"""emit: write the program of a toolpath in the controller language of the machine."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from knifetip.post.check import check_toolpath
 
 
 class Emitter(Protocol):
-    """A function that writes programs in one controller language."""
+    """A function that writes programs in one controller language: HPGL or an RS274/NGC dialect."""
 
     def __call__(
         self, toolpath: Toolpath, machine: Machine, *, tolerance: float, notes: Sequence[str]
     ) -> Program:
-        """Return the program of a checked toolpath.
+        """Return the program of a toolpath that ``check_toolpath`` has accepted.
 
         The same input gives the same bytes: a program contains no dates and no host names.
         ``tolerance`` is the greatest deviation of the tip from the path (mm); ``notes`` are the
@@ -27,7 +27,7 @@ class Emitter(Protocol):
         Raises
         ------
         ProgramError
-            The language cannot express the toolpath.
+            The toolpath cannot be expressed in the language.
         """
         ...
 
@@ -40,16 +40,17 @@ def process(
     tolerance: float = 0.01,
     notes: Sequence[str] = (),
 ) -> Program:
-    """Return the program that moves the head along a toolpath, in a controller language.
+    """Return the program that moves the head along a toolpath.
 
     Parameters
     ----------
     toolpath : Toolpath
         One chain of moves; the first move of each station is a rapid.
     machine : Machine
-        Gives the datums and outputs of the stations, and the travel height.
+        Contains the datums and outputs of the stations, and the travel height.
     dialect : str
-        Name of a controller language; if empty, the language of the machine.
+        Name of the controller language in which the program is written, such as ``linuxcnc``,
+        ``grblhal`` or ``hpgl``.  If empty, the machine's own language is used.
     tolerance : float, mm
         Greatest deviation of the tip from the path, including the deviation that the controller
         adds.
@@ -60,9 +61,9 @@ def process(
     Raises
     ------
     LibraryError
-        No controller language has the name.
+        There is no controller language with this name.
     ProgramError
-        The toolpath cannot be written in the language.
+        The toolpath cannot be written in this language.
     """
     check_toolpath(toolpath)
     emitter: Emitter = find_language(dialect or machine.dialect).load_part("emitter")

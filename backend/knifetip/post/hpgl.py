@@ -8,9 +8,9 @@ A program consists of these instructions, one on each line::
     PD;  PD1200,800;       lower the tool; move with the tool down
     PU;  SP0;              end: raise the tool, select none
 
-HPGL has neither depths nor headings: each kind of work of a station is a pen with its own force,
-and the device turns the tool along the path.  Arcs become chords.  Every point is rounded to whole
-plotter units independently, so that rounding errors do not accumulate.
+HPGL has neither depths nor headings.  Each kind of operation of a station is a pen with its own
+force, and the device turns the tool along the path.  Arcs become chords.  Every point is rounded to
+whole plotter units independently, so that rounding errors do not accumulate.
 """
 
 from __future__ import annotations
@@ -50,7 +50,9 @@ _MNEMONICS: Final = np.frombuffer(b"\0\0PUPDPDPU", np.uint8).reshape(5, 2)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _PlotterMoves:
-    """The moves of a program: n straight moves between n + 1 points."""
+    """n straight moves of a plotter between n + 1 points, with the pen, speed and kind of each
+    move.
+    """
 
     point: I64  #: (n + 1, 2) plotter units
     kind: U8  #: (n,) kind of instruction of each move
@@ -67,8 +69,8 @@ def emit(
     Parameters
     ----------
     tolerance : float, mm
-        Chords deviate from their arcs by at most half of it; rounding to plotter units adds to
-        this.
+        Greatest deviation of the tip from the path.  Chords may deviate from their arcs by half of
+        it; the rounding of points to plotter units comes in addition.
     notes
         Comments at the top, for devices that support the CO instruction.
 
@@ -76,7 +78,7 @@ def emit(
     ------
     ProgramError
         A move needs a depth, a heading or a speed that HPGL cannot express, or the machine has no
-        pen for a kind of work.
+        pen for a kind of operation.
     """
     plotter = machine.controller
     if not isinstance(plotter, Plotter):
@@ -107,7 +109,10 @@ def emit(
 
 
 def _format_comment(note: str) -> str:
-    """Return a note as a CO instruction, without characters that would end the instruction."""
+    """Return a CO (comment) instruction that contains a note.
+
+    Characters that would end the instruction are replaced by spaces.
+    """
     clean = " ".join(re.sub(r"[^ -~]|[\";]", " ", note).split())[:MAX_COMMENT].rstrip()
     return f'CO"{clean}";'
 
@@ -115,7 +120,8 @@ def _format_comment(note: str) -> str:
 def _select_pen(pen: Pen, speed: I64, plotter: Plotter) -> list[str]:
     """Return the program lines that select a pen, its force, and the speed of its first moves.
 
-    ``speed`` (n,) is the speed of each move that the pen makes, in cm/s, 0 with the tool up.
+    ``speed`` is the speed of each of the n moves that the pen makes, (n,) cm/s; it is 0 for moves
+    with the tool up.
     """
     force = [f"FS{pen.force};"] if plotter.device.force else []
     working = speed[speed > 0]
@@ -127,7 +133,7 @@ def _speed_changes(speed: I64) -> Bool:
     """Return the mask of moves before which the speed must be set, (n,).
 
     These are moves with the tool down whose speed differs from the speed of the previous move with
-    the tool down.  ``speed`` (n,) is the speed of each move in cm/s, 0 with the tool up.
+    the tool down.  ``speed`` is the speed of each of n moves, (n,) cm/s, 0 with the tool up.
     """
     working = np.flatnonzero(speed)
     result = np.zeros(len(speed), np.bool_)
@@ -173,7 +179,10 @@ def _check_motions(toolpath: Toolpath) -> None:
 def _plotter_moves(
     toolpath: Toolpath, machine: Machine, plotter: Plotter, tolerance: float
 ) -> _PlotterMoves:
-    """Return the moves of a toolpath in plotter units, with arcs as chords."""
+    """Return the moves of a toolpath in plotter units, with arcs replaced by chords.
+
+    The chords deviate from their arcs by at most half of ``tolerance`` (mm).
+    """
     device = plotter.device
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
     # The sagitta of a part of an arc is proportional to the square of its length.
@@ -211,7 +220,7 @@ def _plotter_moves(
 def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64:
     """Return the pen of every row of a toolpath, (n,) indices into the pens of the plotter.
 
-    The rows of a pass in the board have the pen for the kind of work of the pass.  The rapids
+    The rows of a pass in the board have the pen for the kind of operation of the pass.  The rapids
     before a pass have the same pen, so that the tool is changed before the head travels there.
     """
     rapid = toolpath.motion == Motion.RAPID
@@ -234,7 +243,7 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
 
 
 def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
-    """Return the index of the pen for a station and a kind of work.
+    """Return the index of the pen for a station and a kind of operation.
 
     ``key`` is twice the number of the station, plus 1 for through cuts.
 
@@ -263,7 +272,8 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
     rows
         Indices of the selected moves in ``moves``.
     with_speed
-        Mask of the selected moves before which a separate program line sets the speed.
+        Mask of the selected moves: True if a separate program line must set the speed before the
+        move.
     """
     shown = moves.kind[rows] != _NONE
     rows, with_speed = rows[shown], with_speed[shown]
@@ -286,9 +296,9 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
 
 def _text_columns(text: bytes, where: Bool) -> Characters:
-    """Return a text repeated in the rows of a mask, as columns of characters, (n, k) bytes.
+    """Return a matrix of characters, (n, k) bytes, in which the rows of a mask contain a text.
 
-    ``where`` (n,) is the mask; rows outside it are 0.
+    ``text`` has k bytes.  All rows that are not in the mask ``where``, (n,), contain zero bytes.
     """
     result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
     return result

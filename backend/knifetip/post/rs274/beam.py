@@ -22,7 +22,8 @@ from knifetip.post.rs274 import gcode
 def switch_beam(
     text: bytes, source: I32, toolpath: Toolpath, tool: Tool, height: float
 ) -> tuple[bytes, I32]:
-    """Return program text with lines that switch the beam, and the toolpath row of each line.
+    """Return program text with additional lines that switch the beam, and the toolpath row of each
+    line of the new text.
 
     The added lines have row -1.
 
@@ -31,7 +32,7 @@ def switch_beam(
     text
         Program lines of the moves of one station.
     source : (n,)
-        Row of the toolpath for each line of ``text``, -1 for none.
+        Row of the toolpath for each of the n lines of ``text``, -1 for none.
     tool
         Laser or plasma torch, with its power and pierce time.
     height : mm

@@ -1,7 +1,7 @@
-"""controller: differences between controllers that read RS274/NGC.
+"""controller: records of the differences between the controllers that read RS274/NGC.
 
-Source: ``docs.linuxcnc.org`` (G-code reference), and the documentation of grbl 1.1 and grblHAL;
-``tests/controllers`` reads each line for LinuxCNC back with its interpreter.
+Source: ``docs.linuxcnc.org`` (G-code reference), and the documentation of grbl 1.1 and grblHAL.
+The tests in ``tests/controllers`` read the programs for LinuxCNC back with LinuxCNC's interpreter.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Variant of RS274/NGC that one controller reads."""
+    """Dialect of RS274/NGC that one controller reads."""
 
     name: str  #: name of the controller language
     decimals: int  #: number of decimals of X Y Z C I J

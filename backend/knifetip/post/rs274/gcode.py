@@ -1,8 +1,9 @@
 """gcode: format the moves of one station as lines of G-code.
 
 All lines are formatted at once, as the rows of a matrix of characters.  Each word is a block of
-columns; 0 stands for no character.  Positions are rounded, not distances, so that errors do not
-accumulate.  The centre of an arc is computed from its rounded ends, so the output is a valid arc.
+columns; unused positions contain the byte 0 and are removed at the end.  Positions are rounded, not
+distances, so that errors do not accumulate.  The centre of an arc is computed from its rounded
+ends, so the output is a valid arc.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ BATCH: Final = 1 << 15
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Moves that the controller can follow: n moves between n + 1 poses."""
+    """n moves between n + 1 poses, without arcs that the controller cannot follow."""
 
     pose: F64  #: (n + 1, 4) mm and degrees, including the datum if the numbers need it
     bulge: F64  #: (n,)
@@ -55,7 +56,7 @@ class _Moves:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _LineWords:
-    """The words of n program lines; numbers are in units of the last printed decimal place."""
+    """The words of n program lines; numbers are in units of their last printed decimal place."""
 
     code: U8  #: (n,) number of the G word, 0 … 3
     inverse: Bool  #: (n,) whether the line uses G93 (inverse time)
@@ -70,10 +71,11 @@ class _LineWords:
 
 
 def format_comment(text: str) -> str:
-    """Return a text as a comment that no controller executes; "" if no characters remain.
+    """Return a text as a G-code comment that no controller executes; "" if no characters remain.
 
-    LinuxCNC executes comments with a comma: ``(PY,…)`` runs Python, ``(LOGOPEN,…)`` writes files.
-    grbl executes ``!``, ``~`` and ``?`` everywhere, also within comments.
+    Characters that a controller could execute are replaced by spaces.  LinuxCNC executes comments
+    with a comma: ``(PY,…)`` runs Python, ``(LOGOPEN,…)`` writes files.  grbl executes ``!``, ``~``
+    and ``?`` everywhere, also within comments.
     """
     clean = " ".join(re.sub(r"[^ -~]|[(),;!~?%$]", " ", text).split())[:MAX_COMMENT].rstrip()
     return f"({clean})" if clean else ""
@@ -86,7 +88,7 @@ def format_number(value: float) -> str:
 
 
 def dwell_line(seconds: float) -> str:
-    """Return the program line of a dwell, without a newline."""
+    """Return the program line that makes the machine dwell, without a newline."""
     return f"G4 P{format_number(seconds)}".rstrip("0").rstrip(".")
 
 
@@ -99,7 +101,8 @@ def format_lines(
     dialect: Dialect,
     blending: float,
 ) -> tuple[bytes, I32]:
-    """Return the program text of rows ``first … last - 1`` of a toolpath, and the row of each line.
+    """Return the program text of rows ``first … last - 1`` of a toolpath, and the toolpath row of
+    each program line.
 
     All rows belong to one station.  The first line has words for all axes: with a new datum from
     the tool table, an axis without a word would keep its *joint* position, which is another
@@ -111,9 +114,9 @@ def format_lines(
     datum : (4,) float64, mm and degrees
         Added to the X, Y, Z and C of the program; zeros if the controller's tool table adds it.
     machine : Machine
-        Gives the velocities and accelerations of the axes.
+        Contains the velocities and accelerations of the axes.
     dialect : Dialect
-        Variant of RS274/NGC that the controller reads.
+        Dialect of RS274/NGC that the controller reads.
     blending : float, mm
         Greatest deviation that the controller may make between two moves.
 
@@ -138,9 +141,10 @@ def format_lines(
 def _convert_arcs(
     toolpath: Toolpath, first: int, last: int, datum: F64, dialect: Dialect
 ) -> _Moves:
-    """Return the moves of rows ``first … last - 1``, with arcs that the controller can follow.
+    """Return the moves of rows ``first … last - 1`` of a toolpath, with arcs that the controller
+    can follow.
 
-    Flat and tiny arcs become lines, too large arcs become chords.  ``datum`` (4,) is added to the
+    Flat and tiny arcs become lines, too large arcs become chords.  ``datum``, (4,), is added to the
     X, Y, Z and C of all poses (mm and degrees).
     """
     pose = toolpath.pose[first : last + 1] + datum
@@ -229,7 +233,8 @@ def _compose_words(
 def _exact_stops(
     turn: F64, travel: F64, minutes: F64, rapid: Bool, machine: Machine, blending: float
 ) -> Bool:
-    """Return the mask of moves that must end at rest because LinuxCNC would leave the path, (n,).
+    """Return the mask of the n moves that must end at rest because LinuxCNC would leave the path,
+    (n,).
 
     If C starts or stops turning between two moves, LinuxCNC's planner overlaps the moves for the
     time that the slower axis needs to change its speed, whatever the P of G64 is.  If the moves
@@ -253,9 +258,9 @@ def _exact_stops(
     rapid : (n,)
         Mask of the rapids.
     machine
-        Gives the accelerations of the axes.
+        Contains the accelerations of the axes.
     blending : float, mm
-        Largest deviation that is acceptable without a stop.
+        Greatest deviation that is permitted without a stop.
     """
     alone = (travel == 0.0) & (turn != 0.0)
     bend = np.divide(turn, travel, out=np.zeros_like(turn), where=travel > 0.0)
@@ -275,9 +280,9 @@ def _exact_stops(
 
 
 def _feed_units(feed: F64) -> I64:
-    """Return feeds as integers in units of 10^-FEED_DECIMALS, (n,).
+    """Return n feeds as integers, (n,), in units of 10^-FEED_DECIMALS.
 
-    They are rounded to six significant digits.
+    ``feed`` are the feeds in the unit of the program.  They are rounded to six significant digits.
     """
     safe = np.maximum(feed, 1e-3)
     decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
@@ -287,10 +292,10 @@ def _feed_units(feed: F64) -> I64:
 
 
 def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
-    """Return the mask of program lines that need an F word, (n,).
+    """Return the mask of the n program lines that need an F word, (n,).
 
-    In G93 (inverse time) every line needs an F word, and so does the first line after returning to
-    G94.
+    Rapids need none.  Another line needs an F word if the feed changes.  In G93 (inverse time)
+    every such line needs an F word, and so does the first line after returning to G94.
 
     Parameters
     ----------
@@ -309,7 +314,7 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
 
 
 def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
-    """Return the text of the program lines ``rows``, a slice of ``words``.
+    """Return the text of those program lines that the slice ``rows`` selects from ``words``.
 
     Raises
     ------
@@ -352,9 +357,10 @@ def _render_lines(words: _LineWords, rows: slice, dialect: Dialect) -> bytes:
 
 
 def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
-    """Return the columns of the words G93 and G94, (n, 4) bytes; lines without these words are 0.
+    """Return the characters of the words G93 and G94 for n program lines, (n, 4) bytes.
 
-    ``inverse`` (n,) is the mask of the lines with G93, ``ends_inverse`` (n,) of the lines with G94.
+    Lines with neither word contain zero bytes.  ``inverse`` is the mask of the lines with G93,
+    (n,), and ``ends_inverse`` the mask of the lines with G94, (n,).
     """
     modes = np.frombuffer(b"\0\0\0\0G93 G94 ", np.uint8).reshape(3, 4)
     return modes[inverse + 2 * ends_inverse]
@@ -363,7 +369,10 @@ def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
 def _word_columns(
     letter: str, values: I64, where: Bool, decimals: int, *, brief: bool = False
 ) -> Iterator[Characters]:
-    """Yield the columns of one G-code word: a space, its letter and its number.
+    """Yield the characters of one G-code word in n program lines: a space, the letter, and the
+    number.
+
+    Each yielded array has n rows.  Lines without the word contain zero bytes.
 
     Parameters
     ----------

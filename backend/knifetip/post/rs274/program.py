@@ -1,12 +1,12 @@
 """program: write the RS274/NGC program of a toolpath.
 
-A program has a header, for each station a tool change and its moves, and a footer.  X, Y and C are
+A program has a header, a tool change and moves for each station, and a footer.  X, Y and C are
 the position and heading of the head, Z is the height of the tip.  The controller's tool table adds
-the datum of the station; if there is no tool table, the numbers include it.  The same input gives
-the same bytes: a program contains no dates or host names.
+the datum of the station; if there is no tool table, the program's numbers include the datum.  The
+same input gives the same bytes: a program contains no dates or host names.
 
 A cancelled job may have left a station lowered, its tool in the board and the spindle on.  Every
-program therefore starts and ends with the same steps: lift straight up, wait until the head is at
+program therefore starts and ends with these steps: lift straight up, wait until the head is at
 rest, release all outputs, stop the spindle.  The lift comes first, while the spindle still runs: a
 tool that is released or stopped in the board tears it.
 """
@@ -53,9 +53,9 @@ def write_program(
     toolpath : Toolpath
         One chain of moves; the first move of each station is a rapid.
     machine : Machine
-        Gives the datums and outputs of the stations, and the travel height.
+        Contains the datums and outputs of the stations, and the travel height.
     dialect : Dialect
-        Variant of RS274/NGC that the controller reads.
+        Dialect of RS274/NGC that the controller reads.
     tolerance : float, mm
         Greatest deviation of the tip from the path; blending by the controller may use half of it.
     notes : sequence of str
@@ -99,12 +99,14 @@ def write_program(
 
 
 def _blending(tolerance: float) -> float:
-    """Return the deviation that the controller may add by rounding corners (mm).
+    """Return the deviation that the controller may cause by rounding corners (mm).
+
+    ``tolerance`` is the greatest deviation of the tip from the path (mm).
 
     Raises
     ------
     ProgramError
-        The tolerance (mm) is too small for the controller.
+        The tolerance is too small for the controller.
     """
     half = min(tolerance, MAX_BLENDING) / 2.0
     # LinuxCNC reads P0 as no limit.
@@ -116,9 +118,11 @@ def _blending(tolerance: float) -> float:
 def _header(
     machine: Machine, dialect: Dialect, blending: float, notes: Sequence[str]
 ) -> Iterator[str]:
-    """Yield the program lines before the first station: notes, modes, and steps to a safe state.
+    """Yield the program lines before the first station: notes, modes, and the steps to a safe
+    state.
 
-    ``blending`` is the deviation that the controller may add by rounding corners (mm).
+    ``blending`` is the deviation that the controller may cause by rounding corners (mm); ``notes``
+    are comments.
     """
     for note in notes:
         if comment := gcode.format_comment(note):
@@ -150,7 +154,7 @@ def _release_outputs(machine: Machine, dialect: Dialect) -> Iterator[str]:
 def _station_change(
     previous: Station | None, station: Station, machine: Machine, dialect: Dialect
 ) -> Iterator[str]:
-    """Yield the program lines that release the previous station, if any, and prepare the next."""
+    """Yield the program lines that release the previous station, if any, and select the new one."""
     if dialect.comments:
         yield gcode.format_comment(f"station {station.number} {station.name}")
     if previous is not None:
@@ -176,7 +180,11 @@ def _station_change(
 
 
 def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[str]:
-    """Yield the program lines after the last station: lift, release all outputs, end program."""
+    """Yield the program lines after the last station: lift, release all outputs, and end the
+    program.
+
+    ``station`` is the last station.
+    """
     up = machine.travel_z + _datum(station, dialect)[2]
     yield f"G0 Z{gcode.format_number(up)}"
     yield from _release_outputs(machine, dialect)
@@ -185,9 +193,9 @@ def _footer(station: Station, machine: Machine, dialect: Dialect) -> Iterator[st
 
 
 def _datum(station: Station, dialect: Dialect) -> F64:
-    """Return the datum of a station that the program adds to its positions, (4,) mm and degrees.
+    """Return the offset that the program adds to its positions for a station, (4,) mm and degrees.
 
-    It is zero if the controller's tool table contains the datum.
+    It is the datum of the station, or zero if the controller's tool table contains the datum.
     """
     datum = (station.x, station.y, station.z, station.c)
     return np.zeros(4) if dialect.tool_table else np.array(datum)

@@ -1,7 +1,7 @@
 """tool_table: write the stations of a machine as LinuxCNC's file tool.tbl.
 
-The word ``Tn M6 G43`` of a program reads the table.  While G43 is active, LinuxCNC adds X Y Z C of
-the table to the programmed position: joint = programmed + datum.
+The words ``Tn M6 G43`` of a program select row n of the table.  While G43 is active, LinuxCNC adds
+X Y Z C of this row to the programmed position: joint = programmed + datum.
 """
 
 from __future__ import annotations
@@ -11,7 +11,9 @@ from knifetip.post.rs274 import gcode
 
 
 def tool_table(machine: Machine) -> str:
-    """Return LinuxCNC's tool table of a machine, one line per station (mm and degrees)."""
+    """Return the text of LinuxCNC's tool table for a machine, one line per station (mm and
+    degrees).
+    """
     # D is for the operator only: programs never use cutter compensation of LinuxCNC.
     return "".join(
         f"T{station.number} P{station.number}"
