@@ -44,7 +44,7 @@ from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
 
-#: Opens a controller; True stops a moving machine, whose program is then ours.
+#: Opens a controller.  The second argument: whether to stop a machine that is still moving.
 Connect = Callable[[SafeState, bool], Awaitable[Controller]]
 
 _log = logging.getLogger(__name__)
@@ -55,14 +55,14 @@ def _not_idle(controller: Controller, state: State) -> Message:
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
-    """Return the message that describes an error because of which a job ended."""
+    """Return the message that is reported as the cause if an error ended a job."""
     if isinstance(error, KnifetipError):
         return error.message
     return Message("gateway.system-error", reason=error)
 
 
 class _GatewayLoop:
-    """Claims and runs the jobs of one machine."""
+    """Claims the jobs of one machine from the server and runs them, one after another."""
 
     def __init__(
         self, settings: GatewaySettings, connect: Connect, server: JobServer, journal: Journal
@@ -134,7 +134,7 @@ class _GatewayLoop:
             _log.warning("%s", error)
 
     async def _wait_until_idle(self) -> None:
-        """Wait until the controller is connected and idle."""
+        """Wait until the controller is connected and idle; connect to it if necessary."""
         pause = FIRST_PAUSE
         while True:
             try:
@@ -275,8 +275,17 @@ class _GatewayLoop:
     ) -> None:
         """Hold the machine, or let it continue, as the server has requested for the job.
 
-        The machine also holds if the lease of the job has expired.  A request is deleted from
-        ``run`` as soon as the status of the controller shows that it was carried out.
+        The machine also holds if the lease of the job has expired.
+
+        Parameters
+        ----------
+        run
+            State of the job, with the request of the server.  The request is deleted from ``run``
+            as soon as the controller has carried it out.
+        progress
+            Progress of the machine, with the state of the controller.
+        controller
+            Controller of the machine.
         """
         if self._now() > run.lease_end and progress.state is State.RUN:
             await controller.hold()
@@ -292,7 +301,15 @@ class _GatewayLoop:
                 run.requested = ""
 
     async def _wait_for_sheet(self, run: JobRun) -> None:
-        """Wait until the operator has loaded a sheet for the next copy; report the job as held."""
+        """Wait until the operator has confirmed the sheet for the next copy of a job.
+
+        Meanwhile the heartbeats report the job as held.
+
+        Raises
+        ------
+        JobWithdrawn, JobCancelled
+            The server withdrew the job, or the operator cancelled it.
+        """
         run.held, run.requested = True, ""
         while run.requested != "resume":
             run.answered.clear()
@@ -301,9 +318,16 @@ class _GatewayLoop:
         run.held, run.requested = False, ""
 
     def _head(self, progress: Progress) -> Pose:
-        """Return the position of the axes minus the datum of the station in use.
+        """Return the position of the head on the sheet, as heartbeats report it.
 
-        If no station is in use, the position of the axes is returned unchanged.
+        It is the position of the axes minus the tool offset (datum) of the station in use, or the
+        position of the axes if no station is in use.
+
+        Parameters
+        ----------
+        progress
+            Position of the axes, and the digital output that is switched on, which identifies the
+            station in use.
         """
         x, y, z, c = progress.position
         for station in self._settings.machine.stations:

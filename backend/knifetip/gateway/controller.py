@@ -31,7 +31,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """A status report of a controller, with the numbers of program lines answered and sent."""
+    """A status report of a controller, with the numbers of program lines sent and answered."""
 
     state: State
     position: Pose  #: in work coordinates, as in the program
@@ -99,22 +99,25 @@ class Controller(Protocol):
 
     @property
     def fault(self) -> ControllerError | None:
-        """The failure that every call raises, or None."""
+        """First failure since the machine was in its safe state; None if there is none.
+
+        Every call except ``stop``, ``open`` and ``close`` raises this failure.
+        """
         ...
 
     @property
     def acknowledged(self) -> int:
-        """Number of program lines answered since ``open``."""
+        """Number of program lines that the controller has answered since ``open``."""
         ...
 
     @property
     def sent(self) -> int:
-        """Number of program lines sent since ``open``."""
+        """Number of program lines that were sent to the controller since ``open``."""
         ...
 
     @property
     def capacity(self) -> int | None:
-        """Number of blocks that the planner of the controller holds, None if unknown."""
+        """Number of blocks (moves) that the planner of the controller can hold; None if unknown."""
         ...
 
     async def open(self) -> None:
@@ -129,6 +132,11 @@ class Controller(Protocol):
 
     async def check(self, lines: Iterable[bytes]) -> None:
         """Let the controller parse a whole program without motion.
+
+        Parameters
+        ----------
+        lines
+            Lines of the program, without newlines.
 
         Raises
         ------
@@ -150,7 +158,7 @@ class Controller(Protocol):
         ...
 
     async def drain(self) -> None:
-        """Wait until every line that was sent has been answered."""
+        """Wait until the controller has answered every line that was sent."""
         ...
 
     async def settle(self) -> Status:
@@ -159,7 +167,7 @@ class Controller(Protocol):
         Raises
         ------
         ControllerError
-            The controller failed, or sent an answer that belongs to no line.
+            The controller failed, or sent more answers than it received lines.
         """
         ...
 
@@ -196,7 +204,7 @@ class Controller(Protocol):
 
 
 class Driver(Protocol):
-    """A function that connects to a controller of one controller language."""
+    """Interface of a function that connects to a controller; one for each controller language."""
 
     async def __call__(
         self, address: str, safe: SafeState | None = None, *, stop_motion: bool = False

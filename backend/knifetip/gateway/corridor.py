@@ -46,8 +46,8 @@ class Corridor:
     start
         Status of the controller before the first program line is sent.
     capacity
-        Number of blocks that the planner of the controller holds; None if unknown, then
-        ``PLANNER``.
+        Number of blocks that the planner of the controller can hold; if None, ``PLANNER`` blocks
+        are assumed.
     """
 
     def __init__(self, text: bytes, start: Status, capacity: int | None) -> None:
@@ -68,7 +68,11 @@ class Corridor:
         return self._off > 0
 
     def observe(self, status: Status) -> ControllerError | None:
-        """Return an error if the last ``REPORTS`` status reports were off the path, else None."""
+        """Return an error if the machine has left the path of the program, else None.
+
+        The machine has left the path if the positions of the last ``REPORTS`` status reports, up to
+        ``status``, are off the path.
+        """
         self._take(status.sent - self._base)
         self._forget(status.acknowledged - self._base)
         if self._blind or not status.located or status.state not in _STATES:
@@ -83,10 +87,15 @@ class Corridor:
     def check_rest(self, status: Status) -> None:
         """Compare the position of a machine at rest with the end of the last program line sent.
 
+        Parameters
+        ----------
+        status
+            Status report of the machine at rest.
+
         Raises
         ------
         ControllerError
-            The position differs from the end of the line by more than ``OFF``.
+            The position is more than ``OFF`` mm from the end of the line.
         """
         self._take(status.sent - self._base)
         if self._blind or not status.located:
@@ -130,10 +139,10 @@ class Corridor:
             self._near = max(self._near - 1, 0)
 
     def _nearest(self, position: Pose) -> tuple[float, int]:
-        """Return the distance (mm) of a position from the nearest move, and its program line.
+        """Return the distance (mm) of a position from the nearest stored move, and a line number.
 
-        If a move is within ``OFF`` of the position, the first such move is used and no nearer one
-        is searched.
+        The number is that of the program line with the move.  If a move is within ``OFF`` mm of the
+        position, the first such move is used, even if another move is nearer.
         """
         least, line = math.inf, 0
         count = len(self._moves)
@@ -151,7 +160,7 @@ class Corridor:
 
 
 def distance_to(move: Move, position: Pose) -> float:
-    """Return the distance in X, Y and Z of a position from the path of a move (mm).
+    """Return the distance (mm) of a position from the path of a move, in X, Y and Z.
 
     On an arc, the distance is measured to the point that is nearest in X and Y.
     """

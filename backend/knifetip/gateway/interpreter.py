@@ -3,7 +3,8 @@
 For example ``b"G2 X10 Y0 I5 J0 C-90 F1200"`` becomes a ``Block`` with a ``Move``.  A line that the
 controller refuses raises ``LineRefused`` with grbl's error number.
 
-The simulated table executes the blocks, and the gateway follows the machine along them.
+The simulated table executes the blocks.  The gateway compares the reported positions of a real
+machine with them.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ _GROUP: dict[tuple[str, float], str] = {
 
 
 class LineRefused(Exception):
-    """A line that the controller answers with ``error:code``."""
+    """Raised for a program line that a controller would answer with ``error:code``."""
 
     def __init__(self, code: int) -> None:
         super().__init__(f"error:{code}")
@@ -95,7 +96,13 @@ class Interpreter:
         self.reset(position)
 
     def reset(self, position: Pose) -> None:
-        """Set the modal state of a controller after power-up, with the axes at ``position``."""
+        """Set the modal state that a controller has after power-up.
+
+        Parameters
+        ----------
+        position
+            Present position of the axes.
+        """
         self.position = position
         self.feed = 0.0
         self._motion = 0.0
@@ -181,7 +188,7 @@ class Interpreter:
         Parameters
         ----------
         words
-            Value of each word of the line, by letter.
+            Number in each word of the line, by letter.
         scale
             Millimetres per length unit of the program: 1 or 25.4.
         relative
@@ -236,12 +243,24 @@ class Interpreter:
 
 
 def _split(text: bytes) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Return the values of the words of a line by letter, and the list of its G and M commands.
+    """Return the words of a line in two groups.
 
     Parameters
     ----------
     text
         The line without comments and blanks, in capital letters.
+
+    Returns
+    -------
+    words
+        Number in each word except G and M, by letter.
+    commands
+        Letter and number of each G and M word, in the order of the line.
+
+    Raises
+    ------
+    LineRefused
+        The line is too long, or a word is invalid or occurs twice.
     """
     if len(text) > LINE:
         raise LineRefused(11)

@@ -13,7 +13,7 @@ from knifetip.messages import Message, with_text
 
 @dataclass(frozen=True, slots=True)
 class Lease:
-    """A claimed job with its program, number of copies and lease, as the server describes it."""
+    """A claimed job: its program, its number of copies, and the duration of the gateway's lease."""
 
     job: str
     epoch: int
@@ -37,7 +37,7 @@ class Lease:
 
 
 class JobWithdrawn(Exception):
-    """Raised when the server has assigned the job of this gateway elsewhere, or withdrawn it."""
+    """Raised when the server has assigned the job to another gateway, or has ended it."""
 
 
 class JobCancelled(Exception):
@@ -53,7 +53,7 @@ class JobReturned(Exception):
 
 
 class JobRun:
-    """State of a claimed job: the progress that heartbeats report, and the requests to it."""
+    """State of a claimed job: its progress for the heartbeats, and the server's commands for it."""
 
     def __init__(self, claim: Lease, now: float) -> None:
         self.claim = claim
@@ -113,7 +113,7 @@ class JobRun:
 
 @dataclass(frozen=True, slots=True)
 class JobEnd:
-    """The result of a job, as reported to the server."""
+    """The end of a job as it is reported to the server: outcome, cause and progress."""
 
     job: str
     epoch: int

@@ -44,7 +44,7 @@ class GatewaySettings:
 
 
 class JobServer:
-    """The server, as a gateway uses it: claim a job, fetch its program, report its progress."""
+    """Client of the server: claims jobs, fetches their programs, and reports progress and end."""
 
     def __init__(
         self, client: httpx.AsyncClient, settings: GatewaySettings, journal: Journal
@@ -114,7 +114,13 @@ class JobServer:
         raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
 
     async def send_heartbeats(self, run: JobRun) -> None:
-        """Send heartbeats with the progress of a job until it is withdrawn; apply the answers."""
+        """Send the progress of a job at intervals, until the server withdraws the job.
+
+        Parameters
+        ----------
+        run
+            State of the job with its progress; the commands in the answers are stored in it.
+        """
         patience = max(min(run.claim.lease / 3.0, 2.0), self._settings.beat)
         while not run.stale:
             body, asked = run.heartbeat(), asyncio.get_running_loop().time()

@@ -22,7 +22,7 @@ LONG = 8_000_000
 
 @dataclass(slots=True)
 class Unfinished:
-    """A job that was started and whose end the server has not acknowledged."""
+    """A job in the journal whose end the server has not acknowledged."""
 
     job: str
     epoch: int
@@ -35,7 +35,7 @@ class Unfinished:
 
 
 class Journal:
-    """A file to which events of jobs are appended; nothing is stored if its path is None."""
+    """A file to which events of jobs are appended; if its path is None, nothing is stored."""
 
     def __init__(self, path: Path | None) -> None:
         self._path = path

@@ -27,7 +27,7 @@ NOTHING = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits of x, y, z and c: greatest velocity (1/s), greatest acceleration (1/s²) and travel.
+    """Limits of the axes x, y, z and c: velocity (1/s), acceleration (1/s²) and travel.
 
     Lengths are in mm, angles in degrees.
     """
@@ -212,8 +212,8 @@ class Planner:
     """A queue of moves with look-ahead, and a point that moves along them.
 
     The speed of the point rises, stays constant and falls along each move (trapezoidal profile).
-    At the joint of two moves no axis changes its velocity by more than it can accelerate in
-    ``JOLT``. The last queued move ends at rest.
+    At the joint of two moves, the velocity of an axis changes by at most the change that the axis
+    can reach in ``JOLT`` seconds.  The last queued move ends at rest.
     """
 
     def __init__(self, limits: Limits, capacity: int, position: Pose) -> None:
@@ -236,7 +236,7 @@ class Planner:
 
     @property
     def halted(self) -> bool:
-        """Whether the point is at rest in a hold."""
+        """Whether a hold was requested and the point has come to rest."""
         return self.holding and self.speed == 0.0
 
     @property
@@ -251,7 +251,7 @@ class Planner:
 
     @property
     def tag(self) -> int:
-        """Tag with which the current move was appended; 0 if there is no current move."""
+        """Number that was passed to ``append`` with the current move; 0 without a current move."""
         return self._queue[0].tag if self._queue else 0
 
     @property

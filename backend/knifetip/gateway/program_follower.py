@@ -90,7 +90,7 @@ class ProgramFollower:
         self._limits = limits
         self._window: deque[_Line] = (
             deque()
-        )  # from the first line not executed to the last answered
+        )  # lines from the first one that is not executed to the last answered
         self._moves = 0  # moves in the window
         self._read = 0  # lines that have entered the window
         self._fraction = 0.0  # of the line being executed
@@ -177,7 +177,7 @@ class ProgramFollower:
                 self._drop(len(self._window))
 
     def _release(self, held: int) -> None:
-        """Count the oldest stored lines as executed until at most ``held`` moves remain.
+        """Count the oldest stored lines as executed until at most ``held`` stored moves remain.
 
         Parameters
         ----------
@@ -188,7 +188,7 @@ class ProgramFollower:
             self._drop(1)
 
     def _skip(self) -> None:
-        """Count the lines without motion before the first stored move as executed."""
+        """Count the stored lines before the first stored move as executed; they do not move."""
         while self._window and not _moves(self._window[0].block):
             self._drop(1)
 

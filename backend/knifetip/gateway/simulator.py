@@ -11,7 +11,7 @@ from knifetip.model.machine import Machine
 
 
 class Server:
-    """A simulated table on a TCP port, for one client at a time."""
+    """Server of a simulated table on a TCP port, for one client at a time."""
 
     def __init__(self, table: Table) -> None:
         self.table = table
@@ -99,10 +99,12 @@ async def serve(
 
     Parameters
     ----------
-    port
-        TCP port; 0 for any free port.
+    machine
+        Machine that is simulated.
+    host, port
+        Address on which the server listens; port 0 for any free port.
     speed
-        Simulated seconds per second of the clock.
+        Simulated seconds per second of real time.
     faults
         Faults to inject; None for none.
     window
@@ -127,12 +129,14 @@ def run(
 
     Parameters
     ----------
+    machine
+        Machine that is simulated.
     host, port
-        Address to listen on; port 0 for any free port.
+        Address on which the server listens; port 0 for any free port.
     speed
-        Simulated seconds per second of the clock.
+        Simulated seconds per second of real time.
     ready
-        Called with the server when its port is open; None for no call.
+        Function that is called with the server when its port is open; None for no call.
     """
 
     async def serving() -> None:

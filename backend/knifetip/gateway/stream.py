@@ -27,7 +27,7 @@ from knifetip.gateway.program_follower import ProgramFollower, blocks_of, lines_
 from knifetip.messages import Message
 from knifetip.model.program import Program
 
-#: Lines processed before other tasks get their turn.
+#: Number of lines that are processed before other tasks can run.
 TURN = 500
 #: Nominal seconds after which the measured pace is used.
 PACE = 1.0
@@ -52,7 +52,7 @@ class Progress:
     position: Pose  #: X, Y, Z, C in work coordinates
     state: State
     output: int  #: digital output last switched on (the station in use), -1 for none
-    seconds_left: float | None  #: at the pace so far, without holds
+    seconds_left: float | None  #: estimated from the pace so far, without holds (s)
 
 
 async def stream(
@@ -146,7 +146,7 @@ def _check_alarm(controller: Controller, status: Status) -> None:
 
 
 async def _make_safe(controller: Controller) -> Status:
-    """Bring the machine into its safe state and return its status."""
+    """Bring the machine into its safe state (tool raised, outputs off) and return its status."""
     controller.observer = None
     return await controller.stop()
 
@@ -241,7 +241,7 @@ async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: 
 
 
 async def _give_up(task: asyncio.Task[None]) -> None:
-    """Cancel the task that sends the program; ignore its error, which the caller has already."""
+    """Cancel the task that sends the program, and ignore its error, which is reported already."""
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
 
@@ -261,7 +261,11 @@ def _progress(
 
 
 class _Clock:
-    """Estimates the remaining time of a program from its nominal duration and the measured pace."""
+    """Estimates the remaining time of a program.
+
+    The estimate is the nominal duration of the rest, times the ratio of real time to nominal time
+    so far.
+    """
 
     def __init__(self, total: float) -> None:
         self._total = total

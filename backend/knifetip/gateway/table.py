@@ -33,7 +33,7 @@ TICK = 0.002
 STINT = 0.01
 #: Real time that the machine may catch up after the process was busy (s).
 LAG = 0.1
-#: Distance of the end stops beyond the travel (mm or degrees).
+#: Distance between the limits of travel and the mechanical end stops (mm or degrees).
 PAST = 1e-4
 #: Blocks of the planner, as ``$I`` and ``Bf`` report.
 BLOCKS = 15
@@ -141,7 +141,7 @@ class Table:
         self._reports = 0
         self._pending_time = 0.0
 
-    # -- what it is -----------------------------------------------------------------------------
+    # -- state ----------------------------------------------------------------------------------
 
     @property
     def position(self) -> Pose:
@@ -164,7 +164,7 @@ class Table:
         """Whether an axis moves or the table dwells."""
         return self._planner.moving or (self._dwell > 0.0 and not self._planner.holding)
 
-    # -- what it hears --------------------------------------------------------------------------
+    # -- received bytes -------------------------------------------------------------------------
 
     def receive(self, data: bytes) -> None:
         """Process received bytes: execute realtime commands at once, buffer other bytes."""
@@ -236,7 +236,7 @@ class Table:
             fields.append("WCO:0.000,0.000,0.000,0.000")
         self.answer(f"<{'|'.join(fields)}>")
 
-    # -- what it reads --------------------------------------------------------------------------
+    # -- program lines --------------------------------------------------------------------------
 
     def _read(self) -> None:
         """Execute and answer lines from the buffer until it is empty or a line must wait."""
@@ -418,7 +418,7 @@ class Table:
             self._state = "Jog"
         return 0
 
-    # -- how it moves ---------------------------------------------------------------------------
+    # -- motion ---------------------------------------------------------------------------------
 
     def elapse(self, seconds: float) -> None:
         """Advance the simulated time by ``seconds``, or until the table neither moves nor dwells.
@@ -443,7 +443,10 @@ class Table:
         self._read()
 
     def _move(self, seconds: float) -> float:
-        """Move along the current block for at most ``seconds``; return the time used (s)."""
+        """Move along the current block for at most ``seconds``; return the time used.
+
+        Both times are simulated seconds.
+        """
         move = self._planner.current
         doomed = (
             move is not None
@@ -459,7 +462,7 @@ class Table:
         return used
 
     async def run(self) -> None:
-        """Advance simulated time with the clock until cancelled."""
+        """Advance the simulated time with the real time until cancelled."""
         loop = asyncio.get_running_loop()
         last = loop.time()
         while True:
@@ -479,7 +482,7 @@ class Table:
             await asyncio.sleep(TICK if self.busy else 0.0)
 
     def _advance_pending(self, deadline: float, loop: asyncio.AbstractEventLoop) -> None:
-        """Simulate the pending time, but return at the real time ``deadline`` at the latest.
+        """Simulate the pending time, but at most until the real time reaches ``deadline``.
 
         Parameters
         ----------

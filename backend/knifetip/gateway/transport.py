@@ -23,7 +23,7 @@ class Transport(Protocol):
 
     @property
     def address(self) -> str:
-        """Address, as the operator entered it."""
+        """Address of the controller, as the operator entered it."""
         ...
 
     async def read(self) -> bytes:
@@ -40,7 +40,7 @@ class Transport(Protocol):
 
 
 class Tcp:
-    """A TCP connection."""
+    """A transport over a TCP connection."""
 
     def __init__(
         self, address: str, reader: asyncio.StreamReader, writer: asyncio.StreamWriter

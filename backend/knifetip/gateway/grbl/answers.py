@@ -1,8 +1,8 @@
 """answers: the meaning of the answers of grbl 1.1 and grblHAL.
 
 A status report such as ``<Run|MPos:1.000,2.000,0.000,90.000|Bf:14,110|FS:500,0>`` becomes a
-``Report``; an error or alarm code becomes a message.  Codes and fields are those of grbl's
-published interface; the texts are our own.
+``Report``; an error or alarm code becomes a message.  The codes and fields are those of grbl's
+published interface; the texts of the messages are those of knifetip.
 """
 
 from __future__ import annotations
@@ -116,7 +116,9 @@ class Report:
 
 
 def rotary_axis(letters: str) -> int:
-    """Return the index of the axis that rotates the tool: C if there is one, else A, else 3.
+    """Return the index of the axis that rotates the tool, in the positions of status reports.
+
+    It is the index of the axis C if the machine has one, else that of A, else 3.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ from knifetip.gateway.grbl.watchdog import Watchdog
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.transport import Transport
 
-#: Most bytes without a line end that are kept; more of them are noise.
+#: Most bytes without a line end that are kept; a longer sequence is noise.
 _LONGEST_ANSWER = 8192
 #: Most lines between two answers that are kept.
 _MOST_LINES = 1000
@@ -88,7 +88,10 @@ class GrblConnection:
     # -- opening and closing ----------------------------------------------------------------------
 
     def start(self) -> None:
-        """Clear the fault; start to read answers and to request reports, if not started."""
+        """Clear the fault, and start the tasks that read answers and request status reports.
+
+        Tasks that run already continue.
+        """
         if not self._tasks:
             self._start_tasks()
         self.fault = None
@@ -141,12 +144,12 @@ class GrblConnection:
     # -- sending ----------------------------------------------------------------------------------
 
     async def send_line(self, line: PendingLine) -> None:
-        """Send a line as soon as the receive buffer has room for it.
+        """Send a line as soon as the receive buffer of the controller has room for it.
 
         Raises
         ------
         ControllerError
-            Any failure so far.
+            The fault of the connection, if there is one.
         """
         async with self._sending:
             await self.wait_until(lambda: self.buffer.has_room_for(line))
@@ -162,14 +165,24 @@ class GrblConnection:
         await self.wait_until(lambda: self.buffer.first is None)
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a command of the driver; return the lines received before its ``ok``.
+        """Send a command of the driver, which is not a program line, and wait until it is answered.
+
+        Parameters
+        ----------
+        text
+            The command without newline, such as ``$I``.
+
+        Returns
+        -------
+        list of str
+            Lines that the controller sent before the ``ok`` for the command.
 
         Raises
         ------
         ControllerRejected
             The controller refuses the command.
         ControllerError
-            Any failure so far, or no answer.
+            The fault of the connection, or the controller does not answer.
         """
         await self.drain()
         self._info.clear()
@@ -239,7 +252,7 @@ class GrblConnection:
         ControllerSilent
             No report arrived.
         ControllerError
-            Any failure so far.
+            The fault of the connection, if there is one.
         """
         self.raise_fault()
         seen = self._reports
@@ -256,9 +269,10 @@ class GrblConnection:
     # -- faults and waiting -----------------------------------------------------------------------
 
     def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault if there is none, wake waiting tasks, return the fault.
+        """Record an error as the fault of the connection, unless it has one, and return the fault.
 
-        The returned fault is ``error``, or the error that was recorded before it.
+        Wakes the tasks that wait for an answer; they raise the fault.  The returned fault is
+        ``error``, or the error that was recorded before.
         """
         if self.fault is None:
             self.fault = error
@@ -267,12 +281,12 @@ class GrblConnection:
         return self.fault
 
     def raise_fault(self) -> None:
-        """Raise the fault if there is one."""
+        """Raise the fault of the connection if there is one."""
         if self.fault is not None:
             raise self.fault
 
     def silent(self) -> ControllerSilent:
-        """Return the error that states that the controller does not answer."""
+        """Return the error which states that the controller does not answer."""
         return ControllerSilent(
             "controller.silent", name=self.name, seconds=self.silence, due=self.buffer.due()
         )
@@ -282,15 +296,15 @@ class GrblConnection:
         return ControllerError("controller.unexpected-answer", name=self.name)
 
     async def wait_until(self, condition: Callable[[], bool], code: str = "") -> None:
-        """Wait until ``condition()`` is true.
+        """Wait until ``condition()`` is true; raise the fault of the connection if one is recorded.
 
         Parameters
         ----------
         condition
-            Checked after each received line.
+            Function that is called after each received line.
         code
-            Message code of the ``ControllerSilent`` that is raised after the limit of silence; if
-            it is empty, there is no time limit here, and only a fault ends the wait.
+            Message code of the ``ControllerSilent`` that is raised if the condition is still false
+            after the limit of silence; empty to wait without a time limit.
         """
         try:
             async with asyncio.timeout(self.silence if code else None):
@@ -313,7 +327,7 @@ class GrblConnection:
     # -- received lines ---------------------------------------------------------------------------
 
     async def _read_answers(self) -> None:
-        """Handle each received line until the connection is lost."""
+        """Read lines from the transport and handle each of them, until the connection is lost."""
         rest = b""
         while chunk := await self._transport.read():
             *lines, rest = (rest + chunk).split(b"\n")
@@ -396,7 +410,7 @@ class GrblConnection:
                 self._watchdog.request_at_once()
 
     def _status_of(self, report: answers.Report) -> Status:
-        """Return the status that a report describes.
+        """Return the status that a report of grbl describes.
 
         If the report contains no position, the position of the previous status is used.
         """
@@ -463,6 +477,6 @@ class GrblConnection:
 
 
 def _code(line: str) -> int:
-    """Return the number at the end of ``error:9`` or ``ALARM:2``; -1 if the number is damaged."""
+    """Return the number at the end of an answer such as ``error:9``; -1 if it is damaged."""
     code = line.partition(":")[2].strip()
     return int(code) if code.isdecimal() else -1

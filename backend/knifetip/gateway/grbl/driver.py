@@ -75,17 +75,20 @@ class Grbl:
 
     @property
     def fault(self) -> ControllerError | None:
-        """The failure that every call raises, or None."""
+        """First failure since the machine was in its safe state; None if there is none.
+
+        Every call except ``stop``, ``open`` and ``close`` raises this failure.
+        """
         return self._connection.fault
 
     @property
     def acknowledged(self) -> int:
-        """Number of program lines answered since the controller was opened."""
+        """Number of program lines that the controller has answered since it was opened."""
         return self._connection.acknowledged
 
     @property
     def sent(self) -> int:
-        """Number of program lines sent since the controller was opened."""
+        """Number of program lines that were sent to the controller since it was opened."""
         return self._connection.sent
 
     @property
@@ -95,7 +98,7 @@ class Grbl:
 
     @property
     def observer(self) -> Observer | None:
-        """Object that compares each status report with the program, or None."""
+        """Object that compares each status report with the program; None if no program runs."""
         return self._connection.observer
 
     @observer.setter
@@ -206,14 +209,21 @@ class Grbl:
             raise connection.refusals[0]
 
     async def send(self, line: bytes, number: int) -> None:
-        """Send a program line as soon as the receive buffer has room for it.
+        """Send a program line as soon as the receive buffer of the controller has room for it.
+
+        Parameters
+        ----------
+        line
+            Text of the program line, without newline.
+        number
+            Number of the program line, from 1, for error messages.
 
         Raises
         ------
         ProgramError
             The line contains realtime commands, or is longer than the buffer.
         ControllerError
-            Any failure so far.
+            The first failure of the controller, if it has failed.
         """
         if found := _REALTIME.search(line):
             raise ProgramError("program.control-byte", line=number, byte=found[0].hex())
@@ -245,7 +255,7 @@ class Grbl:
         Raises
         ------
         ControllerError
-            Any failure so far, or an answer that belongs to no line.
+            The controller has failed, or sent more answers than it received lines.
         """
         await self.drain()
         idle = 0
@@ -268,7 +278,7 @@ class Grbl:
         Raises
         ------
         ControllerError
-            Any failure so far; silence of the controller becomes the fault.
+            The controller has failed, or does not answer, which becomes its fault.
         """
         try:
             return await self._connection.report()

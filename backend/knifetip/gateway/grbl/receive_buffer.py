@@ -34,7 +34,7 @@ class PendingLine:
 
     @property
     def size(self) -> int:
-        """Number of bytes sent, with the line end."""
+        """Number of bytes of the line as it is sent, including the line end."""
         return len(self.text) + 1
 
     @property
@@ -66,11 +66,14 @@ class ReceiveBuffer:
 
     @property
     def first(self) -> PendingLine | None:
-        """The line that is answered next, None if every line has been answered."""
+        """Oldest unanswered line, to which the next answer belongs; None if there is none."""
         return self._lines[0] if self._lines else None
 
     def due(self) -> Message | None:
-        """Return a message that names the first unanswered program line, None if there is none."""
+        """Return a message with the number of the first unanswered program line, or None.
+
+        Returns None if no program line is unanswered.
+        """
         line = next((line for line in self._lines if line.number), None)
         if line is None:
             return None
@@ -84,7 +87,7 @@ class ReceiveBuffer:
         self._longest = max(self._longest, line.size)
 
     def release_reserve(self) -> None:
-        """Delete the reserve of free bytes; called when no answer can be a doubled one."""
+        """Delete the reserve of free bytes; called when all answers have been matched to lines."""
         self._longest = 0
 
     def has_room_for(self, line: PendingLine) -> bool:

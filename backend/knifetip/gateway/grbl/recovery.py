@@ -48,7 +48,7 @@ class Recoverable(Protocol):
         ...
 
     async def realtime(self, byte: bytes) -> None:
-        """Send a realtime command."""
+        """Send a realtime command: a single byte that the controller executes at once."""
         ...
 
     async def report(self) -> Status:
@@ -60,7 +60,7 @@ class Recoverable(Protocol):
         ...
 
     async def command(self, text: bytes) -> list[str]:
-        """Send a command of the driver; return the lines received before its ``ok``."""
+        """Send a command of the driver; return the lines that the controller sent before ``ok``."""
         ...
 
 

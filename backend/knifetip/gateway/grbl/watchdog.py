@@ -35,7 +35,7 @@ class Watched(Protocol):
         ...
 
     def fail(self, error: ControllerError) -> ControllerError:
-        """Record an error as the fault if there is none, and return the fault."""
+        """Record an error as the fault of the connection, unless it has one; return the fault."""
         ...
 
     def silent(self) -> ControllerSilent:
@@ -65,7 +65,7 @@ class Watchdog:
         self._wake = asyncio.Event()
         self._soon = False  # a line was answered: request a report soon
         self._at_once = False  # a report was doubtful: request another one at once
-        self._last_report = 0.0  # (s, clock of the event loop)
+        self._last_report = 0.0  # time of the last status report (s, clock of the event loop)
         self._last_progress = 0.0  # last event that explains a missing answer (s, same clock)
 
     def restart(self) -> None:
@@ -73,7 +73,10 @@ class Watchdog:
         self._last_report = self._last_progress = _now()
 
     def expect_answer(self) -> None:
-        """Restart the time limit for an answer; called when the only unanswered line is sent."""
+        """Restart the time limit for an answer.
+
+        Called when a line is sent while no other line is unanswered.
+        """
         self._last_progress = _now()
         self._wake.set()
 
@@ -86,7 +89,7 @@ class Watchdog:
         self._last_report = _now()
 
     def request_soon(self) -> None:
-        """Reduce the time from the last status request to the next one to ``_SOON`` or less."""
+        """Send the next status request at most ``_SOON`` seconds after the last one."""
         self._soon = True
         self._wake.set()
 
