@@ -1,9 +1,9 @@
 """annotations: the texts and dimensions of a drawing, as written in the file.
 
-The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  The
-fast reader and the ezdxf reader take texts from the bytes of the file and not from ezdxf, because
-texts are evidence for the unit and must not be repaired.  Texts in blocks are left out, even if an
-INSERT places the block.
+The tags of a TEXT, MTEXT, ATTRIB or DIMENSION entity become an ``Annotation`` in file units.  Both
+readers decode the texts from the bytes of the file and do not take them from ezdxf: texts are
+evidence for the unit, and ezdxf may repair them.  Texts in blocks are left out, even if an INSERT
+places the block.
 """
 
 from __future__ import annotations
@@ -55,7 +55,8 @@ def annotation(
     text
         Text as written in the file, with formatting codes.
     lengths
-        Value of each of the group codes ``LENGTHS`` of the entity, NaN if not in the file.
+        Value of each group code in the tuple ``LENGTHS`` for the entity; NaN for a group code that
+        the entity does not have.
     type_
         Type of a dimension, the value of its group code 70; not used for texts.
     """
@@ -73,7 +74,7 @@ def annotation(
     if kind in _CODED:
         written = _CODE.sub(_decoded, written)
     if "%%" in written:
-        written = _SIGN.sub(lambda found: _SIGNS.get(found[1].lower(), ""), written)
+        written = _SIGN.sub(lambda match: _SIGNS.get(match[1].lower(), ""), written)
     if "\\" in written:
         written = unescape(written)
     # Missing values are NaN, which is not equal to itself.
@@ -89,8 +90,9 @@ def annotation(
 
 
 def has_formatting(kind: str, text: str) -> bool:
-    """Return whether ``text`` may contain formatting codes, or is too long to be read completely.
+    """Return whether a text must be parsed with ``annotation`` and not with ``plain_annotations``.
 
+    This is so if ``text`` may contain formatting codes, or is longer than those functions read.
     ``kind`` is the kind of the entity, such as MTEXT.
     """
     return kind in _CODED or "\\" in text or "%%" in text or len(text) > _LONGEST
@@ -106,7 +108,8 @@ def plain_annotations(
     kinds, layers, texts
         Kind, layer name and text of each entity.
     lengths : (n, 6)
-        Value of each of the group codes ``LENGTHS`` of each entity, NaN if not in the file.
+        Value of each of the six group codes in the tuple ``LENGTHS`` for each entity; NaN for a
+        group code that the entity does not have.
     """
     x, y, height = np.where(np.isnan(lengths), 0.0, lengths)[:, [0, 1, 4]].T.tolist()
     texts = [text.strip() for text in texts]
@@ -124,7 +127,7 @@ def annotation_of_tags(
     text: list[str] = []
     numbers = dict.fromkeys(LENGTHS, math.nan)
     type_ = 0
-    seen: set[int] = set()
+    stored_codes: set[int] = set()
     in_group = False
     for code, value in tags:
         if code == 101:
@@ -132,7 +135,7 @@ def annotation_of_tags(
             break
         if code == 102:
             in_group = _text(value, encoding).startswith("{")
-        elif in_group or (code in seen and code != 3):
+        elif in_group or (code in stored_codes and code != 3):
             continue
         elif code == 1 or (code == 3 and kind == "MTEXT"):
             text.append(_text(value, encoding))
@@ -141,26 +144,27 @@ def annotation_of_tags(
         elif code == 70:
             number = _number(value)
             type_ = int(number) if math.isfinite(number) else 0
-        seen.add(code)
+        stored_codes.add(code)
     return annotation(kind, layer, "".join(text), numbers.values(), type_)
 
 
 def annotation_of_lines(kind: str, layer: str, data: bytes, encoding: str) -> Annotation:
     """Return the annotation for a text or dimension entity, given its bytes in the file.
 
-    ``data`` contains the lines of all tags of the entity, and ``encoding`` is their encoding.
+    ``data`` contains the text lines of all tags of the entity, and ``encoding`` is the character
+    encoding of these lines.
     """
     lines = data.split(b"\n")
     codes = map(int, lines[0:-1:2])
     return annotation_of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)
 
 
-def _decoded(found: re.Match[str]) -> str:
-    if found["gap"]:
+def _decoded(match: re.Match[str]) -> str:
+    if match["gap"]:
         return " "
-    if found["stack"]:
-        return re.sub(r"[\^#]", "/", found["stack"])
-    return found["sign"] or ""
+    if match["stack"]:
+        return re.sub(r"[\^#]", "/", match["stack"])
+    return match["sign"] or ""
 
 
 def _text(value: Any, encoding: str) -> str:

@@ -1,7 +1,7 @@
 """attributes: layer, colour and linetype of entities, with BYLAYER and BYBLOCK resolved.
 
-A layer that an entity uses, but that is not in the layer table of the file, has colour 7 and
-linetype Continuous, and is on and not frozen.
+A layer that is missing from the layer table of the file, although an entity is on it, gets colour
+7 and linetype Continuous, and is on and not frozen.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """A layer: colour and linetype of its BYLAYER entities, and notes for the import report."""
+    """A layer of a DXF file: the colour and the linetype of BYLAYER entities on it, and its notes.
+
+    The notes are added to the import report for each entity on the layer.
+    """
 
     colour: int
     true_colour: int
@@ -46,6 +49,8 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
         Colour index; negative if the layer is off.
     true_colour
         True colour 0xRRGGBB, None if the row has none.
+    linetype
+        Name of the linetype of the layer.
     flags
         Value of group code 70; its lowest bit is set if the layer is frozen.
     plot
@@ -65,7 +70,7 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
 
 
 def layers_of(document: Document) -> dict[str, Layer]:
-    """Return the layers of an ezdxf document as a dictionary by name in lower case."""
+    """Return the layers of an ezdxf document, by their names in lower case."""
     return {
         unescape(str(layer.dxf.get("name", ""))).lower(): layer_of(
             int(layer.dxf.get("color", 7)),
@@ -85,7 +90,11 @@ class Styles:
         self._layers = layers
 
     def notes(self, layer: str) -> tuple[Message, ...]:
-        """Return the notes for all entities on a layer, such as that the layer is off or frozen."""
+        """Return the notes in the import report for all entities on a layer.
+
+        A note states, for example, that the layer is off or frozen.  ``layer`` is the name of the
+        layer.
+        """
         return self._layers.get(layer.lower(), _SILENT).notes
 
     def of(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:

@@ -28,104 +28,107 @@ _FIRST: Final = np.array([(1 << 8 * count) - 1 for count in range(8)], np.uint64
 
 
 @inline_kernel
-def code_at(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the group code on the line that starts at byte ``at``, and the start of the next line.
+def code_at(data: U8_1, position: U64, size: U64) -> Any:
+    """Return the group code on the line that starts at byte ``position``, and the end of the line.
 
-    ``size`` is the number of bytes of the file.  The code is negative if the line does not contain
-    a group code.
+    The end is the start of the next line.  ``size`` is the number of bytes of the file.  The code
+    is negative if the line does not contain a group code.
     """
-    if at + _THREE < size and data[at + _THREE] == 10:
-        first, second, third = data[at], data[at + ONE], data[at + ONE + ONE]
+    if position + _THREE < size and data[position + _THREE] == 10:
+        first, second, third = data[position], data[position + ONE], data[position + ONE + ONE]
         code = _DIGIT[first] * 100 + _DIGIT[second] * 10 + _DIGIT[third]
         if code < 1000 and third != 32 and (second != 32 or first == 32):
-            return code, at + _THREE + ONE
-    while at < size and data[at] == 32:
-        at += ONE
+            return code, position + _THREE + ONE
+    while position < size and data[position] == 32:
+        position += ONE
     code, digits = 0, 0
-    while at < size and 48 <= data[at] <= 57:
-        code = code * 10 + int(data[at]) - 48
+    while position < size and 48 <= data[position] <= 57:
+        code = code * 10 + int(data[position]) - 48
         digits += 1
-        at += ONE
+        position += ONE
     if digits == 0 or digits > 4:
-        return NO_CODE, at
-    while at < size and data[at] == 32:
-        at += ONE
-    if at < size and data[at] == 13:
-        at += ONE
-    if at >= size or data[at] != 10:
-        return NO_CODE, at
-    return code, at + ONE
+        return NO_CODE, position
+    while position < size and data[position] == 32:
+        position += ONE
+    if position < size and data[position] == 13:
+        position += ONE
+    if position >= size or data[position] != 10:
+        return NO_CODE, position
+    return code, position + ONE
 
 
 @inline_kernel
-def eight_at(data: U8_1, at: U64) -> Any:
-    """Return the eight bytes at position ``at`` as a little-endian integer."""
+def eight_bytes_at(data: U8_1, position: U64) -> Any:
+    """Return the eight bytes at position ``position`` as a little-endian integer."""
     word = np.uint64(0)
-    for place in range(8):
-        word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
+    for offset in range(8):
+        word |= np.uint64(data[position + np.uint64(offset)]) << np.uint64(8 * offset)
     return word
 
 
 @inline_kernel
-def end_of_line(data: U8_1, at: U64, size: U64) -> Any:
-    """Return the position of the first CR or LF from byte ``at`` on, or ``size`` if there is none.
+def end_of_line(data: U8_1, position: U64, size: U64) -> Any:
+    """Return the position of the first CR or LF at or after byte ``position``, or ``size`` if none.
 
-    ``size`` is the number of bytes to search.
+    ``size`` is the number of bytes of ``data`` that are searched.
     """
-    while at + _EIGHT <= size:
-        word = eight_at(data, at)
+    while position + _EIGHT <= size:
+        word = eight_bytes_at(data, position)
         # The lowest byte that is not 0 marks the first character below 16.
         low = (word - np.uint64(0x1010101010101010)) & ~word & np.uint64(0x8080808080808080)
         if low == 0:
-            at += _EIGHT
+            position += _EIGHT
             continue
         lowest = (low & (~low + ONE)) >> np.uint64(7)
-        at += (lowest * np.uint64(0x0001020304050607)) >> np.uint64(56)
-        if data[at] == 10 or data[at] == 13:
-            return at
-        at += ONE
-    while at < size and data[at] != 10 and data[at] != 13:
-        at += ONE
-    return at
+        position += (lowest * np.uint64(0x0001020304050607)) >> np.uint64(56)
+        if data[position] == 10 or data[position] == 13:
+            return position
+        position += ONE
+    while position < size and data[position] != 10 and data[position] != 13:
+        position += ONE
+    return position
 
 
 @inline_kernel
-def same(data: U8_1, low: int, other: U8_1, first: int, count: int) -> bool:
-    """Return whether ``count`` bytes from ``data[low]`` on equal those from ``other[first]`` on."""
-    here, there = np.uint64(low), np.uint64(first)
-    left = np.uint64(count)
-    if here + left + _EIGHT <= np.uint64(len(data)) and there + left + _EIGHT <= np.uint64(
-        len(other)
-    ):
-        while left >= _EIGHT:
-            if eight_at(data, here) != eight_at(other, there):
+def bytes_equal(data: U8_1, low: int, other_data: U8_1, first: int, count: int) -> bool:
+    """Return whether ``count`` bytes of two arrays are equal.
+
+    The bytes begin at ``data[low]`` and at ``other_data[first]``.
+    """
+    position, other_position = np.uint64(low), np.uint64(first)
+    remaining = np.uint64(count)
+    if position + remaining + _EIGHT <= np.uint64(
+        len(data)
+    ) and other_position + remaining + _EIGHT <= np.uint64(len(other_data)):
+        while remaining >= _EIGHT:
+            if eight_bytes_at(data, position) != eight_bytes_at(other_data, other_position):
                 return False
-            here += _EIGHT
-            there += _EIGHT
-            left -= _EIGHT
-        unlike = eight_at(data, here) ^ eight_at(other, there)
-        return bool(unlike & _FIRST[left] == 0)
-    for place in range(count):
-        if data[here + np.uint64(place)] != other[there + np.uint64(place)]:
+            position += _EIGHT
+            other_position += _EIGHT
+            remaining -= _EIGHT
+        unlike = eight_bytes_at(data, position) ^ eight_bytes_at(other_data, other_position)
+        return bool(unlike & _FIRST[remaining] == 0)
+    for offset in range(count):
+        if data[position + np.uint64(offset)] != other_data[other_position + np.uint64(offset)]:
             return False
     return True
 
 
 @inline_kernel
-def hashed(data: U8_1, low: int, high: int) -> Any:
+def hash_bytes(data: U8_1, low: int, high: int) -> Any:
     """Return a hash of the bytes ``data[low:high]``."""
-    at, end = np.uint64(low), np.uint64(high)
-    key = end - at
-    while at < end:
-        if at + _EIGHT <= np.uint64(len(data)):
-            word = eight_at(data, at)
-            if end - at < _EIGHT:
-                word &= _FIRST[end - at]
+    position, end = np.uint64(low), np.uint64(high)
+    key = end - position
+    while position < end:
+        if position + _EIGHT <= np.uint64(len(data)):
+            word = eight_bytes_at(data, position)
+            if end - position < _EIGHT:
+                word &= _FIRST[end - position]
         else:
             word = np.uint64(0)
-            for place in range(end - at):
-                word |= np.uint64(data[at + np.uint64(place)]) << np.uint64(8 * place)
+            for offset in range(end - position):
+                word |= np.uint64(data[position + np.uint64(offset)]) << np.uint64(8 * offset)
         key = (key ^ word) * np.uint64(0x9E3779B97F4A7C15)
         key ^= key >> np.uint64(47)
-        at += _EIGHT
+        position += _EIGHT
     return key

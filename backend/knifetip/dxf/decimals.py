@@ -18,7 +18,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.byte_scan import ONE, eight_at
+from knifetip.dxf.byte_scan import ONE, eight_bytes_at
 from knifetip.geometry.columns import F64
 from knifetip.kernels import U8_1, U64, inline_kernel, kernel
 
@@ -34,14 +34,17 @@ _NOT: Final = np.uint64(1 << 40)
 _DIGITS: Final = 19
 #: Powers of ten that a double holds exactly.
 _EXACT_POWERS: Final[F64] = np.array([10.0**power for power in range(23)])
-_LEAST: Final = -290
-_MOST: Final = 290
+_MIN_POWER: Final = -290
+_MAX_POWER: Final = 290
 
 
 def _powers() -> Any:
-    """Return the first 128 bits of 10^q, for q from ``_LEAST`` to ``_MOST``, (581, 2) uint64."""
-    table = np.empty((_MOST - _LEAST + 1, 2), np.uint64)
-    for row, q in enumerate(range(_LEAST, _MOST + 1)):
+    """Return the first 128 bits of 10^q for each q from ``_MIN_POWER`` to ``_MAX_POWER``.
+
+    The array has the shape (581, 2) and the type uint64.
+    """
+    table = np.empty((_MAX_POWER - _MIN_POWER + 1, 2), np.uint64)
+    for row, q in enumerate(range(_MIN_POWER, _MAX_POWER + 1)):
         if q >= 0:
             power = 10**q
             size = power.bit_length()
@@ -78,9 +81,9 @@ def _product(a: U64, b: U64) -> Any:
 def _rounded(w: U64, q: int) -> tuple[float, int]:
     """Return w · 10^q, for w > 0, rounded to a double, and whether the rounding is certain.
 
-    The second value is ``EXACT`` if the rounding is certain, otherwise ``UNSURE``.
+    The second value is the constant ``EXACT`` if the rounding is certain, otherwise ``UNSURE``.
     """
-    if q < _LEAST or q > _MOST:
+    if q < _MIN_POWER or q > _MAX_POWER:
         return 0.0, UNSURE
     one = np.uint64(1)
     top = np.uint64(63)
@@ -89,11 +92,11 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
         w = w << one
         free += 1
     exponent = ((217706 * q) >> 16) + 64 - free
-    high, low = _product(w, _POWERS[q - _LEAST, 0])
+    high, low = _product(w, _POWERS[q - _MIN_POWER, 0])
     below = np.uint64(0x1FF)
     if (high & below) == below and low + w < low:
-        far, rest = _product(w, _POWERS[q - _LEAST, 1])
-        sum_ = low + far
+        lower_product, rest = _product(w, _POWERS[q - _MIN_POWER, 1])
+        sum_ = low + lower_product
         if sum_ < low:
             high = high + one
         low = sum_
@@ -116,12 +119,12 @@ def _rounded(w: U64, q: int) -> tuple[float, int]:
 
 
 @inline_kernel
-def _eight(data: U8_1, at: U64) -> Any:
-    """Return the integer that the eight bytes from ``data[at]`` on represent as decimal digits.
+def _eight(data: U8_1, position: U64) -> Any:
+    """Return the integer that the eight bytes from ``data[position]`` on write in decimal digits.
 
-    ``_NOT`` if one of these bytes is not a digit.
+    The constant ``_NOT`` is returned if one of these bytes is not a digit.
     """
-    word = eight_at(data, at)
+    word = eight_bytes_at(data, position)
     upper, zeros = np.uint64(0xF0F0F0F0F0F0F0F0), np.uint64(0x3030303030303030)
     # A digit is 3 in its upper half, also when 6 is added.
     if (word & upper) != zeros or ((word + np.uint64(0x0606060606060606)) & upper) != zeros:
@@ -136,23 +139,24 @@ def _eight(data: U8_1, at: U64) -> Any:
 
 
 @inline_kernel
-def _exponent(data: U8_1, at: U64, end: U64) -> Any:
-    """Parse the decimal exponent that follows the letter E of a number.
+def _exponent(data: U8_1, position: U64, end: U64) -> Any:
+    """Parse the decimal exponent of a number, the characters that follow the letter E.
 
-    Returns the exponent, limited to ±100,000, the position after it, and whether it has any digit.
-    Parsing starts at ``data[at]`` and stops before ``data[end]``.
+    Returns the exponent, limited to ±100,000; the position after the exponent; and whether the
+    exponent has at least one digit.  Parsing starts at ``data[position]`` and stops before
+    ``data[end]``.
     """
     negative = False
-    if at < end and (data[at] == 45 or data[at] == 43):
-        negative = data[at] == 45
-        at += ONE
+    if position < end and (data[position] == 45 or data[position] == 43):
+        negative = data[position] == 45
+        position += ONE
     power = 0
-    some = False
-    while at < end and 48 <= data[at] <= 57:
-        some = True
-        power = min(power * 10 + int(data[at] - 48), 100_000)
-        at += ONE
-    return -power if negative else power, at, some
+    has_digit = False
+    while position < end and 48 <= data[position] <= 57:
+        has_digit = True
+        power = min(power * 10 + int(data[position] - 48), 100_000)
+        position += ONE
+    return -power if negative else power, position, has_digit
 
 
 @kernel(allocates=False)
@@ -178,75 +182,75 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
         ``EXACT``; ``UNSURE`` if the caller must parse the number with ``float``; ``WRONG`` if the
         line is not a finite number.
     """
-    at, end = first, last
-    while at < end and (data[at] == 32 or data[at] == 9):
-        at += ONE
+    position, end = first, last
+    while position < end and (data[position] == 32 or data[position] == 9):
+        position += ONE
     negative = False
-    if at < end and (data[at] == 45 or data[at] == 43):
-        negative = data[at] == 45
-        at += ONE
+    if position < end and (data[position] == 45 or data[position] == 43):
+        negative = data[position] == 45
+        position += ONE
     w = np.uint64(0)
     ten = np.uint64(10)
     digits = 0
     any_ = False
-    more = False  # digits behind the nineteenth that are not 0
+    has_more = False  # digits behind the nineteenth that are not 0
     q = 0
-    while at < end and 48 <= data[at] <= 57:
+    while position < end and 48 <= data[position] <= 57:
         any_ = True
         if digits == _DIGITS:
-            more = more or data[at] != 48
+            has_more = has_more or data[position] != 48
             q += 1
-        elif digits > 0 or data[at] != 48:
+        elif digits > 0 or data[position] != 48:
             digits += 1
-            w = w * ten + np.uint64(data[at] - 48)
-        at += ONE
-    if at < end and data[at] == 46:
-        at += ONE
-        while 0 < digits <= _DIGITS - 8 and at + _EIGHT <= end:
-            several = _eight(data, at)
+            w = w * ten + np.uint64(data[position] - 48)
+        position += ONE
+    if position < end and data[position] == 46:
+        position += ONE
+        while 0 < digits <= _DIGITS - 8 and position + _EIGHT <= end:
+            several = _eight(data, position)
             if several == _NOT:
                 break
             w = w * np.uint64(100_000_000) + several
             digits += 8
             q -= 8
-            at += _EIGHT
-        while at < end and 48 <= data[at] <= 57:
+            position += _EIGHT
+        while position < end and 48 <= data[position] <= 57:
             any_ = True
             if digits == _DIGITS:
-                more = more or data[at] != 48
+                has_more = has_more or data[position] != 48
             else:
-                if digits > 0 or data[at] != 48:
+                if digits > 0 or data[position] != 48:
                     digits += 1
-                    w = w * ten + np.uint64(data[at] - 48)
+                    w = w * ten + np.uint64(data[position] - 48)
                 q -= 1
-            at += ONE
+            position += ONE
     if not any_:
-        return 0.0, at, WRONG
-    if at < end and (data[at] == 69 or data[at] == 101):
-        power, at, some = _exponent(data, at + ONE, end)
-        if not some:
-            return 0.0, at, WRONG
+        return 0.0, position, WRONG
+    if position < end and (data[position] == 69 or data[position] == 101):
+        power, position, has_digit = _exponent(data, position + ONE, end)
+        if not has_digit:
+            return 0.0, position, WRONG
         q += power
-    while at < end and (data[at] == 32 or data[at] == 9):
-        at += ONE
-    if at < end and data[at] != 10 and data[at] != 13:
-        return 0.0, at, WRONG
+    while position < end and (data[position] == 32 or data[position] == 9):
+        position += ONE
+    if position < end and data[position] != 10 and data[position] != 13:
+        return 0.0, position, WRONG
     sign = -1.0 if negative else 1.0
     if w == 0:
-        return 0.0 * sign, at, EXACT
-    if more:
+        return 0.0 * sign, position, EXACT
+    if has_more:
         # The number is between w and w + 1: if both round to one double, so does the number.
         value, sure = _rounded(w, q)
-        other, also = _rounded(w + np.uint64(1), q)
-        if sure != EXACT or also != EXACT or value != other:
-            return 0.0, at, UNSURE
-        return sign * value, at, EXACT
+        next_value, also = _rounded(w + np.uint64(1), q)
+        if sure != EXACT or also != EXACT or value != next_value:
+            return 0.0, position, UNSURE
+        return sign * value, position, EXACT
     while (w >> np.uint64(53)) > 0 and w % ten == 0:
         w //= ten
         q += 1
     if (w >> np.uint64(53)) == 0 and -22 <= q <= 22:
         value = float(np.int64(w))
         value = value / _EXACT_POWERS[-q] if q < 0 else value * _EXACT_POWERS[q]
-        return sign * value, at, EXACT
+        return sign * value, position, EXACT
     value, sure = _rounded(w, q)
-    return sign * value, at, sure
+    return sign * value, position, sure

@@ -1,4 +1,4 @@
-"""encoding: find the character encoding of a DXF file, and decode escaped characters of texts."""
+"""encoding: find the character encoding of a DXF file, and decode escaped characters in names."""
 
 from __future__ import annotations
 
@@ -44,5 +44,5 @@ def encoding_of(data: bytes, variables: dict[str, str]) -> str:
         except UnicodeDecodeError:
             return "cp1252"
         return "utf-8"
-    known = (name for digits, name in CODE_PAGES.items() if page.endswith(digits))
-    return next(known, "cp1252")
+    page_names = (name for digits, name in CODE_PAGES.items() if page.endswith(digits))
+    return next(page_names, "cp1252")

@@ -1,4 +1,4 @@
-"""location_boxes: bounding boxes that show where entities without geometry to cut are.
+"""location_boxes: bounding boxes that show the positions of entities without geometry to cut.
 
 A box contains the points at which the entity is located, in its own coordinates: the vertices of a
 hatch or a solid, the corner of an image.  Directions, scales and seed points are not included,
@@ -14,7 +14,7 @@ import numpy as np
 
 from knifetip.dxf.byte_scan import NO_CODE, ONE, code_at, end_of_line
 from knifetip.dxf.decimals import EXACT, number
-from knifetip.dxf.shapes import moved
+from knifetip.dxf.shapes import transform_points
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.kernels import F64_1, I64_1, I64_2, U8_1, OutF64_1, OutF64_2, OutI64_1, kernel
 
@@ -25,8 +25,8 @@ _BITS, _SINCE, _UNTIL, _OWN_PLANE = range(4)
 _Rule = tuple[int, int, int, int]
 
 
-def _rule(*codes: int, since: int = -1, until: int = -1, own_plane: bool = False) -> _Rule:
-    return sum(1 << code - 10 for code in codes), since, until, int(own_plane)
+def _rule(*codes: int, since: int = -1, stop: int = -1, own_plane: bool = False) -> _Rule:
+    return sum(1 << code - 10 for code in codes), since, stop, int(own_plane)
 
 
 _RULES: Final[dict[str, _Rule]] = {
@@ -41,11 +41,11 @@ _RULES: Final[dict[str, _Rule]] = {
     # The location of a polyline is that of its vertices, which follow as separate entities.
     "POLYLINE": _rule(10, since=0, own_plane=True),
     # The height of a hatch precedes its paths, and seed points follow the paths.
-    "HATCH": _rule(10, since=91, until=75, own_plane=True),
-    "MPOLYGON": _rule(10, since=91, until=75, own_plane=True),
+    "HATCH": _rule(10, since=91, stop=75, own_plane=True),
+    "MPOLYGON": _rule(10, since=91, stop=75, own_plane=True),
     # At other positions in the entity, group code 10 is a scale.
-    "MULTILEADER": _rule(10, since=300, until=301),
-    "MLEADER": _rule(10, since=300, until=301),
+    "MULTILEADER": _rule(10, since=300, stop=301),
+    "MLEADER": _rule(10, since=300, stop=301),
     **dict.fromkeys(
         ("ARC", "CIRCLE", "LWPOLYLINE", "INSERT", "TEXT", "ATTRIB", "ATTDEF", "SHAPE"),
         _rule(10, own_plane=True),
@@ -81,27 +81,31 @@ def boxes_of_entities(data: bytes, kinds: Sequence[str], kind: I64, spans: I64) 
 
 
 def box_of_tags(kind: str, codes: Sequence[int], values: Sequence[Any]) -> F64:
-    """Return the bounding box of one entity, (4,), given its tags; NaN if it has no points.
+    """Return the bounding box of the points of one entity, (4,), given its tags.
 
-    ``kind`` is the kind of the entity; ``codes`` and ``values`` are its group codes and values.
+    The box is NaN if the entity has no points.  ``kind`` is the kind of the entity; ``codes`` and
+    ``values`` are the group codes and the values of its tags.
     """
     number_ = [_number(code, value) for code, value in zip(codes, values, strict=True)]
     rule, box = np.array([_RULES.get(kind, _OTHERS)], np.int64), np.full((1, 4), np.nan)
     _write_box(np.array(codes, np.int64), np.array(number_, np.float64), len(codes), rule, 0, box)
-    found: F64 = box[0]
-    return found
+    points_box: F64 = box[0]
+    return points_box
 
 
 def transformed_box(box: F64, linear: F64, shift: F64) -> F64:
     """Return the bounding box, (4,), of k transformed copies of the box ``box``, (4,).
 
     ``linear``, (k, 2, 2), and ``shift``, (k, 2), are linear maps and translations of the copies.
-    If ``box`` contains k boxes, (k, 4), box i is transformed by map i, and the returned array
-    contains the k transformed boxes, (k, 4).
+    If ``box`` contains k boxes, (k, 4), each box is transformed by the map with its index, and the
+    returned array contains the k transformed boxes, (k, 4).
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
-    at, reach = moved(linear, shift, middle), moved(np.abs(linear), np.zeros(2), half)
-    placed = np.concatenate([at - reach, at + reach], axis=-1)
+    centre, reach = (
+        transform_points(linear, shift, middle),
+        transform_points(np.abs(linear), np.zeros(2), half),
+    )
+    placed = np.concatenate([centre - reach, centre + reach], axis=-1)
     if box.ndim == 2:
         return placed
     return np.concatenate([placed[:, :2].min(axis=0), placed[:, 2:].max(axis=0)])
@@ -129,44 +133,47 @@ def _write_box(
     codes, numbers, count
         Group codes and numbers of the tags of the entity, and the number of these tags.
     rules
-        ``rules[row]`` determines which group codes of the entity are coordinates of its points.
+        Rules for k entities; ``rules[row]`` determines which group codes of the entity are
+        coordinates of its points.
+    row
+        Index of the entity in ``rules`` and ``box``.
     """
-    bits, since, until = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
+    bits, since, stop = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
     high_x = high_y = -np.inf
-    x, of = np.nan, -1
-    among = since < 0
-    left = False
+    x, x_code = np.nan, -1
+    in_points = since < 0
+    has_point = False
     for tag in range(count):
         code = codes[tag]
         if code == _EMBEDDED:
             break
         if code == _EXTRUSION_Z:
-            left = numbers[tag] < 0.0
-        elif not among:
-            among = code == since
-        elif code == until:
+            has_point = numbers[tag] < 0.0
+        elif not in_points:
+            in_points = code == since
+        elif code == stop:
             break
         elif 10 <= code <= 18:
-            wanted = bits >> (code - 10) & 1 == 1
-            x, of = numbers[tag], code if wanted else -1
-        elif 20 <= code <= 28 and of == code - 10:
+            is_point = bits >> (code - 10) & 1 == 1
+            x, x_code = numbers[tag], code if is_point else -1
+        elif 20 <= code <= 28 and x_code == code - 10:
             y = numbers[tag]
             if np.isfinite(x) and np.isfinite(y):
                 low_x, high_x = min(low_x, x), max(high_x, x)
                 low_y, high_y = min(low_y, y), max(high_y, y)
-            of = -1
+            x_code = -1
     if low_x <= high_x:
-        if left and rules[row, _OWN_PLANE] == 1:
+        if has_point and rules[row, _OWN_PLANE] == 1:
             low_x, high_x = -high_x, -low_x
         box[row, 0], box[row, 1], box[row, 2], box[row, 3] = low_x, low_y, high_x, high_y
 
 
 @kernel
 def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
-    """Return the bounding boxes of k entities, (k, 4), and the mask of the certain ones, (k,).
+    """Return the bounding boxes of k entities, (k, 4), and the mask of the certain boxes, (k,).
 
-    A box is not certain if a tag of the entity cannot be parsed here.
+    A box is uncertain if a number of the entity cannot be rounded with certainty by ``decimals``.
 
     Parameters
     ----------
@@ -194,26 +201,26 @@ def _tags(data: U8_1, low: int, high: int, codes: OutI64_1, numbers: OutF64_1) -
     """Write the group codes and numbers of the entity in ``data[low:high]``.
 
     They are written into ``codes`` and ``numbers``.  Returns the number of tags, and whether all
-    of them were parsed with certainty.
+    numbers were parsed with certainty.
     """
-    at: Any = np.uint64(low)
+    position: Any = np.uint64(low)
     size: Any = np.uint64(high)
     sure = True
     # The first tag is the kind of the entity.
     count = -1
-    while at < size:
-        code, at = code_at(data, at, size)
+    while position < size:
+        code, position = code_at(data, position, size)
         if code == NO_CODE:
             return max(count, 0), False
-        end: Any = end_of_line(data, at, size)
+        end: Any = end_of_line(data, position, size)
         value = 0.0
         if 10 <= code <= 28 or code == _EXTRUSION_Z:
-            value, _, how = number(data, at, end)
-            sure = sure and how == EXACT
+            value, _, certainty = number(data, position, end)
+            sure = sure and certainty == EXACT
         if count >= 0:
             codes[count], numbers[count] = code, value
         count += 1
         if end < size and data[end] == 13:
             end += ONE
-        at = end + ONE
+        position = end + ONE
     return count, sure

@@ -54,13 +54,13 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     data = _stripped(data)
     try:
         with np.errstate(all="ignore"):
-            found = read_fast(data, unit or "", limits)
-            if found is None:
+            drawing = read_fast(data, unit or "", limits)
+            if drawing is None:
                 # ezdxf is slow to import, and most files do not need it.
                 from knifetip.dxf.ezdxf_reader.reader import read_with_ezdxf
 
-                found = read_with_ezdxf(data, unit or "", limits)
-            return found
+                drawing = read_with_ezdxf(data, unit or "", limits)
+            return drawing
     except KnifetipError:
         raise
     except Exception as error:

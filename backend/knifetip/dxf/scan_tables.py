@@ -1,4 +1,4 @@
-"""scan_tables: the arrays that the fast reader's scan of a DXF file fills."""
+"""scan_tables: the arrays into which the fast reader scans a DXF file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from knifetip.kernels import (
 
 
 class ScanTables(NamedTuple):
-    """Arrays that a scan fills; the array ``state`` contains the number of rows used in each."""
+    """Arrays into which a DXF file is scanned.
+
+    The number of used rows of each array is in the separate array ``state`` of the scan.
+    """
 
     entity: OutI32_2F  #: (e, ``fields.WIDTH``) attributes of each entity, as written
     value: OutF64_2F  #: (e, ``fields.VALUES``) decimal numbers of each entity

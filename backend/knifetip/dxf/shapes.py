@@ -20,23 +20,23 @@ _DEGREE: Final = math.pi / 180.0
 
 
 @kernel
-def swept(first: float, last: float) -> float:
-    """Return the angle (degrees), in (0, 360], from angle ``first`` counter-clockwise to ``last``.
+def sweep_angle(first: float, last: float) -> float:
+    """Return the counter-clockwise angle from ``first`` to ``last``, in (0, 360] (all in degrees).
 
-    It is 360 if the two angles differ by a multiple of 360.
+    It is 360 if ``first`` and ``last`` differ by a multiple of 360.
     """
     sweep = (last - first) % 360.0
     return 360.0 if sweep == 0.0 and last != first else sweep
 
 
 @kernel
-def round_count(sweep: float) -> int:
+def arc_segment_count(sweep: float) -> int:
     """Return the number of segments of at most 180 degrees for an arc of ``sweep`` degrees."""
     return 1 if sweep <= 180.0 + 1e-9 else 2
 
 
 @kernel
-def round_rows(
+def write_arc(
     x: float,
     y: float,
     radius: float,
@@ -44,20 +44,20 @@ def round_rows(
     sweep: float,
     ends: OutF64_3,
     bulge: OutF64_1,
-    at: int,
+    next_row: int,
 ) -> int:
-    """Write the segments of an arc into ``ends`` and ``bulge``, from row ``at`` on.
+    """Write the segments of an arc into ``ends`` and ``bulge``, from row ``next_row`` on.
 
     Returns the index of the row after the last segment.
 
     Parameters
     ----------
     x, y, radius
-        Centre and radius of the arc.
+        Centre and radius of the arc (file units).
     first, sweep
         Start angle and sweep of the arc (degrees).
     """
-    rows = round_count(sweep)
+    rows = arc_segment_count(sweep)
     turn = min(math.tan(sweep * _DEGREE / rows / 4.0), 1.0)
     angle = first * _DEGREE
     from_x, from_y = math.cos(angle) * radius + x, math.sin(angle) * radius + y
@@ -67,20 +67,20 @@ def round_rows(
         to_x, to_y = math.cos(angle) * radius + x, math.sin(angle) * radius + y
         if row == rows - 1 and sweep >= 360.0:
             to_x, to_y = home_x, home_y
-        ends[at, 0, 0], ends[at, 0, 1] = from_x, from_y
-        ends[at, 1, 0], ends[at, 1, 1] = to_x, to_y
-        bulge[at] = turn
+        ends[next_row, 0, 0], ends[next_row, 0, 1] = from_x, from_y
+        ends[next_row, 1, 0], ends[next_row, 1, 1] = to_x, to_y
+        bulge[next_row] = turn
         from_x, from_y = to_x, to_y
-        at += 1
-    return at
+        next_row += 1
+    return next_row
 
 
 @kernel
-def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
+def polyline_segment_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
     """Return the number of segments of a polyline; an arc of more than 180 degrees becomes two.
 
-    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, the last
-    vertex is connected to the first vertex.
+    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, a segment
+    connects the last vertex to the first vertex.
     """
     rows = 0
     for i in range(low, high if closed else high - 1):
@@ -89,13 +89,14 @@ def chain_count(vertex: F64_2, low: int, high: int, closed: bool) -> int:
 
 
 @kernel
-def chain_rows(
-    vertex: F64_2, low: int, high: int, closed: bool, ends: OutF64_3, bulge: OutF64_1, at: int
+def write_polyline(
+    vertex: F64_2, low: int, high: int, closed: bool, ends: OutF64_3, bulge: OutF64_1, next_row: int
 ) -> int:
-    """Write the segments of a polyline into ``ends`` and ``bulge``, from row ``at`` on.
+    """Write the segments of a polyline into ``ends`` and ``bulge``, from row ``next_row`` on.
 
-    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, the last
-    vertex is connected to the first vertex.  Returns the index of the row after the last segment.
+    The vertices of the polyline are ``vertex[low:high]``: x, y, bulge.  If ``closed``, a segment
+    connects the last vertex to the first vertex.  Returns the index of the row after the last
+    segment.
     """
     for i in range(low, high if closed else high - 1):
         j = i + 1 if i + 1 < high else low
@@ -106,20 +107,20 @@ def chain_rows(
             half = math.tan(math.atan(turn) / 2.0)
             mid_x = (x + to_x) / 2.0 + (to_y - y) * turn / 2.0
             mid_y = (y + to_y) / 2.0 - (to_x - x) * turn / 2.0
-            ends[at, 0, 0], ends[at, 0, 1] = x, y
-            ends[at, 1, 0], ends[at, 1, 1] = mid_x, mid_y
-            bulge[at] = half
-            at += 1
+            ends[next_row, 0, 0], ends[next_row, 0, 1] = x, y
+            ends[next_row, 1, 0], ends[next_row, 1, 1] = mid_x, mid_y
+            bulge[next_row] = half
+            next_row += 1
             x, y, turn = mid_x, mid_y, half
-        ends[at, 0, 0], ends[at, 0, 1] = x, y
-        ends[at, 1, 0], ends[at, 1, 1] = to_x, to_y
-        bulge[at] = turn
-        at += 1
-    return at
+        ends[next_row, 0, 0], ends[next_row, 0, 1] = x, y
+        ends[next_row, 1, 0], ends[next_row, 1, 1] = to_x, to_y
+        bulge[next_row] = turn
+        next_row += 1
+    return next_row
 
 
 @kernel
-def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
+def mirror_segments(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
     """Negate x in the segments ``low`` … ``high`` - 1 and reverse the sign of their bulges.
 
     An entity with an extrusion of −Z is mirrored in this way.
@@ -131,12 +132,12 @@ def mirror_rows(ends: OutF64_3, bulge: OutF64_1, low: int, high: int) -> None:
 
 
 @kernel
-def turning(rotation: float) -> tuple[float, float]:
+def cos_sin(rotation: float) -> tuple[float, float]:
     """Return the cosine and the sine of the angle ``rotation`` (degrees)."""
     return math.cos(rotation * _DEGREE), math.sin(rotation * _DEGREE)
 
 
-def moved(linear: F64, shift: F64, points: F64) -> F64:
+def transform_points(linear: F64, shift: F64, points: F64) -> F64:
     """Return the points ``linear @ p + shift``, (..., 2), for each point p of ``points``.
 
     The matrix product is computed with single multiplications, because the rounding of NumPy's

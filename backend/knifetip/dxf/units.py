@@ -46,10 +46,11 @@ _INCHES: Final = {"3": "unit.header-decimal-inches", "4": "unit.header-fractions
 _SHOWN: Final = ((25.4, "25.4"), (1.0 / 25.4, "0.03937"), (10.0, "10"), (1000.0, "1000"))
 
 
-def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
-    """Return the unit that the header variable $INSUNITS names, and a message that explains it.
+def header_unit(variables: Mapping[str, str]) -> tuple[str, Message]:
+    """Return the unit that the header variable $INSUNITS specifies, and a message that explains it.
 
-    The unit is "" if the variable is missing or does not name a supported unit.
+    The unit is "" if the variable is missing or does not specify a supported unit.
+    ``variables`` contains the values of the header variables by name.
     """
     written = variables.get("$INSUNITS")
     if written is None:
@@ -68,34 +69,37 @@ def stated(variables: Mapping[str, str]) -> tuple[str, Message]:
 
 
 def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
-    """Return evidence for the unit of a file, from header variables other than $INSUNITS."""
-    found = []
+    """Return evidence for the unit of a file, from header variables other than $INSUNITS.
+
+    ``variables`` contains the values of the header variables by name.
+    """
+    evidence = []
     measurement = variables.get("$MEASUREMENT", "")
     if measurement in ("0", "1"):
         kind = "metric" if measurement == "1" else "imperial"
         code = "unit.header-metric" if measurement == "1" else "unit.header-imperial"
-        found.append(UnitHint(kind, Message(code)))
+        evidence.append(UnitHint(kind, Message(code)))
     if notation := _INCHES.get(variables.get("$LUNITS", "")):
-        found.append(UnitHint("inches", Message(notation)))
+        evidence.append(UnitHint("inches", Message(notation)))
     shown = ["$DIMLFAC"] + ["$DIMALTF"] * (variables.get("$DIMALT", "") == "1")
     for name in shown:
         try:
             times = float(variables.get(name, "1"))
         except ValueError:
             continue
-        for ratio, said in _SHOWN:
+        for ratio, unit in _SHOWN:
             if abs(times - ratio) < 1e-3 * ratio:
                 message = Message("unit.header-factor", variable=name, factor=times)
-                found.append(UnitHint(f"shown × {said}", message))
-    return tuple(found)
+                evidence.append(UnitHint(f"shown × {unit}", message))
+    return tuple(evidence)
 
 
 def known_unit(unit: str, variables: Mapping[str, str]) -> KnownUnit:
-    """Return ``unit`` if it is not empty, otherwise the unit that the header variables name.
+    """Return ``unit`` if it is not empty, otherwise the unit that the header variables specify.
 
     ``variables`` contains the values of the header variables by name.
     """
-    written, evidence = stated(variables)
+    written, evidence = header_unit(variables)
     if unit:
         return KnownUnit(factor(unit), unit, Message("unit.given"), written, hints(variables))
     scale = factor(written) if written else 0.0

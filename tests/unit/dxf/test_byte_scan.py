@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from knifetip.dxf.byte_scan import NO_CODE, code_at, end_of_line, hashed, same
+from knifetip.dxf.byte_scan import NO_CODE, bytes_equal, code_at, end_of_line, hash_bytes
 
 #: What stands in files, and what could be taken for it.
 _SIGNS = st.sampled_from([*b" 0123456789", 10, 13, 9, 15, 16, 65, 0, 127, 128, 138, 141, 255])
@@ -62,14 +62,14 @@ def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: 
     size = len(other)
     there = first[7 : 7 + size].tobytes()
     if len(first) >= 7 + size:
-        assert same(first, 7, second, 0, size) == (there == other)
+        assert bytes_equal(first, 7, second, 0, size) == (there == other)
     # At the end of a text there are no eight bytes to read at once.
     end = _column(rest + one)
-    assert hashed(first, 7, 7 + len(one)) == hashed(end, len(rest), len(rest) + len(one))
+    assert hash_bytes(first, 7, 7 + len(one)) == hash_bytes(end, len(rest), len(rest) + len(one))
 
 
 def test_few_names_share_a_number() -> None:
     names = [f"LAYER_{number}".encode() for number in range(2000)]
-    numbers = {int(hashed(_column(name), 0, len(name))) & 0xFFFF for name in names}
+    numbers = {int(hash_bytes(_column(name), 0, len(name))) & 0xFFFF for name in names}
     # As many as fall into different places by chance: 65,536 · (1 - e^(-2000 / 65,536)).
     assert len(numbers) > 1900

@@ -6,7 +6,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from knifetip.dxf.read import read
-from knifetip.dxf.units import hints, stated
+from knifetip.dxf.units import header_unit, hints
 from knifetip.errors import NoSuchUnit
 from knifetip.messages import Message
 from tests.support.writers.dxf_text import dxf, line
@@ -45,7 +45,7 @@ def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
 def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
     written: str, evidence: str
 ) -> None:
-    unit, message = stated({"$INSUNITS": written})
+    unit, message = header_unit({"$INSUNITS": written})
     assert (unit, str(message)) == ("", evidence)
 
 

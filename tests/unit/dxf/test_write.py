@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from ezdxf import path as vector_path
 
-from knifetip.dxf.samples.write import Layer, drawn
+from knifetip.dxf.samples.write import Layer, write_dxf
 from knifetip.errors import GeometryError
 from knifetip.geometry.path import Paths, path_through
 
@@ -27,7 +27,9 @@ def one(start: tuple[float, float], end: tuple[float, float], bulge: float = 0.0
 
 
 def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
-    data = drawn([(CUT, one((10.0, 0.0), (0.0, 0.0), -1.0)), (FOLD, one((0.0, 0.0), (7.0, 20.0)))])
+    data = write_dxf(
+        [(CUT, one((10.0, 0.0), (0.0, 0.0), -1.0)), (FOLD, one((0.0, 0.0), (7.0, 20.0)))]
+    )
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     assert document.dxfversion == "AC1024"
     assert document.header["$INSUNITS"] == 4
@@ -38,14 +40,14 @@ def test_the_file_is_r2010_in_millimetres_and_says_how_large_it_is() -> None:
 
 
 def test_a_drawing_whose_corner_is_the_origin_says_so() -> None:
-    data = drawn([(CUT, one((0.0, 0.0), (30.0, 40.0)))])
+    data = write_dxf([(CUT, one((0.0, 0.0), (30.0, 40.0)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     assert tuple(document.header["$EXTMIN"]) == (0.0, 0.0, 0.0)
     assert tuple(document.header["$EXTMAX"]) == (30.0, 40.0, 0.0)
 
 
 def test_layers_keep_their_name_colour_and_linetype() -> None:
-    data = drawn([(CUT, one((0, 0), (1, 0))), (FOLD, one((0, 1), (1, 1)))])
+    data = write_dxf([(CUT, one((0, 0), (1, 0))), (FOLD, one((0, 1), (1, 1)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
     told = {layer.dxf.name: (layer.dxf.color, layer.dxf.linetype) for layer in document.layers}
     assert told["CUT"] == (1, "Continuous")
@@ -57,7 +59,7 @@ def test_layers_keep_their_name_colour_and_linetype() -> None:
 
 
 def test_one_straight_segment_is_a_line() -> None:
-    (line,) = entities(drawn([(CUT, one((1.0, 2.0), (3.0, -4.0)))]))
+    (line,) = entities(write_dxf([(CUT, one((1.0, 2.0), (3.0, -4.0)))]))
     assert line.dxftype() == "LINE"
     assert tuple(line.dxf.start) == (1.0, 2.0, 0.0)
     assert tuple(line.dxf.end) == (3.0, -4.0, 0.0)
@@ -77,7 +79,7 @@ def test_one_straight_segment_is_a_line() -> None:
 def test_one_round_segment_is_a_counter_clockwise_arc(
     start: tuple[float, float], end: tuple[float, float], bulge: float, angles: tuple[float, float]
 ) -> None:
-    (arc,) = entities(drawn([(CUT, one(start, end, bulge))]))
+    (arc,) = entities(write_dxf([(CUT, one(start, end, bulge))]))
     assert arc.dxftype() == "ARC"
     assert arc.dxf.center.isclose((0.0, 0.0))
     assert arc.dxf.radius == pytest.approx(5.0, abs=1e-9)
@@ -86,7 +88,7 @@ def test_one_round_segment_is_a_counter_clockwise_arc(
 
 def test_more_segments_are_a_polyline_with_bulges() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 6.0]])
-    (chain,) = entities(drawn([(CUT, path_through(xy, np.array([0.0, 1.0])))]))
+    (chain,) = entities(write_dxf([(CUT, path_through(xy, np.array([0.0, 1.0])))]))
     assert chain.dxftype() == "LWPOLYLINE"
     assert not chain.closed
     assert list(chain.get_points("xyb")) == [(0.0, 0.0, 0.0), (10.0, 0.0, 1.0), (10.0, 6.0, 0.0)]
@@ -98,24 +100,24 @@ def test_more_segments_are_a_polyline_with_bulges() -> None:
 
 def test_a_path_that_ends_where_it_began_is_closed_without_a_second_vertex() -> None:
     xy = np.array([[0.0, 0.0], [10.0, 0.0], [0.0, 6.0], [0.0, 0.0]])
-    (chain,) = entities(drawn([(CUT, path_through(xy, np.array([0.0, 0.0, 0.5])))]))
+    (chain,) = entities(write_dxf([(CUT, path_through(xy, np.array([0.0, 0.0, 0.5])))]))
     assert chain.closed
     assert list(chain.get_points("xyb")) == [(0.0, 0.0, 0.0), (10.0, 0.0, 0.0), (0.0, 6.0, 0.5)]
 
 
 def test_the_same_paths_give_the_same_bytes_and_leave_no_trace_in_ezdxf() -> None:
     sheet = [(CUT, one((0.0, 0.0), (1.0, 0.0))), (CUT, one((0.0, 1.0), (1.0, 0.0), 0.3))]
-    first = drawn(sheet)
+    first = write_dxf(sheet)
     ezdxf.new()  # what other documents do in between does not matter
-    assert drawn(sheet) == first
+    assert write_dxf(sheet) == first
     assert not ezdxf.options.write_fixed_meta_data_for_testing
 
 
 def test_no_paths_are_an_empty_drawing() -> None:
-    assert entities(drawn([])) == []
+    assert entities(write_dxf([])) == []
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_coordinate_that_is_no_number_is_refused(bad: float) -> None:
     with pytest.raises(GeometryError, match="A coordinate on the layer CUT is not a number"):
-        drawn([(CUT, one((0.0, 0.0), (bad, 1.0)))])
+        write_dxf([(CUT, one((0.0, 0.0), (bad, 1.0)))])

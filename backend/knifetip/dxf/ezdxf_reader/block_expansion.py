@@ -3,7 +3,7 @@
 The result is the rows of the import report in file order, and the shapes of the entities with their
 placements.  The fast reader and the ezdxf reader use this module; each of them implements
 ``SourceEntity``.  The entities are counted before any block is expanded, because a few nested
-arrays can produce an astronomical number of lines.  An entity that an INSERT repeats in rows and
+arrays of blocks can expand to billions of lines.  An entity that an INSERT repeats in rows and
 columns has one row in the import report and one placement per repetition.
 """
 
@@ -20,10 +20,17 @@ import numpy as np
 from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.dxf.attributes import Styles
-from knifetip.dxf.ezdxf_reader.entities import READ, REASONS, Drawn, Shape, Undrawable, flat
+from knifetip.dxf.ezdxf_reader.entities import (
+    READ,
+    REASONS,
+    EntityShape,
+    Shape,
+    Undrawable,
+    height_notes,
+)
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.location_boxes import transformed_box
-from knifetip.dxf.shapes import moved, turning
+from knifetip.dxf.shapes import cos_sin, transform_points
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, freeze
@@ -50,11 +57,11 @@ class Placed(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """Placement of a block by an INSERT entity: block name, position, scale and repetition."""
+    """Placement of a block by an INSERT: block name, position, scale, rotation and repetition."""
 
     block: str
     mirror: bool
-    at: tuple[float, float, float]
+    position: tuple[float, float, float]
     scale: tuple[float, float]
     rotation: float  #: degrees
     cells: tuple[int, int]  #: numbers of columns and rows in which the block is repeated
@@ -77,7 +84,7 @@ class SourceEntity(Protocol):
         """
         ...
 
-    def drawn(self) -> Drawn:
+    def shape(self) -> EntityShape:
         """Return the shape of the entity.
 
         Raises
@@ -100,20 +107,21 @@ class SourceEntity(Protocol):
         ...
 
     def repeats(self) -> tuple[str, int]:
-        """Return the name, in lower case, of this INSERT's block, and how often it is placed."""
+        """Return the lower-case name of this INSERT's block, and the number of copies placed."""
         ...
 
 
 class Entry(NamedTuple):
     """An entity of model space or of a block, to be added to the import report.
 
-    It consists of the entity as the prescan counted it, its handle in the import report, and the
-    entity as the fast reader or ezdxf read it, None if ezdxf did not read it.
+    It consists of the entity as written in the file (``counted``), its handle in the import report,
+    and the entity as the fast reader or ezdxf read it (``source``); None if ezdxf skipped the
+    entity.
     """
 
     counted: PrescannedEntity
     handle: str
-    found: SourceEntity | None
+    source: SourceEntity | None
 
 
 @dataclass(eq=False)
@@ -127,7 +135,9 @@ class Block:
     base: F64  #: (2,) base point
     external: bool
     size: int  #: number of entities
-    inside: list[tuple[str, int]]  #: blocks that it places, by name in lower case, and how often
+    references: list[
+        tuple[str, int]
+    ]  #: blocks that it places, by name in lower case, and how often
     make: Callable[[], list[Entry]]
 
     @cached_property
@@ -164,6 +174,10 @@ class BlockExpansion:
     on_sheet
         For each INSERT in model space: name in lower case of the block that it places, and how
         many times it places the block.
+    styles
+        Finds the style of each entity.
+    limits
+        Limits of the size of the drawing and of the reading time.
 
     Raises
     ------
@@ -203,13 +217,14 @@ class BlockExpansion:
         DrawingTooLarge
             The depth of INSERTs or the number of entities exceeds a limit.
         """
-        inside = {name: block.inside for name, block in self._blocks.items()}
+        block_references = {name: block.references for name, block in self._blocks.items()}
         children = {
-            name: {child for child, _ in found if child in inside} for name, found in inside.items()
+            name: {child for child, _ in references_of_block if child in block_references}
+            for name, references_of_block in block_references.items()
         }
         parents: dict[str, set[str]] = {name: set() for name in children}
-        for name, below in children.items():
-            for child in below:
+        for name, child_names in children.items():
+            for child in child_names:
                 parents[child].add(name)
         # Blocks that place no other block are removed repeatedly, and then blocks that no other
         # block places.  The blocks that remain are in cycles, or between two cycles.
@@ -220,16 +235,18 @@ class BlockExpansion:
         )
         recursive = frozenset(cyclic)
         straight = {name: children[name] - recursive for name in children if name not in recursive}
-        above: dict[str, set[str]] = {name: set() for name in straight}
-        for name, below in straight.items():
-            for child in below:
-                above[child].add(name)
-        order, _ = _topological_order(straight, above)
+        straight_parents: dict[str, set[str]] = {name: set() for name in straight}
+        for name, child_names in straight.items():
+            for child in child_names:
+                straight_parents[child].add(name)
+        order, _ = _topological_order(straight, straight_parents)
         size: dict[str, int] = {}
         depth: dict[str, int] = {}
         for name in order:
             size[name] = self._blocks[name].size + sum(
-                times * max(size[child], 1) for child, times in inside[name] if child in straight
+                times * max(size[child], 1)
+                for child, times in block_references[name]
+                if child in straight
             )
             depth[name] = 1 + max((depth[child] for child in straight[name]), default=0)
         on_sheet = [(child, n) for child, n in references if child in straight]
@@ -241,81 +258,83 @@ class BlockExpansion:
         total = sum(times * max(size[child], 1) for child, times in on_sheet)
         if total > self._limits.expanded:
             # Very long numbers are shortened in the message.
-            many = f"{total:,}" if total < 10**15 else f"more than {10**15:,}"
+            shown_total = f"{total:,}" if total < 10**15 else f"more than {10**15:,}"
             raise DrawingTooLarge(
-                "dxf.blocks-expand-too-far", count=many, limit=self._limits.expanded
+                "dxf.blocks-expand-too-far", count=shown_total, limit=self._limits.expanded
             )
         return recursive
 
     def sheet_entity(self, entry: Entry) -> None:
-        """Add an entity of model space to the import report and to the placed shapes.
+        """Add ``entry``, an entity of model space, to the import report and to the placed shapes.
 
-        An INSERT is followed by the entities of the block that it places.
+        If the entity is an INSERT, the entities of the block that it places are added after it.
         """
         self._entry(entry, "", (ON_SHEET, np.zeros((1, 2))), None)
 
     def _entry(
-        self, entry: Entry, path: str, here: tuple[F64, F64], insert_style: Style | None
+        self, entry: Entry, path: str, placements: tuple[F64, F64], insert_style: Style | None
     ) -> None:
         if time.monotonic() > self._until:
             raise DrawingTooLarge(
                 "reading.too-slow", seconds=self._limits.seconds, format="drawing"
             )
-        counted, found = entry.counted, entry.found
+        counted, source = entry.counted, entry.source
         handle = path + entry.handle
         if counted.paper:
             self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
-            self._add_dropped(counted, handle, here, no_geometry_reason(counted.kind))
+            self._add_dropped(counted, handle, placements, no_geometry_reason(counted.kind))
             return
-        if found is None:
-            self._add_dropped(counted, handle, here, Message("import.damaged-or-frame"))
+        if source is None:
+            self._add_dropped(counted, handle, placements, Message("import.damaged-or-frame"))
             return
-        if found.hidden:
-            self._add_dropped(counted, handle, here, Message("import.invisible"))
+        if source.hidden:
+            self._add_dropped(counted, handle, placements, Message("import.invisible"))
             return
         try:
-            style = found.style(self._styles, insert_style)
+            style = source.style(self._styles, insert_style)
             if counted.kind == "INSERT":
-                self._insert(found.reference(), handle, here, style)
+                self._insert(source.reference(), handle, placements, style)
                 return
-            what = found.drawn()
+            drawn = source.shape()
         except (Undrawable, GeometryError) as reason:
-            self._add_dropped(counted, handle, here, reason.message)
+            self._add_dropped(counted, handle, placements, reason.message)
             return
         except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
             # Damaged entities raise any of these in ezdxf.
-            self._add_dropped(counted, handle, here, Message("import.damaged", reason=reason))
+            self._add_dropped(counted, handle, placements, Message("import.damaged", reason=reason))
             return
-        notes = [*self._styles.notes(style.layer), *what.notes]
-        if len(here[0]) > 1:
-            notes.append(Message("import.repeated", times=len(here[0])))
+        notes = [*self._styles.notes(style.layer), *drawn.notes]
+        if len(placements[0]) > 1:
+            notes.append(Message("import.repeated", times=len(placements[0])))
         row = self.sheet.row(handle, counted.kind, style.layer, None, notes)
-        self.placed.append(Placed(row, what.shape, *here, style))
+        self.placed.append(Placed(row, drawn.shape, *placements, style))
 
     def _add_dropped(
-        self, counted: PrescannedEntity, handle: str, here: tuple[F64, F64], why: Message
+        self, counted: PrescannedEntity, handle: str, placements: tuple[F64, F64], reason: Message
     ) -> None:
         """Add a row to the import report for an entity that is dropped, with its bounding box.
 
         Parameters
         ----------
         counted, handle
-            The entity as the prescan counted it, and its handle in the import report.
-        here
-            Linear maps (k, 2, 2) and translations (k, 2) of the placements of the entity.
-        why
+            The entity as written in the file, and its handle in the import report.
+        placements
+            Linear maps (k, 2, 2) and translations (k, 2) of the k placements of the entity.
+        reason
             Reason for dropping the entity.
         """
-        row = self.sheet.row(handle, counted.kind, counted.layer, why)
+        row = self.sheet.row(handle, counted.kind, counted.layer, reason)
         if counted.box is not None:
             box = counted.box
             self.sheet.set_location(
-                row, box if here[0] is ON_SHEET else transformed_box(box, *here)
+                row, box if placements[0] is ON_SHEET else transformed_box(box, *placements)
             )
 
-    def _insert(self, insert: Reference, handle: str, here: tuple[F64, F64], style: Style) -> None:
+    def _insert(
+        self, insert: Reference, handle: str, placements: tuple[F64, F64], style: Style
+    ) -> None:
         name = insert.block
         block = self._blocks.get(name.lower())
         if block is None:
@@ -324,10 +343,10 @@ class BlockExpansion:
             raise Undrawable(Message("import.block-in-itself", block=name))
         if block.external:
             raise Undrawable(Message("import.block-external", block=name))
-        notes = flat((insert.at[2],))
-        at, scale = np.array(insert.at[:2]), np.array(insert.scale)
+        notes = height_notes((insert.position[2],))
+        position, scale = np.array(insert.position[:2]), np.array(insert.scale)
         spacing = np.array(insert.spacing)
-        numbers = np.concatenate([scale, [insert.rotation], spacing, at, block.base])
+        numbers = np.concatenate([scale, [insert.rotation], spacing, position, block.base])
         if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e100:
             raise Undrawable(Message("import.placement-not-a-number"))
         if (scale == 0.0).any():
@@ -339,8 +358,8 @@ class BlockExpansion:
         cells = columns * rows
         if cells > 1:
             notes.append(Message("import.array", columns=columns, rows=rows))
-        if len(here[0]) > 1:
-            notes.append(Message("import.repeated", times=len(here[0])))
+        if len(placements[0]) > 1:
+            notes.append(Message("import.repeated", times=len(placements[0])))
         self.sheet.row(
             handle,
             "INSERT",
@@ -348,22 +367,24 @@ class BlockExpansion:
             None,
             [insert_note(block.name), *self._styles.notes(style.layer), *notes],
         )
-        cos, sin = turning(insert.rotation)
+        cos, sin = cos_sin(insert.rotation)
         turned = np.array([[cos, -sin], [sin, cos]])
         side = np.diag([-1.0 if insert.mirror else 1.0, 1.0])
         linear = side @ turned * scale
         steps = np.stack(
             [np.tile(np.arange(columns), rows), np.repeat(np.arange(rows), columns)], axis=1
         )
-        corner = moved(turned, at, steps * spacing) @ side.T
-        shift = corner - moved(linear, np.zeros(2), block.base)
-        outer_linear, outer_shift = here
-        there = (
+        corner = transform_points(turned, position, steps * spacing) @ side.T
+        shift = corner - transform_points(linear, np.zeros(2), block.base)
+        outer_linear, outer_shift = placements
+        inner_placements = (
             np.repeat(_product(outer_linear, linear), cells, axis=0),
-            moved(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(-1, 2),
+            transform_points(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(
+                -1, 2
+            ),
         )
         for child in block.entries:
-            self._entry(child, f"{handle}/", there, style)
+            self._entry(child, f"{handle}/", inner_placements, style)
 
 
 def _product(outer: F64, inner: F64) -> F64:
@@ -372,12 +393,12 @@ def _product(outer: F64, inner: F64) -> F64:
     The maps are matrices: ``outer`` and the returned array have the shape (k, 2, 2), ``inner`` has
     the shape (2, 2).
     """
-    columns = moved(outer[:, None], np.zeros(2), inner.T[None])
+    columns = transform_points(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
 
 def _topological_order(
-    below: dict[str, set[str]], above: dict[str, set[str]]
+    children: dict[str, set[str]], parents: dict[str, set[str]]
 ) -> tuple[list[str], set[str]]:
     """Return the block names in topological order, and the names of blocks that have no such order.
 
@@ -386,15 +407,15 @@ def _topological_order(
 
     Parameters
     ----------
-    below
+    children
         For each block name: names of the blocks that this block places.
-    above
+    parents
         For each block name: names of the blocks that place this block.
     """
-    waiting = {name: len(found) for name, found in below.items()}
+    waiting = {name: len(found) for name, found in children.items()}
     ready = [name for name, number in waiting.items() if number == 0]
     for name in ready:
-        for upper in above[name]:
+        for upper in parents[name]:
             waiting[upper] -= 1
             if waiting[upper] == 0:
                 ready.append(upper)

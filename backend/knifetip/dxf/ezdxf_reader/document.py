@@ -34,7 +34,9 @@ def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
     data
         Content of the file.
     counted
-        The prescan of the file, which decides what attempts are made.
+        The entities and defects of the file as written; they determine which attempts are made.
+    limits
+        Limits of size and reading time.
 
     Raises
     ------
@@ -44,9 +46,9 @@ def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
         The attempts take longer than the limits allow.
     """
     reasons: list[str] = []
-    until = time.monotonic() + limits.seconds
+    deadline = time.monotonic() + limits.seconds
     for attempt in _attempts(data, counted):
-        refuse_after(until, limits)
+        refuse_after(deadline, limits)
         try:
             return attempt()
         except Exception as error:
@@ -57,8 +59,8 @@ def load_document(data: bytes, counted: Prescan, limits: Limits) -> Document:
 def _attempts(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
     """Yield functions that try to load the document of a DXF file.
 
-    The first function changes the content ``data`` least, the last function most.  ``counted`` is
-    the prescan of the file.
+    The functions are ordered from the least to the greatest change that they make to the content
+    ``data`` before loading.  ``counted`` contains the entities and defects of the file as written.
     """
     if data.startswith(BINARY):
         yield lambda: Document.load(binary_tags_loader(data, errors="replace"))

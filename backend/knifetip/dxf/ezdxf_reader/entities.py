@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 import numpy as np
 
 from knifetip.dxf.shapes import (
-    chain_count,
-    chain_rows,
-    mirror_rows,
-    round_count,
-    round_rows,
-    swept,
+    arc_segment_count,
+    mirror_segments,
+    polyline_segment_count,
+    sweep_angle,
+    write_arc,
+    write_polyline,
 )
 from knifetip.formats.limits import REACH
 from knifetip.geometry.columns import F64
@@ -46,7 +46,7 @@ Shape: TypeAlias = Lines | Ellipse | Spline
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Drawn:
+class EntityShape:
     """The shape of an entity, and notes on changes that were made to it."""
 
     shape: Shape
@@ -56,7 +56,7 @@ class Drawn:
 class Undrawable(Exception):
     """Raised for an entity without geometry to cut.
 
-    ``message`` is the reason in the import report.
+    The attribute ``message`` is the reason that is added to the import report.
     """
 
     def __init__(self, message: Message) -> None:
@@ -125,8 +125,8 @@ REASONS: Final[dict[str, Message]] = {
 }
 
 
-def drawn(entity: DXFGraphic) -> Drawn:
-    """Return the shape of an ezdxf entity whose kind is in ``READ``.
+def shape_of(entity: DXFGraphic) -> EntityShape:
+    """Return the shape of an ezdxf entity of a supported kind (a key of the table ``READ``).
 
     Raises
     ------
@@ -136,10 +136,10 @@ def drawn(entity: DXFGraphic) -> Drawn:
     return READ[entity.dxftype()](entity)
 
 
-def flat(heights: Iterable[float]) -> list[Message]:
+def height_notes(heights: Iterable[float]) -> list[Message]:
     """Return the notes for the import report on the z coordinates of the points of a shape.
 
-    No notes if all z coordinates ``heights`` are 0.
+    The list is empty if all z coordinates, ``heights``, are 0.
 
     Raises
     ------
@@ -159,7 +159,7 @@ def flat(heights: Iterable[float]) -> list[Message]:
     return [Message("import.laid-flat", height=low)] if is_raised else []
 
 
-def mirrored(entity: DXFGraphic) -> bool:
+def is_mirrored(entity: DXFGraphic) -> bool:
     """Return whether an entity is mirrored by an extrusion of −Z.
 
     Raises
@@ -185,11 +185,11 @@ def _number(entity: DXFGraphic, name: str, word: str) -> Any:
     return entity.dxf.get(name)
 
 
-def _line(entity: DXFGraphic) -> Drawn:
+def _line(entity: DXFGraphic) -> EntityShape:
     a = _number(entity, "start", "first end")
     b = _number(entity, "end", "second end")
-    notes = flat((a.z, b.z))
-    return Drawn(Lines(np.array([[[a.x, a.y], [b.x, b.y]]]), np.zeros(1)), notes)
+    notes = height_notes((a.z, b.z))
+    return EntityShape(Lines(np.array([[[a.x, a.y], [b.x, b.y]]]), np.zeros(1)), notes)
 
 
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
@@ -197,6 +197,8 @@ def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool)
 
     Parameters
     ----------
+    centre, radius
+        Centre, with attributes ``x`` and ``y``, and radius of the arc (file units).
     first, sweep
         Start angle and sweep (degrees).
     mirror
@@ -204,15 +206,15 @@ def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool)
     """
     if not radius > 0.0:
         raise Undrawable(Message("import.bad-radius", radius=radius))
-    rows = round_count(sweep)
+    rows = arc_segment_count(sweep)
     ends, bulge = np.empty((rows, 2, 2)), np.empty(rows)
-    round_rows(float(centre.x), float(centre.y), float(radius), first, sweep, ends, bulge, 0)
+    write_arc(float(centre.x), float(centre.y), float(radius), first, sweep, ends, bulge, 0)
     if mirror:
-        mirror_rows(ends, bulge, 0, rows)
+        mirror_segments(ends, bulge, 0, rows)
     return Lines(ends, bulge)
 
 
-def _arc(entity: DXFGraphic) -> Drawn:
+def _arc(entity: DXFGraphic) -> EntityShape:
     centre = _number(entity, "center", "centre")
     radius = _number(entity, "radius", "radius")
     first = _number(entity, "start_angle", "start angle")
@@ -221,16 +223,16 @@ def _arc(entity: DXFGraphic) -> Drawn:
         raise Undrawable(Message("import.angles-not-numbers"))
     if last == first:
         raise Undrawable(Message("import.no-sweep", degrees=first))
-    sweep = swept(float(first), float(last))
-    notes = flat((centre.z,))
-    return Drawn(_round(centre, radius, float(first), sweep, mirrored(entity)), notes)
+    sweep = sweep_angle(float(first), float(last))
+    notes = height_notes((centre.z,))
+    return EntityShape(_round(centre, radius, float(first), sweep, is_mirrored(entity)), notes)
 
 
-def _circle(entity: DXFGraphic) -> Drawn:
+def _circle(entity: DXFGraphic) -> EntityShape:
     centre = _number(entity, "center", "centre")
     radius = _number(entity, "radius", "radius")
-    notes = flat((centre.z,))
-    return Drawn(_round(centre, radius, 0.0, 360.0, mirrored(entity)), notes)
+    notes = height_notes((centre.z,))
+    return EntityShape(_round(centre, radius, 0.0, 360.0, is_mirrored(entity)), notes)
 
 
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
@@ -250,42 +252,46 @@ def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
     if len(xy) < 2:
         raise Undrawable(Message("import.few-vertices", vertices=len(xy)))
     vertex = np.column_stack([xy, bulge])
-    rows = chain_count(vertex, 0, len(vertex), closed)
+    rows = polyline_segment_count(vertex, 0, len(vertex), closed)
     ends, turns = np.empty((rows, 2, 2)), np.empty(rows)
-    chain_rows(vertex, 0, len(vertex), closed, ends, turns, 0)
+    write_polyline(vertex, 0, len(vertex), closed, ends, turns, 0)
     if mirror:
-        mirror_rows(ends, turns, 0, rows)
+        mirror_segments(ends, turns, 0, rows)
     return Lines(ends, turns)
 
 
-def _lwpolyline(entity: Any) -> Drawn:
+def _lwpolyline(entity: Any) -> EntityShape:
     points = np.array(entity.lwpoints.values, dtype=np.float64).reshape(-1, 5)
-    notes = flat((float(entity.dxf.get("elevation", 0.0)),))
-    return Drawn(_chain(points[:, :2], points[:, 4], entity.closed, mirrored(entity)), notes)
+    notes = height_notes((float(entity.dxf.get("elevation", 0.0)),))
+    return EntityShape(
+        _chain(points[:, :2], points[:, 4], entity.closed, is_mirrored(entity)), notes
+    )
 
 
 #: Flag of a vertex of a spline's control polygon, which is not on the curve.
 _FRAME: Final = 16
 
 
-def _polyline(entity: Any) -> Drawn:
+def _polyline(entity: Any) -> EntityShape:
     if entity.is_polygon_mesh or entity.is_poly_face_mesh:
         raise Undrawable(Message("import.mesh"))
     vertices = [v for v in entity.vertices if not int(v.dxf.get("flags", 0)) & _FRAME]
-    places = [_number(v, "location", "place of a vertex") for v in vertices]
-    if not places:
+    positions = [_number(v, "location", "place of a vertex") for v in vertices]
+    if not positions:
         raise Undrawable(Message("import.few-vertices", vertices=0))
-    xy = np.array([(p.x, p.y) for p in places])
+    xy = np.array([(p.x, p.y) for p in positions])
     bulge = np.array([float(v.dxf.get("bulge", 0.0)) for v in vertices])
     if entity.is_3d_polyline:
-        notes = flat(p.z for p in places)
-        return Drawn(_chain(xy, np.zeros(len(xy)), entity.is_closed, mirror=False), notes)
+        notes = height_notes(p.z for p in positions)
+        return EntityShape(_chain(xy, np.zeros(len(xy)), entity.is_closed, mirror=False), notes)
     # A 2D polyline has the height of its header; its vertices may or may not repeat it.
-    notes = flat((float(entity.dxf.elevation.z) if entity.dxf.hasattr("elevation") else 0.0,))
-    return Drawn(_chain(xy, bulge, entity.is_closed, mirrored(entity)), notes)
+    notes = height_notes(
+        (float(entity.dxf.elevation.z) if entity.dxf.hasattr("elevation") else 0.0,)
+    )
+    return EntityShape(_chain(xy, bulge, entity.is_closed, is_mirrored(entity)), notes)
 
 
-def _ellipse(entity: DXFGraphic) -> Drawn:
+def _ellipse(entity: DXFGraphic) -> EntityShape:
     centre = _number(entity, "center", "centre")
     major = _number(entity, "major_axis", "major axis")
     ratio = _number(entity, "ratio", "ratio")
@@ -293,13 +299,13 @@ def _ellipse(entity: DXFGraphic) -> Drawn:
     last = float(entity.dxf.get("end_param", 2.0 * math.pi))
     if not (math.isfinite(first) and math.isfinite(last)):
         raise Undrawable(Message("import.parameters-not-numbers"))
-    notes = flat((centre.z,))
+    notes = height_notes((centre.z,))
     if abs(major.z) > _FLAT:
         raise Undrawable(Message("import.tilted-axis", rise=major.z))
     size = math.hypot(major.x, major.y)
     if not size > 0.0:
         raise Undrawable(Message("import.no-major-axis"))
-    side = -1.0 if mirrored(entity) else 1.0
+    side = -1.0 if is_mirrored(entity) else 1.0
     sweep = (last - first) % (2.0 * math.pi)
     if sweep < 1e-12 or 2.0 * math.pi - sweep < 1e-12:
         if abs(last - first) < math.pi:
@@ -307,14 +313,14 @@ def _ellipse(entity: DXFGraphic) -> Drawn:
         sweep = 2.0 * math.pi
     u = np.array([major.x, major.y])
     v = np.array([-major.y, major.x]) * (ratio * side)
-    return Drawn(Ellipse(np.array([centre.x, centre.y]), u, v, first, first + sweep), notes)
+    return EntityShape(Ellipse(np.array([centre.x, centre.y]), u, v, first, first + sweep), notes)
 
 
 #: Most fit points of a spline: interpolation takes quadratic time and memory.
 _MOST_FIT_POINTS: Final = 1000
 
 
-def _spline(entity: Any) -> Drawn:
+def _spline(entity: Any) -> EntityShape:
     if not entity.control_point_count() and entity.fit_point_count() > _MOST_FIT_POINTS:
         raise Undrawable(
             Message(
@@ -325,18 +331,18 @@ def _spline(entity: Any) -> Drawn:
         )
     curve = entity.construction_tool()
     control = curve.control_points
-    notes = flat(point.z for point in control)
+    notes = height_notes(point.z for point in control)
     xy = np.array([(point.x, point.y) for point in control])
     weights = np.array(curve.weights() or np.ones(len(xy)), dtype=np.float64)
     if not entity.control_point_count():
         notes.append(Message("import.fit-points"))
-    return Drawn(
+    return EntityShape(
         Spline(xy, weights, np.array(curve.knots(), dtype=np.float64), curve.order - 1), notes
     )
 
 
 #: Kinds with geometry, and the function that reads each.
-READ: Final[dict[str, Callable[[Any], Drawn]]] = {
+READ: Final[dict[str, Callable[[Any], EntityShape]]] = {
     "LINE": _line,
     "ARC": _arc,
     "CIRCLE": _circle,

@@ -1,6 +1,6 @@
 """expand: replace the INSERTs of an ezdxf document by the entities of their blocks.
 
-The result is a ``ReportWriter`` with rows in file order, and the shapes with their placements.
+The result is the import report, with rows in file order, and the shapes with their placements.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def expand(
 ) -> tuple[ReportWriter, list[Placed]]:
     """Return the import report and the placed shapes of an ezdxf document.
 
-    ``prescan`` contains the entities and blocks of the file as written.
+    ``prescan`` contains the entities and blocks of the file as written, before ezdxf changed them.
 
     Raises
     ------
@@ -63,15 +63,16 @@ def expand(
         expansion.sheet_entity(entry)
     for key, block in prescan.blocks.items():
         if key not in expansion.used and block.entities:
-            why = unused_block_reason(block.name, len(block.entities))
-            expansion.sheet.row(block.handle or block.name, "BLOCK", block.layer, why)
+            reason = unused_block_reason(block.name, len(block.entities))
+            expansion.sheet.row(block.handle or block.name, "BLOCK", block.layer, reason)
     return expansion.sheet, expansion.placed
 
 
 def _references(pairs: Iterable[_Pair]) -> list[tuple[str, int]]:
-    """Return the name, in lower case, of the block of each INSERT, and how often it is placed.
+    """Return the lower-case block name, and the number of copies that are placed, of each INSERT.
 
-    ``pairs`` contains prescanned entities with their ezdxf entities, also other than INSERTs.
+    ``pairs`` contains entities as written in the file with their ezdxf entities; entities other
+    than INSERTs are skipped.
     """
     return [
         EzdxfEntity(entity).repeats()
@@ -90,39 +91,39 @@ def _entries(pairs: Iterable[_Pair]) -> list[Entry]:
 def _match(
     counted: list[PrescannedEntity], entities: list[DXFEntity], *, paper: bool
 ) -> list[_Pair]:
-    """Return each prescanned entity with its handle and the ezdxf entity that corresponds to it.
+    """Return each entity as written in the file, with its handle and the matching ezdxf entity.
 
-    Entities correspond if their kinds and handles are equal.  Entities without such a partner are
-    paired in file order with entities of their kind.  The ezdxf entity is None if there is none;
-    entities that only ezdxf contains are appended.
+    Entities match if their kinds and handles are equal.  The remaining entities are paired in file
+    order with remaining ezdxf entities of their kind, or with None if there are no more.  Entities
+    that only ezdxf contains are appended.
 
     Parameters
     ----------
     counted, entities
-        Prescanned entities, and ezdxf entities.
+        Entities as written in the file, and ezdxf entities.
     paper
         Whether ``entities`` include entities in paper space.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:
         by_handle[entity.dxftype(), str(entity.dxf.get("handle", "")).upper()].append(entity)
-    found: dict[int, DXFEntity] = {}
+    matches: dict[int, DXFEntity] = {}
     for number, one in enumerate(counted):
         if one.handle and (same := by_handle.get((one.kind, one.handle))):
-            found[number] = same.popleft()
-    taken = {id(entity) for entity in found.values()}
+            matches[number] = same.popleft()
+    matched = {id(entity) for entity in matches.values()}
     by_kind: dict[str, deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:
-        if id(entity) not in taken:
+        if id(entity) not in matched:
             by_kind[entity.dxftype()].append(entity)
     pairs: list[_Pair] = []
     for number, one in enumerate(counted):
-        partner = found.get(number)
+        partner = matches.get(number)
         if partner is None and (paper or not one.paper) and (same := by_kind.get(one.kind)):
             partner = same.popleft()
         pairs.append((one, one.handle or f"#{number + 1}", partner))
     # Entities that only ezdxf found are added.
-    for entity in (entity for left in by_kind.values() for entity in left):
+    for entity in (entity for unmatched in by_kind.values() for entity in unmatched):
         dxf = entity.dxf
         extra = PrescannedEntity(entity.dxftype(), "", str(dxf.get("layer", "0")), paper=False)
         pairs.append((extra, str(dxf.get("handle", "")) or f"#{len(pairs) + 1}", entity))

@@ -20,7 +20,7 @@ from ezdxf.lldxf.tags import group_tags
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.block_expansion import Reference
-from knifetip.dxf.ezdxf_reader.entities import Drawn, drawn, mirrored
+from knifetip.dxf.ezdxf_reader.entities import EntityShape, is_mirrored, shape_of
 from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
 
 
@@ -37,15 +37,15 @@ class EzdxfEntity:
     def style(self, styles: Styles, insert_style: Style | None) -> Style:
         return styles.of(self._entity, insert_style)
 
-    def drawn(self) -> Drawn:
-        return drawn(self._entity)
+    def shape(self) -> EntityShape:
+        return shape_of(self._entity)
 
     def reference(self) -> Reference:
         dxf = self._entity.dxf
         x, y, z = dxf.get("insert", (0.0, 0.0, 0.0))
         return Reference(
             _block_name(self._entity),
-            mirrored(self._entity),
+            is_mirrored(self._entity),
             (float(x), float(y), float(z)),
             (float(dxf.get("xscale", 1.0)), float(dxf.get("yscale", 1.0))),
             float(dxf.get("rotation", 0.0)),
@@ -55,7 +55,7 @@ class EzdxfEntity:
         )
 
     def repeats(self) -> tuple[str, int]:
-        """Return the name, in lower case, of this INSERT's block, and how often it is placed."""
+        """Return the lower-case name of this INSERT's block, and the number of copies placed."""
         columns, rows = _cells(self._entity)
         return _block_name(self._entity).lower(), columns * rows
 
@@ -89,7 +89,9 @@ class EntityReader:
         self._encoding = encoding
 
     def read(self, data: bytes) -> EzdxfEntity:
-        """Return the entity whose tags are in ``data``; a polyline is followed by its vertices.
+        """Return the entity whose tags are in ``data``.
+
+        The tags of a polyline are followed by the tags of its vertices.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""place: convert placed shapes to columns of lines and arcs in file order.
+"""place: convert placed shapes to arrays of lines and arcs in file order.
 
 A placement that rotates, mirrors or scales equally in x and y keeps lines and arcs.  Unequal scales
 make an arc elliptical.  Ellipses and splines are approximated by arcs, once for all placements that
@@ -21,7 +21,7 @@ from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
 from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, Placed
 from knifetip.dxf.ezdxf_reader.entities import Lines, Shape
-from knifetip.dxf.shapes import moved
+from knifetip.dxf.shapes import transform_points
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
@@ -32,7 +32,7 @@ from knifetip.geometry.spline import Spline
 from knifetip.geometry.tolerance import BULGE, CURVE
 from knifetip.geometry.unique_rows import unique_rows
 
-_SHARE: Final = 1.0 / 250_000.0
+_RELATIVE_TOLERANCE: Final = 1.0 / 250_000.0
 
 
 def columns(
@@ -40,7 +40,7 @@ def columns(
     shapes: list[Placed],
     scale: float,
     limits: Limits,
-    others: F64 | None = None,
+    other_ends: F64 | None = None,
 ) -> Columns:
     """Return all placements of all shapes as lines and arcs (segments), in file order.
 
@@ -50,9 +50,11 @@ def columns(
     ----------
     sheet
         The import report; reasons for dropping shapes, and notes, are added to it.
+    shapes
+        The shapes with their placements.
     scale
         Millimetres per file unit, 0 while the unit is unknown.
-    others : (m, 2, 2), optional
+    other_ends : (m, 2, 2), optional
         Ends of other segments of the drawing (file units), which count towards the limit of
         segments and the size of the drawing.
 
@@ -66,14 +68,14 @@ def columns(
     DrawingTooLarge
         There are more segments, or the conversion takes longer, than the limits allow.
     """
-    until = time.monotonic() + limits.seconds
+    deadline = time.monotonic() + limits.seconds
     reach = REACH / (scale or 1.0)
-    near = [_bounds(placed) for placed in shapes]
+    shape_boxes = [_bounds(placed) for placed in shapes]
     parts: dict[int, tuple[F64, F64]] = {}
     curved: list[int] = []
-    total = 0 if others is None else len(others)
-    boxes = [] if others is None or not len(others) else [_box(others)]
-    for number, (placed, (low, high)) in enumerate(zip(shapes, near, strict=True)):
+    total = 0 if other_ends is None else len(other_ends)
+    boxes = [] if other_ends is None or not len(other_ends) else [_box(other_ends)]
+    for number, (placed, (low, high)) in enumerate(zip(shapes, shape_boxes, strict=True)):
         farthest = float(np.abs([low, high]).max())
         if not farthest <= reach:
             sheet.dropped[placed.row] = too_far(farthest, reach)
@@ -81,16 +83,16 @@ def columns(
         if isinstance(placed.shape, Lines):
             total += len(placed.linear) * len(placed.shape.bulge)
             refuse_beyond(total, limits)
-        if (done := _transform_exactly(placed)) is None:
+        if (exact := _transform_exactly(placed)) is None:
             curved.append(number)
             boxes.append((low, high))
         else:
-            parts[number] = done
-            boxes.append(_box(done[0]))
+            parts[number] = exact
+            boxes.append(_box(exact[0]))
     tolerance = CURVE / scale if scale else _relative_tolerance(boxes)
     for number in curved:
         placed = shapes[number]
-        refuse_after(until, limits)
+        refuse_after(deadline, limits)
         try:
             ends, bulge = _approximate(placed, tolerance)
         except GeometryError as reason:
@@ -106,33 +108,34 @@ def columns(
     count = np.zeros(len(shapes), dtype=np.int64)
     for number, (_, bulge) in parts.items():
         count[number] = len(bulge)
-    which = np.repeat(np.arange(len(count), dtype=np.int32), count)
+    shape_of = np.repeat(np.arange(len(count), dtype=np.int32), count)
     rows_of = np.array([placed.row for placed in shapes], dtype=np.int32)
     if not parts:
-        return Columns(np.zeros((0, 2, 2)), np.zeros(0), which, which)
+        return Columns(np.zeros((0, 2, 2)), np.zeros(0), shape_of, shape_of)
     order = sorted(parts)
     return Columns(
         np.concatenate([parts[number][0] for number in order]),
         np.concatenate([parts[number][1] for number in order]),
-        rows_of[which],
-        which,
+        rows_of[shape_of],
+        shape_of,
     )
 
 
-def styled(found: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
-    """Return the segments with renumbered styles, and the list of the styles that they use.
+def renumber_styles(segments: Columns, styles: list[Style]) -> tuple[Columns, list[Style]]:
+    """Return the segments with new style numbers, and the list of the styles that they use.
 
-    The column ``style`` of ``found`` contains indices into ``styles``.  In the returned segments it
-    contains indices into the returned list, which contains each used style once.
+    The column ``style`` of ``segments`` contains indices into ``styles``, which may contain unused
+    and equal styles.  In the returned segments the column contains indices into the returned list,
+    in which each used style occurs once.
     """
-    first, number = unique_rows(found.style)
-    used = [styles[style] for style in found.style[first].tolist()]
-    return replace(found, style=number.astype(np.int32)), used
+    first, number = unique_rows(segments.style)
+    used = [styles[style] for style in segments.style[first].tolist()]
+    return replace(segments, style=number.astype(np.int32)), used
 
 
-def refuse_after(until: float, limits: Limits) -> None:
-    """Raise DrawingTooLarge if ``time.monotonic()`` is later than ``until`` (seconds)."""
-    if time.monotonic() > until:
+def refuse_after(deadline: float, limits: Limits) -> None:
+    """Raise DrawingTooLarge if ``time.monotonic()`` is later than ``deadline`` (seconds)."""
+    if time.monotonic() > deadline:
         raise DrawingTooLarge("reading.too-slow", seconds=limits.seconds, format="drawing")
 
 
@@ -156,11 +159,14 @@ def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
     low = np.min([box[0] for box in boxes], axis=0)
     high = np.max([box[1] for box in boxes], axis=0)
     size = float(np.hypot(*(high - low)))
-    return min(CURVE, size * _SHARE) if size > 0.0 else CURVE
+    return min(CURVE, size * _RELATIVE_TOLERANCE) if size > 0.0 else CURVE
 
 
 def _bounds(placed: Placed) -> tuple[F64, F64]:
-    """Return the lower and the upper corner of a box round all placements of a shape, (2,) each."""
+    """Return the lower and the upper corner, (2,) each, of a box that contains a placed shape.
+
+    The box contains all placements of the shape.
+    """
     shape = placed.shape
     if isinstance(shape, Lines) and not shape.bulge.any():
         low, high = shape.ends.min(axis=(0, 1)), shape.ends.max(axis=(0, 1))
@@ -175,15 +181,16 @@ def _bounds(placed: Placed) -> tuple[F64, F64]:
     if placed.linear is ON_SHEET:
         return low, high
     middle, half = (low + high) / 2.0, (high - low) / 2.0
-    at = (placed.linear @ middle) + placed.shift
-    around = np.abs(placed.linear) @ half
-    return (at - around).min(axis=0), (at + around).max(axis=0)
+    centre = (placed.linear @ middle) + placed.shift
+    extent = np.abs(placed.linear) @ half
+    return (centre - extent).min(axis=0), (centre + extent).max(axis=0)
 
 
 def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     """Return ends (n, 2, 2) and bulges (n,) of the segments of all placements of a shape.
 
-    None if a placement changes arcs to ellipses, or if the shape is an ellipse or a spline.
+    The result is None if a placement changes arcs to ellipses, or if the shape is an ellipse or a
+    spline.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
@@ -198,7 +205,7 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     if not (straight or even.all()):
         return None
     side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
-    ends = moved(linear[:, None, None], shift[:, None, None], shape.ends[None])
+    ends = transform_points(linear[:, None, None], shift[:, None, None], shape.ends[None])
     return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1)
 
 
@@ -222,7 +229,8 @@ def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64]:
 def _fit(shape: Shape, linear: F64, tolerance: float) -> Segments:
     """Return lines and arcs that approximate the shape after the linear map ``linear``, (2, 2).
 
-    ``tolerance`` is the largest distance between them and the transformed shape (file units).
+    ``tolerance`` is the largest permitted distance between the lines and arcs and the transformed
+    shape (file units).
     """
     if isinstance(shape, Ellipse):
         return Ellipse(

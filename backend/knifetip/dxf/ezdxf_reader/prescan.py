@@ -1,8 +1,8 @@
 """prescan: count the entities in the bytes of a file before ezdxf reads it.
 
-The import report is based on the prescan, which contains what is in the file: header variables, and
-every entity of the section ENTITIES and of each block, in file order.  ezdxf skips, repairs and
-adds entities, and adds header variables that the file does not have.
+The prescan contains what is in the file: header variables, and every entity of the section ENTITIES
+and of each block, in file order.  The import report is based on it, because ezdxf skips, repairs
+and adds entities, and adds header variables that the file does not have.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _PARTS: Final = frozenset({"VERTEX", "SEQEND"})
 
 @dataclass(frozen=True, slots=True)
 class PrescannedEntity:
-    """One entity as written in the file."""
+    """One entity as written in the file, before ezdxf reads the file."""
 
     kind: str  #: LINE, ARC, INSERT …
     handle: str  #: empty if the file gives no handle
@@ -38,7 +38,7 @@ class PrescannedEntity:
 
 @dataclass(slots=True)
 class PrescannedBlock:
-    """One block definition as written in the file, with its entities."""
+    """One block definition as written in the file, before ezdxf reads it, with its entities."""
 
     name: str
     handle: str
@@ -63,7 +63,7 @@ class Prescan:
 
     @property
     def size(self) -> int:
-        """Number of entities in model space, paper space and blocks."""
+        """Number of all entities in model space, in paper space and in block definitions."""
         return len(self.entities) + sum(len(block.entities) for block in self.blocks.values())
 
     @property
@@ -73,7 +73,11 @@ class Prescan:
 
 
 def prescan(data: bytes) -> Prescan:
-    """Return the prescan of a DXF file, ASCII or binary; damaged files raise no exception."""
+    """Return the entities, blocks and header variables of a DXF file as written.
+
+    They are read from the bytes of the file, ASCII or binary, before ezdxf repairs it.  A damaged
+    file raises no exception; its structural defects are recorded in the result.
+    """
     result = Prescan()
     codes, values = _binary_tags(data) if data.startswith(BINARY) else _ascii_tags(data, result)
     starts = [row for row, code in enumerate(codes) if code == 0]
@@ -88,10 +92,10 @@ def prescan(data: bytes) -> Prescan:
     section = ""
     block: PrescannedBlock | None = None
     for number, row in enumerate(starts):
-        after = starts[number + 1] if number + 1 < len(starts) else len(codes)
+        next_start = starts[number + 1] if number + 1 < len(starts) else len(codes)
         kind = text(values[row]).upper()
         if kind == "SECTION":
-            named = row + 1 < after and codes[row + 1] == 2
+            named = row + 1 < next_start and codes[row + 1] == 2
             section = text(values[row + 1]).upper() if named else ""
             result.sections.add(section)
             block = None
@@ -103,7 +107,7 @@ def prescan(data: bytes) -> Prescan:
         elif section in ("ENTITIES", "BLOCKS") and kind not in _PARTS:
             handle, layer, name, paper = "", "0", "", False
             marked = False
-            for tag in range(row + 1, after):
+            for tag in range(row + 1, next_start):
                 code = codes[tag]
                 if code == 5 and not handle:
                     handle = text(values[tag]).upper()
@@ -119,7 +123,7 @@ def prescan(data: bytes) -> Prescan:
             result.unmarked |= not marked
             words = None
             if kind in WORDS:
-                tags = zip(codes[row + 1 : after], values[row + 1 : after], strict=True)
+                tags = zip(codes[row + 1 : next_start], values[row + 1 : next_start], strict=True)
                 words = annotation_of_tags(kind, layer, tags, result.encoding)
             last = _index_after(kind, number, starts, values)
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
@@ -146,7 +150,7 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
     Parameters
     ----------
     kind, number
-        Kind of the entity, and its index in ``starts``.
+        Kind of the first entity, and the index of this entity in ``starts``.
     starts
         Index into ``values`` of the first tag of each entity.
     values
@@ -159,17 +163,20 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
     return number
 
 
-def _unpack_layouts(found: Prescan) -> None:
-    """Move entities of the blocks *Model_Space and *Paper_Space to the list ``found.entities``."""
+def _unpack_layouts(prescan_: Prescan) -> None:
+    """Move the entities of *Model_Space and *Paper_Space to the list ``prescan_.entities``.
+
+    These are the blocks in which a DXF file may contain the entities of model and paper space.
+    """
     for name in [
-        name for name in found.blocks if name.startswith(("*model_space", "*paper_space"))
+        name for name in prescan_.blocks if name.startswith(("*model_space", "*paper_space"))
     ]:
         paper = name.startswith("*paper")
-        for counted in found.blocks.pop(name).entities:
-            found.entities.append(replace(counted, paper=paper or counted.paper))
+        for counted in prescan_.blocks.pop(name).entities:
+            prescan_.entities.append(replace(counted, paper=paper or counted.paper))
 
 
-def _ascii_tags(data: bytes, found: Prescan) -> tuple[list[int], list[bytes]]:
+def _ascii_tags(data: bytes, prescan_: Prescan) -> tuple[list[int], list[bytes]]:
     lines = data.split(b"\n") if b"\n" in data else data.split(b"\r")
     values = lines[1::2]
     written = lines[0::2][: len(values)]
@@ -183,7 +190,7 @@ def _ascii_tags(data: bytes, found: Prescan) -> tuple[list[int], list[bytes]]:
             codes.append(int(code))
         except ValueError:
             if not (codes and codes[-1] == 0 and values[row - 1].strip() == b"EOF"):
-                found.broken = 2 * row + 1
+                prescan_.broken = 2 * row + 1
             break
         if codes[-1] == 0 and values[row].strip() == b"EOF":
             break
@@ -203,8 +210,12 @@ def _binary_tags(data: bytes) -> tuple[list[int], list[Any]]:
     return codes, values
 
 
-def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], found: Prescan) -> None:
-    """Write the header variables into ``found.variables``; of repeated variables, the first value.
+def _header(
+    codes: Sequence[int], values: Sequence[Any], starts: list[int], prescan_: Prescan
+) -> None:
+    """Write the values of the header variables into ``prescan_.variables``.
+
+    If a variable is repeated, its first value is written.
 
     Parameters
     ----------
@@ -214,27 +225,27 @@ def _header(codes: Sequence[int], values: Sequence[Any], starts: list[int], foun
         Indices of the tags with group code 0.
     """
     for number, row in enumerate(starts):
-        after = starts[number + 1] if number + 1 < len(starts) else len(codes)
-        if row + 1 >= after or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
+        next_start = starts[number + 1] if number + 1 < len(starts) else len(codes)
+        if row + 1 >= next_start or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
             continue
         if _plain(values[row + 1]) != "HEADER":
             continue
-        for tag in range(row + 2, after - 1):
+        for tag in range(row + 2, next_start - 1):
             if codes[tag] == 9:
-                found.variables.setdefault(_plain(values[tag]), _plain(values[tag + 1]))
+                prescan_.variables.setdefault(_plain(values[tag]), _plain(values[tag + 1]))
 
 
 def header_of(section: bytes) -> dict[str, str]:
     """Return the values of the header variables by name, given the bytes of the section HEADER.
 
-    A repeated variable has its first value.
+    If a variable is repeated, its first value is returned.
     """
     lines = section.split(b"\n")
-    found: dict[str, str] = {}
+    variables: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):
         if lines[row].strip().lstrip(b"0") == b"9":
-            found.setdefault(_plain(lines[row + 1]), _plain(lines[row + 3]))
-    return found
+            variables.setdefault(_plain(lines[row + 1]), _plain(lines[row + 3]))
+    return variables
 
 
 def _plain(value: Any) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from knifetip.drawing_builder.assemble import assemble
 from knifetip.dxf.ezdxf_reader.document import load_document
 from knifetip.dxf.ezdxf_reader.expand import expand
-from knifetip.dxf.ezdxf_reader.place import columns, styled
+from knifetip.dxf.ezdxf_reader.place import columns, renumber_styles
 from knifetip.dxf.ezdxf_reader.prescan import Prescan, prescan
 from knifetip.dxf.units import known_unit
 from knifetip.errors import DrawingTooLarge, NotADrawing
@@ -41,15 +41,15 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
     _check(data, counted, limits)
     known = known_unit(unit, counted.variables)
     sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
-    found = columns(sheet, shapes, known.scale, limits)
-    found, styles = styled(found, [shape.style for shape in shapes])
-    return assemble(sheet, found, styles, counted.annotations, known)
+    segments = columns(sheet, shapes, known.scale, limits)
+    segments, styles = renumber_styles(segments, [shape.style for shape in shapes])
+    return assemble(sheet, segments, styles, counted.annotations, known)
 
 
 def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
     """Raise an error if a file is not a DXF file, has too many entities, or is incomplete.
 
-    ``data`` is the content of the file, and ``counted`` its prescan.
+    ``data`` is the content of the file, and ``counted`` the entities and defects found in it.
 
     Raises
     ------
@@ -69,10 +69,10 @@ def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
         )
     unfinished = not counted.ended and "ENTITIES" not in counted.sections
     if counted.open_section in ("ENTITIES", "BLOCKS") or unfinished:
-        where = (
+        location = (
             Message("dxf.at-line", line=counted.broken)
             if counted.broken
             else Message("dxf.without-end-mark")
         )
         section = counted.open_section or "file"
-        raise NotADrawing("dxf.cut-short", where=where, section=section, count=counted.size)
+        raise NotADrawing("dxf.cut-short", where=location, section=section, count=counted.size)

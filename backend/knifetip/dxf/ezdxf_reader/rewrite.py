@@ -30,7 +30,7 @@ _COMMON: Final = frozenset(
 _ADDED: Final = 1000
 
 #: Records that are kept: entities with geometry, and the structure of the file.
-_KEPT: Final = frozenset(
+_READ_KINDS: Final = frozenset(
     [
         *(kind.encode() for kind in READ),
         *(b"INSERT", b"VERTEX", b"SEQEND", b"BLOCK", b"ENDBLK", b"SECTION", b"ENDSEC", b"EOF"),
@@ -51,13 +51,13 @@ class _Records(NamedTuple):
     def text(self, tags: Iterable[int]) -> list[bytes]:
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
-    def joined(self, made: list[bytes]) -> bytes:
-        """Return the content of the file with its records replaced by the lines ``made``.
+    def joined(self, new_lines: list[bytes]) -> bytes:
+        """Return the content of the file with its records replaced by the lines ``new_lines``.
 
-        Lines before the first record and after the last tag are kept.
+        The lines before the first record and after the last tag are kept.
         """
         first = self.lines[: 2 * self.spans[0][0]]
-        return b"\n".join([*first, *made, *self.lines[2 * len(self.codes) :]])
+        return b"\n".join([*first, *new_lines, *self.lines[2 * len(self.codes) :]])
 
 
 def with_markers(data: bytes, *, every: bool = False) -> bytes:
@@ -74,37 +74,37 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
     records = _records(data)
     if records is None:
         return data
-    made: list[bytes] = []
-    for tag, after in records.spans:
+    new_lines: list[bytes] = []
+    for tag, end in records.spans:
         marker = _MARKERS.get(records.name(tag))
-        if marker is None or (100 in records.codes[tag:after] and not every):
-            made.extend(records.text(range(tag, after)))
+        if marker is None or (100 in records.codes[tag:end] and not every):
+            new_lines.extend(records.text(range(tag, end)))
             continue
-        head, own, added = _split_tags(records, tag, after)
-        made.extend(records.text(head))
-        made.extend((b"100", b"AcDbEntity", b"100", marker))
-        made.extend(records.text(own))
-        made.extend(records.text(added))
-    return records.joined(made)
+        head, own, added = _split_tags(records, tag, end)
+        new_lines.extend(records.text(head))
+        new_lines.extend((b"100", b"AcDbEntity", b"100", marker))
+        new_lines.extend(records.text(own))
+        new_lines.extend(records.text(added))
+    return records.joined(new_lines)
 
 
 def lines_only(data: bytes) -> bytes:
     """Return the DXF file ``data`` without the entities that have no geometry to cut.
 
-    The import report still lists these entities, because the prescan has counted them before.
+    The import report still lists the removed entities, because they are counted before this call.
     """
     records = _records(data)
     if records is None:
         return data
-    made: list[bytes] = []
+    new_lines: list[bytes] = []
     section = b""
-    for tag, after in records.spans:
+    for tag, end in records.spans:
         name = records.name(tag).upper()
         if name == b"SECTION":
-            section = records.name(tag + 1).upper() if tag + 1 < after else b""
-        if name in _KEPT or section not in (b"ENTITIES", b"BLOCKS"):
-            made.extend(records.text(range(tag, after)))
-    return records.joined(made)
+            section = records.name(tag + 1).upper() if tag + 1 < end else b""
+        if name in _READ_KINDS or section not in (b"ENTITIES", b"BLOCKS"):
+            new_lines.extend(records.text(range(tag, end)))
+    return records.joined(new_lines)
 
 
 def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:
@@ -133,15 +133,15 @@ def _records(data: bytes) -> _Records | None:
     return _Records(lines, codes, list(zip(starts, [*starts[1:], len(codes)], strict=True)))
 
 
-def _split_tags(records: _Records, tag: int, after: int) -> tuple[list[int], list[int], range]:
+def _split_tags(records: _Records, tag: int, tag_end: int) -> tuple[list[int], list[int], range]:
     """Return three lists of the tags of one entity, as indices into ``records.codes``.
 
-    The first list contains all tags except subclass markers and extension data; the second, those
-    of them that not all kinds of entities have; the third, the extension data.  The entity has the
-    tags ``tag`` … ``after`` - 1.
+    The first list contains all tags except subclass markers and extension data.  The second
+    contains those tags of the first list that not all kinds of entities have.  The third contains
+    the extension data.  The entity has the tags ``tag`` … ``tag_end`` - 1.
     """
     codes = records.codes
-    end = next((n for n in range(tag, after) if codes[n] >= _ADDED), after)
+    end = next((n for n in range(tag, tag_end) if codes[n] >= _ADDED), tag_end)
     head = [n for n in range(tag, end) if codes[n] != 100]
     own = []
     in_group = False
@@ -150,4 +150,4 @@ def _split_tags(records: _Records, tag: int, after: int) -> tuple[list[int], lis
             in_group = records.name(n).startswith(b"{")
         elif not in_group and codes[n] not in _COMMON:
             own.append(n)
-    return head, own, range(end, after)
+    return head, own, range(end, tag_end)

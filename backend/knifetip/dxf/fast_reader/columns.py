@@ -1,6 +1,6 @@
 """columns: kernels that compute the segments of entities, and of blocks that INSERTs place.
 
-The computation is equal to that of ``shapes`` and ``block_expansion``, bit for bit.
+The results are equal to those of ``shapes`` and ``block_expansion``, bit for bit.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ import numpy as np
 
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.shapes import (
-    chain_count,
-    chain_rows,
-    mirror_rows,
-    round_count,
-    round_rows,
-    swept,
-    turning,
+    arc_segment_count,
+    cos_sin,
+    mirror_segments,
+    polyline_segment_count,
+    sweep_angle,
+    write_arc,
+    write_polyline,
 )
 from knifetip.kernels import (
     F64_1,
@@ -42,7 +42,7 @@ def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
     """Return the number of segments of each of e entities, (e,); 0 for an entity without geometry.
 
     Entities with an invalid radius or angle are marked in the column ``UNSUPPORTED`` of ``entity``.
-    ``entity``, ``value`` and ``vertex`` are the arrays of a Scan.
+    ``entity``, ``value`` and ``vertex`` are the arrays of these names in the class ``Scan``.
     """
     count = np.zeros(len(entity), np.int64)
     for row in range(len(entity)):
@@ -55,15 +55,17 @@ def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
             if not value[row, f.RADIUS] > 0.0:
                 entity[row, f.UNSUPPORTED] = 1
             elif kind == f.CIRCLE:
-                count[row] = round_count(360.0)
+                count[row] = arc_segment_count(360.0)
             elif value[row, f.ANGLE] == value[row, f.ANGLE2]:
                 entity[row, f.UNSUPPORTED] = 1
             else:
-                count[row] = round_count(swept(value[row, f.ANGLE], value[row, f.ANGLE2]))
+                count[row] = arc_segment_count(
+                    sweep_angle(value[row, f.ANGLE], value[row, f.ANGLE2])
+                )
         elif (kind == f.LWPOLYLINE or kind == f.POLYLINE) and entity[row, f.COUNT] >= 2:
             low = entity[row, f.FIRST]
             closed = entity[row, f.FLAGS] & 1 == 1
-            count[row] = chain_count(vertex, low, low + entity[row, f.COUNT], closed)
+            count[row] = polyline_segment_count(vertex, low, low + entity[row, f.COUNT], closed)
     return count
 
 
@@ -78,33 +80,33 @@ def draw(
     Parameters
     ----------
     entity, value, vertex
-        Arrays of a Scan.
+        The arrays of these names in the class ``Scan``.
     first : (e + 1,)
-        Index of the first segment of each entity, and the number n of segments.
+        Index of the first segment of each entity; the last element is the number n of segments.
     """
     for row in range(len(entity)):
-        at = first[row]
-        if first[row + 1] == at:
+        segment = first[row]
+        if first[row + 1] == segment:
             continue
         kind = entity[row, f.KIND]
         x, y = value[row, f.X], value[row, f.Y]
         if kind == f.LINE:
-            ends[at, 0, 0], ends[at, 0, 1] = x, y
-            ends[at, 1, 0], ends[at, 1, 1] = value[row, f.X2], value[row, f.Y2]
-            bulge[at] = 0.0
+            ends[segment, 0, 0], ends[segment, 0, 1] = x, y
+            ends[segment, 1, 0], ends[segment, 1, 1] = value[row, f.X2], value[row, f.Y2]
+            bulge[segment] = 0.0
             continue
         if kind == f.CIRCLE:
-            round_rows(x, y, value[row, f.RADIUS], 0.0, 360.0, ends, bulge, at)
+            write_arc(x, y, value[row, f.RADIUS], 0.0, 360.0, ends, bulge, segment)
         elif kind == f.ARC:
             start = value[row, f.ANGLE]
-            sweep = swept(start, value[row, f.ANGLE2])
-            round_rows(x, y, value[row, f.RADIUS], start, sweep, ends, bulge, at)
+            sweep = sweep_angle(start, value[row, f.ANGLE2])
+            write_arc(x, y, value[row, f.RADIUS], start, sweep, ends, bulge, segment)
         else:
             low = entity[row, f.FIRST]
             closed = entity[row, f.FLAGS] & 1 == 1
-            chain_rows(vertex, low, low + entity[row, f.COUNT], closed, ends, bulge, at)
+            write_polyline(vertex, low, low + entity[row, f.COUNT], closed, ends, bulge, segment)
         if entity[row, f.MIRROR] != 0:
-            mirror_rows(ends, bulge, at, first[row + 1])
+            mirror_segments(ends, bulge, segment, first[row + 1])
 
 
 @kernel
@@ -116,7 +118,7 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
     ends : (n, 2, 2)
         Ends of the segments of all e entities.
     first : (e + 1,)
-        Index of the first segment of each entity, and the number n of segments.
+        Index of the first segment of each entity; the last element is the number n of segments.
     """
     result = np.zeros(len(first) - 1, np.bool_)
     for row in range(len(result)):
@@ -129,48 +131,49 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return the d entities with segments, (d,), and an integer key of the style of each, (d,).
+    """Return the rows of the d entities that have segments, (d,), and the style key of each, (d,).
 
-    Entities with equal styles have equal keys.  The key combines layer, linetype, colour and true
-    colour: there are fewer than 2^15 names, and the colours take 9 and 25 bits.
+    A style key is an integer that is equal for entities with equal styles.  It combines layer,
+    linetype, colour and true colour: there are fewer than 2^15 names, and the colours take 9 and 25
+    bits.
 
     Parameters
     ----------
     entity
-        Array of a Scan.
+        The array ``Scan.entity``.
     rows
         Rows in ``entity`` of the entities to examine.
     count : (e,)
-        Number of segments of each of all e entities.
+        Number of segments of each entity in ``entity``.
     """
-    drawn = np.empty(len(rows), np.int64)
+    with_segments = np.empty(len(rows), np.int64)
     key = np.empty(len(rows), np.int64)
-    found = 0
+    number = 0
     for row in rows:
         if count[row] > 0:
-            drawn[found] = row
+            with_segments[number] = row
             names = np.int64(entity[row, f.LAYER]) << 49 ^ np.int64(entity[row, f.LINETYPE]) << 34
             colour = np.int64(entity[row, f.COLOUR]) << 25
-            key[found] = names ^ colour ^ np.int64(entity[row, f.TRUE_COLOUR] + 1)
-            found += 1
-    return drawn[:found], key[:found]
+            key[number] = names ^ colour ^ np.int64(entity[row, f.TRUE_COLOUR] + 1)
+            number += 1
+    return with_segments[:number], key[:number]
 
 
 @kernel
-def inserts(given: F64_2, base: F64_2, move: OutF64_3) -> None:
+def inserts(placement: F64_2, base: F64_2, move: OutF64_3) -> None:
     """Write the linear map and the translation of each of k INSERTs into ``move``, (k, 2, 3).
 
     Parameters
     ----------
-    given : (k, 5)
+    placement : (k, 5)
         Position x and y, scale in x and in y, and rotation in degrees of each INSERT.
     base : (k, 2)
         Base point of the block of each INSERT.
     """
-    for k in range(len(given)):
-        x, y = given[k, 0], given[k, 1]
-        scale_x, scale_y, rotation = given[k, 2], given[k, 3], given[k, 4]
-        cos, sin = turning(rotation)
+    for k in range(len(placement)):
+        x, y = placement[k, 0], placement[k, 1]
+        scale_x, scale_y, rotation = placement[k, 2], placement[k, 3], placement[k, 4]
+        cos, sin = cos_sin(rotation)
         move[k, 0, 0], move[k, 0, 1] = cos * scale_x, -sin * scale_y
         move[k, 1, 0], move[k, 1, 1] = sin * scale_x, cos * scale_y
         move[k, 0, 2] = x - (move[k, 0, 0] * base[k, 0] + move[k, 0, 1] * base[k, 1])
@@ -187,7 +190,7 @@ class SheetRows(NamedTuple):
 
 
 class EntitySegments(NamedTuple):
-    """The n segments of e entities, in coordinates of model space or of the block of the entity."""
+    """The n segments of e entities, each in coordinates of model space or of its entity's block."""
 
     ends: F64_3  #: (n, 2, 2) ends of the segments
     bulge: F64_1  #: (n,)
@@ -206,7 +209,7 @@ class PlacedBlocks(NamedTuple):
 
 
 class SheetSegments(NamedTuple):
-    """Arrays into which the m segments of the drawing are written."""
+    """Arrays into which the m segments of the drawing are written (coordinates of model space)."""
 
     ends: OutF64_3  #: (m, 2, 2) file units
     bulge: OutF64_1  #: (m,)
@@ -216,7 +219,7 @@ class SheetSegments(NamedTuple):
 
 @kernel
 def place(
-    sheet: SheetRows, drawn: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
+    sheet: SheetRows, segments: EntitySegments, inserts: PlacedBlocks, out: SheetSegments
 ) -> None:
     """Write the segments of all entities of a drawing, in file order, into the arrays of ``out``.
 
@@ -226,28 +229,33 @@ def place(
     ----------
     sheet
         The entities of model space.
-    drawn
+    segments
         The segments of all entities, before transformation.
     inserts
         The INSERTs in model space, with their blocks and transformations.
+    out
+        Arrays that receive the segments.
     """
     rows, report_row, first_out, shown = sheet
-    ends, bulge, first, style_of = drawn
+    ends, bulge, first, style_of = segments
     position, source, children, move, styles = inserts
     out_ends, out_bulge, out_row, out_style = out
     for number in range(len(rows)):
         row = rows[number]
-        at = first_out[number]
+        segment = first_out[number]
         for i in range(first[row], first[row] + shown[number]):
             # Element by element: creating a view of a row takes longer.
             for end in range(2):
-                out_ends[at, end, 0], out_ends[at, end, 1] = ends[i, end, 0], ends[i, end, 1]
-            out_bulge[at] = bulge[i]
-            out_row[at] = report_row[number]
-            out_style[at] = style_of[row]
-            at += 1
+                out_ends[segment, end, 0], out_ends[segment, end, 1] = (
+                    ends[i, end, 0],
+                    ends[i, end, 1],
+                )
+            out_bulge[segment] = bulge[i]
+            out_row[segment] = report_row[number]
+            out_style[segment] = style_of[row]
+            segment += 1
     for number in range(len(position)):
-        at = first_out[position[number]]
+        segment = first_out[position[number]]
         low, start, style = source[number]
         m = move[number]
         turn = np.sign(m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0])
@@ -255,9 +263,9 @@ def place(
             for i in range(first[low + child], first[low + child + 1]):
                 for end in range(2):
                     x, y = ends[i, end, 0], ends[i, end, 1]
-                    out_ends[at, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]
-                    out_ends[at, end, 1] = m[1, 0] * x + m[1, 1] * y + m[1, 2]
-                out_bulge[at] = turn * bulge[i]
-                out_row[at] = report_row[position[number]] + 1 + child
-                out_style[at] = styles[style + i - start]
-                at += 1
+                    out_ends[segment, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]
+                    out_ends[segment, end, 1] = m[1, 0] * x + m[1, 1] * y + m[1, 2]
+                out_bulge[segment] = turn * bulge[i]
+                out_row[segment] = report_row[position[number]] + 1 + child
+                out_style[segment] = styles[style + i - start]
+                segment += 1

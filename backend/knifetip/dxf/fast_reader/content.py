@@ -7,7 +7,7 @@ from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import keywords as w
 from knifetip.dxf.fast_reader import state as s
-from knifetip.dxf.fast_reader.group_values import name_at, whole_at
+from knifetip.dxf.fast_reader.group_values import integer_at, name_at
 from knifetip.dxf.fast_reader.keywords import is_word
 from knifetip.dxf.fast_reader.structure import mark_unsupported
 from knifetip.dxf.scan_tables import ScanTables
@@ -24,7 +24,7 @@ from knifetip.kernels import (
 @inline_kernel
 def take_decimal(
     code: int,
-    before: int,
+    previous_code: int,
     read: float,
     sure: int,
     low: int,
@@ -32,13 +32,14 @@ def take_decimal(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Store a decimal number of the open entity, or mark the entity as unsupported.
+    """Store a decimal number of the entity or block that is being read.
 
-    Returns ON, or REFUSED if the fast reader cannot read the file.
+    The entity is marked as unsupported if the fast reader does not support the number.  Returns
+    ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
     Parameters
     ----------
-    code, before
+    code, previous_code
         Group codes of the number and of the preceding tag.
     read, sure
         The number and its certainty, as returned by ``decimals.number``.
@@ -47,7 +48,7 @@ def take_decimal(
     tables, state
         Arrays into which the scan writes, and state of the scan.
     """
-    entity, value, vertex, left = tables.entity, tables.value, tables.vertex, tables.left
+    entity, value, vertex, unsure = tables.entity, tables.value, tables.vertex, tables.left
     mode, kind, row = state[s.MODE], state[s.OPEN_KIND], state[s.ROW]
     table, line, column = 0, row, 0
     if mode == s.IN_BLOCK:
@@ -65,8 +66,8 @@ def take_decimal(
             mark_unsupported(entity, state)
         return s.ON
     elif code >= 210:
-        alone = code > 210 and before != code - 10
-        if alone or sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
+        incomplete = code > 210 and previous_code != code - 10
+        if incomplete or sure != EXACT or (abs(read) != 1.0 if code == 230 else read != 0.0):
             mark_unsupported(entity, state)
         elif code == 230 and mode == s.IN_ENTITY:
             entity[row, f.MIRROR] = 1 if read < 0.0 else 0
@@ -77,8 +78,8 @@ def take_decimal(
         behind = 3 if mode == s.IN_VERTEX or (kind == f.ARC and code >= 50) else 2
         if (
             (marks > 0 and marks != behind)
-            or (code == 20 and before != 10)
-            or (code == 21 and before != 11)
+            or (code == 20 and previous_code != 10)
+            or (code == 21 and previous_code != 11)
         ):
             mark_unsupported(entity, state)
             return s.ON
@@ -111,10 +112,10 @@ def take_decimal(
             value[row, column] = read
     if sure == UNSURE:
         number_ = state[s.UNSURES]
-        if number_ == len(left):
+        if number_ == len(unsure):
             return s.REFUSED
-        left[number_, 0], left[number_, 1], left[number_, 2] = table, line, column
-        left[number_, 3], left[number_, 4] = low, high
+        unsure[number_, 0], unsure[number_, 1], unsure[number_, 2] = table, line, column
+        unsure[number_, 3], unsure[number_, 4] = low, high
         state[s.UNSURES] = number_ + 1
     return s.ON
 
@@ -130,24 +131,36 @@ def take_tag(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the open entity whose value is not a decimal number.
+    """Store a tag of the entity that is being read, whose value is not a decimal number.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
-    if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    code, data, low, high
+        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
+    entity, spans, slots, state
+        The entities, the positions of the names in the file, the hash table of names, and the
+        state of the scan; all are updated.
     """
-    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    row, kind, seen_tags, marks = (
+        state[s.ROW],
+        state[s.OPEN_KIND],
+        state[s.SEEN],
+        state[s.OPEN_MARKS],
+    )
     plain = kind != f.OTHER and kind != g.OF_WORDS
     if code == 100:
         _take_marker(data, low, high, entity, state)
         return s.ON
     if state[s.MODE] == s.IN_VERTEX:
-        if code == 70 and plain and whole_at(data, low, high) & 16:
+        if code == 70 and plain and integer_at(data, low, high) & 16:
             mark_unsupported(entity, state)
         return s.ON
     if code == 5:
-        if high == low or (marks < 2 and seen & (1 << g.B_HANDLE)):
+        if high == low or (marks < 2 and seen_tags & (1 << g.B_HANDLE)):
             return s.REFUSED
-        if not seen & (1 << g.B_HANDLE):
+        if not seen_tags & (1 << g.B_HANDLE):
             entity[row, f.HANDLE], entity[row, f.HANDLE_SIZE] = low, high - low
         elif plain:
             mark_unsupported(entity, state)
@@ -156,33 +169,34 @@ def take_tag(
         name = name_at(data, low, high, spans, slots, state)
         if name < 0:
             return s.REFUSED
-        if plain and (seen & (1 << g.B_LAYER) or marks > 1):
+        if plain and (seen_tags & (1 << g.B_LAYER) or marks > 1):
             mark_unsupported(entity, state)
         entity[row, f.LAYER] = name
         state[s.SEEN] |= 1 << g.B_LAYER
     elif code == 67:
-        whole = whole_at(data, low, high)
-        if whole != 0 and whole != 1:
+        integer = integer_at(data, low, high)
+        if integer != 0 and integer != 1:
             return s.REFUSED
-        if plain and (seen & (1 << g.B_PAPER) or marks > 1):
+        if plain and (seen_tags & (1 << g.B_PAPER) or marks > 1):
             mark_unsupported(entity, state)
-        entity[row, f.PAPER] = whole
+        entity[row, f.PAPER] = integer
         state[s.SEEN] |= 1 << g.B_PAPER
     elif code == 66:
         if entity[row, f.KIND] == f.INSERT:
-            state[s.FOLLOWED] = 1 if whole_at(data, low, high) != 0 else 0
+            state[s.FOLLOWED] = 1 if integer_at(data, low, high) != 0 else 0
     elif kind == g.OF_WORDS:
-        _of_words(code, data, low, high, entity, state)
+        _store_text_tag(code, data, low, high, entity, state)
     elif plain:
-        return _of_plain(code, data, low, high, entity, spans, slots, state)
+        return _store_geometry_tag(code, data, low, high, entity, spans, slots, state)
     return s.ON
 
 
 @inline_kernel
 def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1) -> None:
-    """Check the subclass marker ``data[low:high]`` of the open entity.
+    """Check the subclass marker ``data[low:high]`` of the entity that is being read.
 
-    The entity is marked as unsupported if it should have another marker at this position.
+    The entity is marked as unsupported in ``entity`` if it should have a different marker at this
+    position.
     """
     kind = state[s.OPEN_KIND]
     state[s.OPEN_MARKS] += 1
@@ -203,27 +217,30 @@ def _take_marker(data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI
 
 
 @inline_kernel
-def _of_words(
+def _store_text_tag(
     code: int, data: U8_1, low: int, high: int, entity: OutI32_2F, state: OutI64_1
 ) -> None:
-    """Store a tag of a text or dimension: group code ``code``, value ``data[low:high]``."""
-    row, seen = state[s.ROW], state[s.SEEN]
+    """Store a tag of a text or dimension in ``entity``.
+
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.
+    """
+    row, seen_tags = state[s.ROW], state[s.SEEN]
     if code == 101:
         # The embedded object that follows repeats the text, divided into columns.
         state[s.OPEN_KIND] = f.OTHER
         state[s.CONTEXT] = g.UNREAD
     elif code == 3 and state[s.IS_MTEXT] != 0:
         mark_unsupported(entity, state)
-    elif code == 1 and not seen & (1 << g.B_NAME):
+    elif code == 1 and not seen_tags & (1 << g.B_NAME):
         entity[row, f.FIRST], entity[row, f.COUNT] = low, high - low
         state[s.SEEN] |= 1 << g.B_NAME
-    elif code == 70 and not seen & (1 << g.B_FLAGS):
-        entity[row, f.FLAGS] = whole_at(data, low, high) & 0xFFFF
+    elif code == 70 and not seen_tags & (1 << g.B_FLAGS):
+        entity[row, f.FLAGS] = integer_at(data, low, high) & 0xFFFF
         state[s.SEEN] |= 1 << g.B_FLAGS
 
 
 @inline_kernel
-def _of_plain(
+def _store_geometry_tag(
     code: int,
     data: U8_1,
     low: int,
@@ -235,47 +252,59 @@ def _of_plain(
 ) -> int:
     """Store an attribute, a flag or the block name of a line, arc, polyline or INSERT.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
-    if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    code, data, low, high
+        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
+    entity, spans, slots, state
+        The entities, the positions of the names in the file, the hash table of names, and the
+        state of the scan; all are updated.
     """
-    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    row, kind, seen_tags, marks = (
+        state[s.ROW],
+        state[s.OPEN_KIND],
+        state[s.SEEN],
+        state[s.OPEN_MARKS],
+    )
     column, bit = -1, 0
     if code == 6 or (code == 2 and kind == f.INSERT):
         name = name_at(data, low, high, spans, slots, state)
         if name < 0:
             return s.REFUSED
         column, bit = (f.LINETYPE, 1 << g.B_LINETYPE) if code == 6 else (f.REFERENCE, 1 << g.B_NAME)
-        if seen & bit or marks != (min(marks, 1) if code == 6 else 2 * min(marks, 1)):
+        if seen_tags & bit or marks != (min(marks, 1) if code == 6 else 2 * min(marks, 1)):
             mark_unsupported(entity, state)
             return s.ON
         entity[row, column] = name
         state[s.SEEN] |= bit
     elif code == 62 or code == 420:
         column, bit = (f.COLOUR, 1 << g.B_COLOUR) if code == 62 else (f.TRUE_COLOUR, 1 << g.B_TRUE)
-        whole = whole_at(data, low, high)
-        if seen & bit or marks > 1 or whole < 0 or (code == 62 and whole > 256):
+        integer = integer_at(data, low, high)
+        if seen_tags & bit or marks > 1 or integer < 0 or (code == 62 and integer > 256):
             mark_unsupported(entity, state)
             return s.ON
-        entity[row, column] = whole & 0xFFFFFF
+        entity[row, column] = integer & 0xFFFFFF
         state[s.SEEN] |= bit
     elif code == 70 or (code == 71 and kind == f.INSERT):
-        whole = whole_at(data, low, high)
+        integer = integer_at(data, low, high)
         column, bit = f.FLAGS, 1 << g.B_FLAGS
         if kind == f.INSERT:
             column = f.COLUMNS if code == 70 else f.ROWS
             bit = 1 << (g.B_COLUMNS if code == 70 else g.B_ROWS)
         if (
-            seen & bit
-            or abs(whole) >= 1 << 31
+            seen_tags & bit
+            or abs(integer) >= 1 << 31
             or (marks != 0 and marks != 2)
-            or (kind == f.POLYLINE and whole & 88)
+            or (kind == f.POLYLINE and integer & 88)
         ):
             mark_unsupported(entity, state)
             return s.ON
-        entity[row, column] = whole
+        entity[row, column] = integer
         state[s.SEEN] |= bit
     elif (
-        (code == 60 and whole_at(data, low, high) != 0)
+        (code == 60 and integer_at(data, low, high) != 0)
         or (code == 410 and not is_word(data, low, high, w.MODEL))
         or code == 101
     ):

@@ -1,4 +1,4 @@
-"""fields: numbers of the columns of the arrays in a Scan, and of the supported entity kinds."""
+"""fields: indices of the columns of the arrays of a ``Scan``, and numbers of the entity kinds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""group_codes: type and meaning of the value of each group code, and codes of each entity kind."""
+"""group_codes: data type and meaning of each DXF group code, and the codes of each entity kind."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.byte_scan import hashed, same
+from knifetip.dxf.byte_scan import bytes_equal, hash_bytes
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import state as s
@@ -28,34 +28,37 @@ def name_at(
     """Return the index of the name ``data[low:high]`` in the table of names of the file.
 
     A name that is not in the table is added.  Returns -1 if the name begins or ends with a blank,
-    or if there are too many names.  ``spans`` contains the positions of the names in the file, and
-    ``slots`` is the hash table of names.
+    or if the table is full.  ``spans`` contains the positions of the names in the file, ``slots``
+    is the hash table of names, and ``state`` contains the number of names.
     """
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
-    slot = np.int64(hashed(data, low, high) & np.uint64(_SLOTS - 1))
+    slot = np.int64(hash_bytes(data, low, high) & np.uint64(_SLOTS - 1))
     for _ in range(_MOST_STEPS):
-        found = slots[slot]
-        if found < 0:
-            made = state[s.NAMES]
-            if made == MOST_NAMES:
+        stored = slots[slot]
+        if stored < 0:
+            number = state[s.NAMES]
+            if number == MOST_NAMES:
                 return -1
-            spans[made, 0], spans[made, 1] = low, high
-            slots[slot] = made
-            state[s.NAMES] = made + 1
-            return made
-        first = spans[found, 0]
-        if spans[found, 1] - first == high - low and same(data, first, data, low, high - low):
-            return found
+            spans[number, 0], spans[number, 1] = low, high
+            slots[slot] = number
+            state[s.NAMES] = number + 1
+            return number
+        first = spans[stored, 0]
+        if spans[stored, 1] - first == high - low and bytes_equal(
+            data, first, data, low, high - low
+        ):
+            return stored
         slot = (slot + 1) & (_SLOTS - 1)
     return -1
 
 
 @inline_kernel
-def whole_at(data: U8_1, low: int, high: int) -> int:
+def integer_at(data: U8_1, low: int, high: int) -> int:
     """Return the integer that is written in ``data[low:high]``.
 
-    ``NONE`` if these bytes are not an integer of up to 18 digits with blanks around it.
+    The constant ``NONE`` is returned if these bytes are not an integer of up to 18 digits with
+    optional blanks around it.
     """
     while low < high and data[low] == 32:
         low += 1
@@ -67,29 +70,29 @@ def whole_at(data: U8_1, low: int, high: int) -> int:
     if low == high or high - low > 18:
         return NONE
     result = 0
-    for at in range(low, high):
-        if not 48 <= data[at] <= 57:
+    for position in range(low, high):
+        if not 48 <= data[position] <= 57:
             return NONE
-        result = result * 10 + int(data[at]) - 48
+        result = result * 10 + int(data[position]) - 48
     return -result if negative else result
 
 
 @inline_kernel
-def valid(data: U8_1, low: int, high: int, what: int) -> bool:
-    """Return whether the bytes ``data[low:high]`` are a valid value of one type of DXF values.
+def valid(data: U8_1, low: int, high: int, value_type: int) -> bool:
+    """Return whether the bytes ``data[low:high]`` are a valid value of the type ``value_type``.
 
-    ``what`` is the type: ``DECIMAL``, ``INTEGER`` or ``HEX`` of ``group_codes``.  Values of any
+    The types ``DECIMAL``, ``INTEGER`` and ``HEX`` of ``group_codes`` are checked; values of any
     other type are always valid.
     """
-    if what == g.DECIMAL:
+    if value_type == g.DECIMAL:
         _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)
-    if what == g.INTEGER:
-        return whole_at(data, low, high) != NONE
-    if what == g.HEX:
-        for at in range(low, high):
-            sign = data[at] | 32
-            if not (48 <= data[at] <= 57 or 97 <= sign <= 102):
+    if value_type == g.INTEGER:
+        return integer_at(data, low, high) != NONE
+    if value_type == g.HEX:
+        for position in range(low, high):
+            sign = data[position] | 32
+            if not (48 <= data[position] <= 57 or 97 <= sign <= 102):
                 return False
         return (high - low) % 2 == 0
     return True

@@ -25,7 +25,7 @@ _DENSE: Final = 4
 _NUMBER: Final = 12
 
 
-def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | None:
+def handles_of(data: bytes, entity: I32, blocks: int, other_handles: I64) -> Spelled | None:
     """Return the handles of all entities in upper case; None if one is invalid or occurs twice.
 
     Parameters
@@ -33,11 +33,11 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
     data
         Content of the file.
     entity
-        Array of the entities of a Scan.
+        The array ``Scan.entity``.
     blocks
-        Number of blocks of the Scan.
-    others
-        Values of the handles of objects that are not entities.
+        Number of block definitions in the file.
+    other_handles
+        Values of the handles of objects that are not entities; an entity must not have one of them.
     """
     start, size, block = entity[:, f.HANDLE], entity[:, f.HANDLE_SIZE], entity[:, f.BLOCK]
     text = np.empty(int(size.sum()) + _NUMBER * int((size == 0).sum()), np.uint8)
@@ -46,14 +46,17 @@ def handles_of(data: bytes, entity: I32, blocks: int, others: I64) -> Spelled | 
     count = np.zeros(blocks + 1, np.int64)
     if not _spell(np.frombuffer(data, np.uint8), start, size, block, count, text, end, number):
         return None
-    number = np.concatenate([number[number > 0], others])
+    number = np.concatenate([number[number > 0], other_handles])
     if _has_duplicate(number):
         return None
     return Spelled(text[: end[-1] if len(end) else 0].tobytes(), end)
 
 
 def _has_duplicate(number: I64) -> bool:
-    """Return whether any number in the array ``number`` occurs twice; all numbers are positive."""
+    """Return whether any number in the array ``number`` occurs more than once.
+
+    All numbers must be positive.
+    """
     if number.max(initial=0) <= _DENSE * len(number):
         return bool(np.bincount(number).max(initial=0) > 1)
     number = np.sort(number)
@@ -66,22 +69,22 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     Parameters
     ----------
     handles
-        Handles of the entities of the file.
+        Handles of the e entities of the file.
     placed
-        Complete handles of the rows whose entities were expanded one by one.
+        Complete handles of the rows whose entities were expanded by ``BlockExpansion``.
     own : (m,)
-        Entity of each row.  A value i that is not less than the number of entities refers to
-        ``placed[i - number of entities]``.
+        Source of the handle of each row: entity i for a value i < e, ``placed[i - e]`` otherwise.
     insert : (m,)
-        INSERT that places the entity of each row, -1 for model space and for ``placed``.
+        INSERT that places the entity of each row, -1 for entities of model space and for rows with
+        a handle in ``placed``.
     """
     last = np.array([len(word.encode()) for word in placed], np.int64)
     text = np.frombuffer(handles.text + "".join(placed).encode(), np.uint8)
     end = np.concatenate([handles.end, np.cumsum(last) + len(handles.text)])
     out_end = np.empty(len(own), np.int64)
-    out = np.empty(_measure(end, own, insert, out_end), np.uint8)
-    _join(text, end, own, insert, out)
-    return Spelled(out.tobytes(), out_end)
+    out_text = np.empty(_measure(end, own, insert, out_end), np.uint8)
+    _join(text, end, own, insert, out_text)
+    return Spelled(out_text.tobytes(), out_end)
 
 
 @inline_kernel
@@ -90,9 +93,9 @@ def value_at(data: U8_1, low: int, high: int) -> Any:
     if high - low > _DIGITS:
         return 0
     value = 0
-    for place in range(low, high):
-        sign = data[place] | 32
-        if 48 <= data[place] <= 57:
+    for position in range(low, high):
+        sign = data[position] | 32
+        if 48 <= data[position] <= 57:
             value = value * 16 + int(sign) - 48
         elif 97 <= sign <= 102:
             value = value * 16 + int(sign) - 87
@@ -102,15 +105,16 @@ def value_at(data: U8_1, low: int, high: int) -> Any:
 
 
 @inline_kernel
-def take_handle(data: U8_1, low: int, high: int, others: OutI64_1, state: OutI64_1) -> int:
-    """Append the handle ``data[low:high]`` of an object that is not an entity to ``others``.
+def take_handle(data: U8_1, low: int, high: int, other_handles: OutI64_1, state: OutI64_1) -> int:
+    """Append the value of the handle ``data[low:high]`` to ``other_handles``.
 
-    Returns ON, or REFUSED if the handle is invalid or ``others`` is full.
+    The handle belongs to an object that is not an entity.  Returns ``ON`` if the scan continues,
+    ``REFUSED`` if the handle is invalid or ``other_handles`` is full.
     """
     value, row = value_at(data, low, high), state[s.OTHERS]
     if value == 0 or row == state[s.MOST_OTHERS]:
         return s.REFUSED
-    others[row] = value
+    other_handles[row] = value
     state[s.OTHERS] = row + 1
     return s.ON
 
@@ -135,69 +139,71 @@ def _spell(
     start, size, block : (e,)
         Position and length of each handle in ``data``, and row of the block of each entity.
     count
-        Gets the number of entities of each block; the last element is for model space.
+        Array that receives the number of entities of each block; the last element is for model
+        space.
     text, end
-        Get the text of all handles, and the end of each handle in this text.
+        Arrays that receive the text of all handles, and the end of each handle in this text.
     number : (e,)
-        Gets the value of each handle, 0 for an entity without a handle.
+        Array that receives the value of each handle, 0 for an entity without a handle.
     """
-    at = 0
+    written = 0
     for row in range(len(start)):
         count[block[row]] += 1
         value = value_at(data, start[row], start[row] + size[row])
         if size[row] > 0 and value == 0:
             return False
-        for place in range(start[row], start[row] + size[row]):
-            text[at] = data[place] - 32 if data[place] >= 97 else data[place]
-            at += 1
+        for position in range(start[row], start[row] + size[row]):
+            text[written] = data[position] - 32 if data[position] >= 97 else data[position]
+            written += 1
         if size[row] == 0:
-            text[at] = 35
+            text[written] = 35
             digits, rest = 1, count[block[row]]
             while rest >= 10:
                 digits, rest = digits + 1, rest // 10
             rest = count[block[row]]
-            for place in range(digits, 0, -1):
-                text[at + place] = 48 + rest % 10
+            for position in range(digits, 0, -1):
+                text[written + position] = 48 + rest % 10
                 rest //= 10
-            at += digits + 1
-        end[row] = at
+            written += digits + 1
+        end[row] = written
         number[row] = value
     return True
 
 
 @kernel(allocates=False)
 def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
-    """Write the end of the handle of each of m report rows into ``out_end``, (m,).
+    """Write the end of the handle of each of m rows of the import report into ``out_end``, (m,).
 
-    Returns the total number of bytes of these handles.
+    The ends are positions in a text that contains these handles one after another.  Returns the
+    length of the text in bytes.
 
     Parameters
     ----------
     end
-        End of the handle of each entity in the text of all handles.
+        End of the handle of each entity in the text of the entity handles.
     own, insert : (m,)
         Entity of each row, and the INSERT that places this entity, -1 for none.
     """
-    at = 0
+    total = 0
     for row in range(len(own)):
         if insert[row] >= 0:
-            at += end[insert[row]] - (end[insert[row] - 1] if insert[row] > 0 else 0) + 1
-        at += end[own[row]] - (end[own[row] - 1] if own[row] > 0 else 0)
-        out_end[row] = at
-    return at
+            total += end[insert[row]] - (end[insert[row] - 1] if insert[row] > 0 else 0) + 1
+        total += end[own[row]] - (end[own[row] - 1] if own[row] > 0 else 0)
+        out_end[row] = total
+    return total
 
 
 @kernel(allocates=False)
-def _join(text: U8_1, end: I64_1, own: I64_1, insert: I64_1, out: OutU8_1) -> None:
-    at = 0
+def _join(text: U8_1, end: I64_1, own: I64_1, insert: I64_1, out_text: OutU8_1) -> None:
+    written = 0
     for row in range(len(own)):
         outer = insert[row]
         if outer >= 0:
             for sign in range(end[outer - 1] if outer > 0 else 0, end[outer]):
-                out[at] = text[sign]
-                at += 1
-            out[at] = 47
-            at += 1
+                out_text[written] = text[sign]
+                written += 1
+            out_text[written] = 47
+            written += 1
         for sign in range(end[own[row] - 1] if own[row] > 0 else 0, end[own[row]]):
-            out[at] = text[sign]
-            at += 1
+            out_text[written] = text[sign]
+            written += 1

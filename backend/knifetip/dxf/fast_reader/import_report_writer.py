@@ -1,6 +1,6 @@
 """import_report_writer: compute the import report and the annotations of a scanned DXF file.
 
-They are computed with NumPy for all entities at once.
+All entities are processed together in NumPy arrays.
 """
 
 from __future__ import annotations
@@ -36,7 +36,10 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """Layers, outcomes and style of the entities of one block, for INSERTs of one style."""
+    """Layers, outcomes and styles of the entities of one block, for INSERTs of one style.
+
+    They depend on the style of the INSERT because entities may have attributes BYBLOCK.
+    """
 
     layers: list[str]  #: layer of each entity
     outcomes: dict[
@@ -46,7 +49,10 @@ class Variant(NamedTuple):
 
 
 class Inserts(NamedTuple):
-    """The k INSERTs in model space whose blocks are processed in columns, not one by one."""
+    """The k INSERTs in model space whose blocks are processed in arrays.
+
+    All other INSERTs are expanded entity by entity by ``BlockExpansion``.
+    """
 
     position: I64  #: (k,) index of each INSERT among the entities of model space
     block: I64  #: (k,) row of the block of each INSERT
@@ -60,16 +66,16 @@ class Order(NamedTuple):
 
     rows: I64  #: (n,) row of each entity in the Scan
     report_row: I64  #: (n,) row of each entity in the import report
-    drawn: Bool  #: (n,) whether the segments of the entity are computed in columns
+    in_columns: Bool  #: (n,) whether the segments of the entity are computed in columns
     expanded: I64  #: (w,) row in the import report of each row of the expansion
 
 
 def drop_reason(tables: Tables, row: int) -> Message | None:
     """Return the reason for dropping an entity, None if the entity has geometry.
 
-    ``row`` is the row of the entity in the Scan.
+    ``row`` is the row of the entity in ``Scan.entity``.
     """
-    line = tables.found.entity[row].tolist()
+    line = tables.scan.entity[row].tolist()
     if line[f.PAPER]:
         return IN_PAPER_SPACE
     kind = line[f.KIND]
@@ -86,50 +92,61 @@ def report_rows(
     """Return all rows of the import report of a file.
 
     They are the rows of the entities of model space, of the entities of blocks for each INSERT, and
-    of the entities that were expanded one by one; ``expansion`` contains the last.
+    of the entities that ``BlockExpansion`` expanded.
+
+    Parameters
+    ----------
+    tables
+        The content of the file.
+    order
+        The entities of model space, and their rows in the import report.
+    inserts
+        The INSERTs whose blocks are processed in arrays.
+    expansion
+        The rows of the entities that ``BlockExpansion`` expanded.
     """
-    entity, span = tables.found.entity, tables.span
+    entity, span = tables.scan.entity, tables.span
     numbers = {name: number for number, name in enumerate(tables.names)}
     silent = numbers.setdefault("0", len(numbers))
     low, size = (
-        np.array([span.get(block, (0, 0)) for block in range(len(tables.found.block))], np.int64)
+        np.array([span.get(block, (0, 0)) for block in range(len(tables.scan.block))], np.int64)
         .reshape(-1, 2)[inserts.block]
         .T
     )
     # For entities in blocks: row, entity and INSERT.
     step = np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
-    under = np.repeat(order.report_row[inserts.position] + 1, size) + step
+    block_row = np.repeat(order.report_row[inserts.position] + 1, size) + step
     inserted = np.repeat(low, size) + step
     # An expanded entity has its own row, followed by the rows of its block.
     total = 1 + int(
-        max(column.max(initial=-1) for column in (order.report_row, under, order.expanded))
+        max(column.max(initial=-1) for column in (order.report_row, block_row, order.expanded))
     )
     own, insert = np.empty(total, np.int64), np.full(total, -1, np.int64)
-    own[order.report_row], own[under] = order.rows, inserted
-    insert[under] = np.repeat(order.rows[inserts.position], size)
+    own[order.report_row], own[block_row] = order.rows, inserted
+    insert[block_row] = np.repeat(order.rows[inserts.position], size)
     kind, layer = np.empty(total, np.int32), np.empty(total, np.int32)
-    kind[order.report_row], kind[under] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
+    kind[order.report_row], kind[block_row] = entity[order.rows, f.WORD], entity[inserted, f.WORD]
     layer[order.report_row] = entity[order.rows, f.LAYER]
     layer[layer < 0] = silent
     layers = [[numbers[name] for name in variant.layers] for variant in inserts.variants]
     begin = np.cumsum([0, *map(len, layers)])[inserts.variant]
-    layer[under] = np.array(list(chain.from_iterable(layers)), np.int32)[
+    layer[block_row] = np.array(list(chain.from_iterable(layers)), np.int32)[
         np.repeat(begin, size) + step
     ]
     # Last, because these rows replace those of the entity.
     own[order.expanded] = len(entity) + np.arange(len(order.expanded))
     for column, words in ((kind, expansion.kind), (layer, expansion.layer)):
         column[order.expanded] = [numbers.setdefault(word, len(numbers)) for word in words]
-    there = order.expanded.tolist()
-    left = ~order.drawn
-    left[inserts.position] = False
-    left[np.isin(order.report_row, order.expanded)] = False
-    dropped = np.flatnonzero(left)
-    handles, (alike, standing) = parallel_pair(
+    expanded_row = order.expanded.tolist()
+    undrawn = ~order.in_columns
+    undrawn[inserts.position] = False
+    undrawn[np.isin(order.report_row, order.expanded)] = False
+    dropped = np.flatnonzero(undrawn)
+    handles, (shared_outcomes, boxes_of_dropped) = parallel_pair(
         lambda: paths_of(tables.handles, expansion.handle, own, insert),
         lambda: (
-            [*_of_sheet(tables, order, inserts, dropped), *_of_blocks(order, inserts)],
-            [*_on_sheet(tables, order, dropped), *_in_blocks(tables, order, inserts)],
+            [*_sheet_outcomes(tables, order, inserts, dropped), *_block_outcomes(order, inserts)],
+            [*_sheet_boxes(tables, order, dropped), *_block_boxes(tables, order, inserts)],
         ),
     )
     expanded = [
@@ -140,30 +157,28 @@ def report_rows(
         handles,
         Repeated(tuple(numbers), kind),
         Repeated(tuple(numbers), layer),
-        {there[row]: why for row, why in expansion.dropped.items()},
-        {there[row]: notes for row, notes in expansion.notes.items()},
-        alike,
-        expanded + standing,
+        {expanded_row[row]: reason for row, reason in expansion.dropped.items()},
+        {expanded_row[row]: notes for row, notes in expansion.notes.items()},
+        shared_outcomes,
+        expanded + boxes_of_dropped,
     )
 
 
-def _of_sheet(
+def _sheet_outcomes(
     tables: Tables, order: Order, inserts: Inserts, dropped: I64
 ) -> Iterator[SharedOutcome]:
     """Yield outcomes of the entities in model space; each outcome applies to several entities.
 
-    Parameters
-    ----------
-    dropped
-        Indices, among the entities of model space, of the entities that are dropped.
+    ``dropped`` contains the indices, among the entities of model space, of the entities that are
+    dropped.
     """
-    entity, rows = tables.found.entity, order.rows
+    entity, rows = tables.scan.entity, order.rows
     paper, sort, word, count = (
         entity[rows[dropped], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
     )
     # For texts, which have the kind OTHER, the column COUNT is the length, which is irrelevant.
     first, kind = unique_rows(paper, sort, word, np.where(sort == f.OTHER, 0, count))
-    for position, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
+    for position, same in zip(first.tolist(), _group_indices(kind, len(first)), strict=True):
         yield SharedOutcome(
             order.report_row[dropped[same]], drop_reason(tables, int(rows[dropped[position]]))
         )
@@ -173,61 +188,66 @@ def _of_sheet(
         if (notes := tables.styles.notes(tables.names[layer - 1] if layer else "0"))
     }
     for layer, notes in of_layer.items():
-        there = order.drawn & (entity[rows, f.LAYER] == layer - 1)
-        yield SharedOutcome(order.report_row[there], None, notes)
+        drawn_on_layer = order.in_columns & (entity[rows, f.LAYER] == layer - 1)
+        yield SharedOutcome(order.report_row[drawn_on_layer], None, notes)
     layer = entity[rows[inserts.position], f.LAYER]
     first, kind = unique_rows(layer, inserts.block)
-    for one, same in zip(first.tolist(), _grouped(kind, len(first)), strict=True):
+    for one, same in zip(first.tolist(), _group_indices(kind, len(first)), strict=True):
         note = insert_note(tables.block_name(int(inserts.block[one])))
         notes = of_layer.get(int(layer[one]) + 1, ())
         yield SharedOutcome(order.report_row[inserts.position[same]], None, (note, *notes))
 
 
-def _of_blocks(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Yield outcomes of entities in blocks; each outcome applies to several INSERTs of a block."""
-    of_variant = _grouped(inserts.variant, len(inserts.variants))
+def _block_outcomes(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
+    """Yield outcomes of entities in blocks.
+
+    Each outcome applies to one entity of a block, in all copies of this block that INSERTs of one
+    style place.
+    """
+    of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.report_row[inserts.position[same]] + 1
-        for number, (dropped, notes) in variant.outcomes.items():
-            yield SharedOutcome(first + number, dropped, notes)
+        for number, (reason, notes) in variant.outcomes.items():
+            yield SharedOutcome(first + number, reason, notes)
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
-    """Return bounding boxes that show where n entities are, (n, 4), in their own coordinates.
+    """Return bounding boxes that show the positions of n entities, (n, 4).
 
-    ``rows`` are the rows of the entities in the Scan.
+    ``rows`` are the rows of the entities in ``Scan.entity``.  A box is in the coordinates of model
+    space, or of the block that contains its entity.
     """
-    entity = tables.found.entity
+    entity = tables.scan.entity
     words, kind = np.unique(entity[rows, f.WORD], return_inverse=True)
     kinds = [tables.words[word] for word in words.tolist()]
     spans = np.column_stack([entity[rows, f.START], entity[rows, f.END]]).astype(np.int64)
-    return boxes_of_entities(tables.found.data, kinds, kind, spans)
+    return boxes_of_entities(tables.scan.data, kinds, kind, spans)
 
 
-def _on_sheet(tables: Tables, order: Order, dropped: I64) -> Iterator[LocationBoxes]:
+def _sheet_boxes(tables: Tables, order: Order, dropped: I64) -> Iterator[LocationBoxes]:
     """Yield the bounding boxes of the dropped entities in model space.
 
     ``dropped`` contains the indices of these entities among the entities of model space.
     """
-    dropped = dropped[tables.found.entity[order.rows[dropped], f.PAPER] == 0]
+    dropped = dropped[tables.scan.entity[order.rows[dropped], f.PAPER] == 0]
     if len(dropped):
         yield LocationBoxes(
             order.report_row[dropped].astype(np.int32), boxes(tables, order.rows[dropped])
         )
 
 
-def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
+def _block_boxes(tables: Tables, order: Order, inserts: Inserts) -> Iterator[LocationBoxes]:
     """Yield the bounding boxes of dropped entities in the blocks that INSERTs place.
 
     The boxes are in the coordinates of model space.
     """
-    of_variant = _grouped(inserts.variant, len(inserts.variants))
+    of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         numbers = np.array(
-            [number for number, (why, _) in variant.outcomes.items() if why], np.int64
+            [number for number, (reason, _) in variant.outcomes.items() if reason], np.int64
         )
         rows = tables.span.get(int(inserts.block[same[0]]), (0, 0))[0] + numbers
-        on_model = tables.found.entity[rows, f.PAPER] == 0
+        on_model = tables.scan.entity[rows, f.PAPER] == 0
         numbers, rows = numbers[on_model], rows[on_model]
         if not len(rows):
             continue
@@ -240,8 +260,11 @@ def _in_blocks(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Locat
         )
 
 
-def _grouped(kind: I64, kinds: int) -> list[I64]:
-    """Return ``kinds`` arrays; array i contains the indices at which ``kind`` is equal to i."""
+def _group_indices(kind: I64, kinds: int) -> list[I64]:
+    """Return one array of indices for each value 0 … ``kinds`` - 1.
+
+    Array i contains the indices at which ``kind`` is equal to i.
+    """
     order = np.argsort(kind, kind="stable")
     return np.split(order, np.cumsum(np.bincount(kind, minlength=kinds))[:-1])[:kinds]
 
@@ -249,10 +272,10 @@ def _grouped(kind: I64, kinds: int) -> list[I64]:
 def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
     """Return the annotations of the texts and dimensions in model space.
 
-    ``rows`` are the rows in the Scan of all texts and dimensions that are in no block; those that
-    are in paper space are left out.
+    ``rows`` are the rows in ``Scan.entity`` of all texts and dimensions outside blocks; those in
+    paper space are left out.
     """
-    entity, data = tables.found.entity, tables.found.data
+    entity, data = tables.scan.entity, tables.scan.data
     rows = rows[entity[rows, f.PAPER] == 0]
     # Column by column: creating a list for each row would double the time.
     words, layers, first, count = (
@@ -265,13 +288,17 @@ def read_annotations(tables: Tables, rows: I64) -> tuple[Annotation, ...]:
         data[low : low + size].decode(tables.encoding, "replace")
         for low, size in zip(first, count, strict=True)
     ]
-    lengths = tables.found.value[rows][:, f.LENGTHS]
-    found = plain_annotations(kinds, layers, texts, lengths)
+    lengths = tables.scan.value[rows][:, f.LENGTHS]
+    annotations = plain_annotations(kinds, layers, texts, lengths)
     pairs = zip(kinds, texts, strict=True)
-    for at in [at for at, (kind, text) in enumerate(pairs) if has_formatting(kind, text)]:
-        flags = int(entity[rows[at], f.FLAGS])
-        found[at] = annotation(kinds[at], layers[at], texts[at], lengths[at].tolist(), flags)
-    for at in np.flatnonzero(entity[rows, f.UNSUPPORTED]).tolist():
-        lines = data[slice(*entity[rows[at], [f.START, f.END]].tolist())]
-        found[at] = annotation_of_lines(kinds[at], layers[at], lines, tables.encoding)
-    return tuple(found)
+    for index in [index for index, (kind, text) in enumerate(pairs) if has_formatting(kind, text)]:
+        flags = int(entity[rows[index], f.FLAGS])
+        annotations[index] = annotation(
+            kinds[index], layers[index], texts[index], lengths[index].tolist(), flags
+        )
+    for index in np.flatnonzero(entity[rows, f.UNSUPPORTED]).tolist():
+        lines = data[slice(*entity[rows[index], [f.START, f.END]].tolist())]
+        annotations[index] = annotation_of_lines(
+            kinds[index], layers[index], lines, tables.encoding
+        )
+    return tuple(annotations)

@@ -6,7 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.dxf.byte_scan import same
+from knifetip.dxf.byte_scan import bytes_equal
 from knifetip.geometry.columns import I64
 from knifetip.kernels import U8_1, inline_kernel
 
@@ -40,14 +40,14 @@ ENDS: Final[I64] = np.cumsum([0, *map(len, _WORDS)])
 def is_word(data: U8_1, low: int, high: int, word: int) -> bool:
     """Return whether the bytes ``data[low:high]`` are the keyword with number ``word``."""
     size = ENDS[word + 1] - ENDS[word]
-    return bool(high - low == size and same(data, low, _BYTES, ENDS[word], size))
+    return bool(high - low == size and bytes_equal(data, low, _BYTES, ENDS[word], size))
 
 
 @inline_kernel
 def word_at(data: U8_1, low: int, high: int, first: int, last: int) -> Any:
     """Return the number of the keyword ``data[low:high]``.
 
-    -1 if these bytes are none of the keywords with numbers ``first`` … ``last``.
+    The result is -1 if these bytes are none of the keywords with numbers ``first`` … ``last``.
     """
     for word in range(first, last + 1):
         if is_word(data, low, high, word):

@@ -2,9 +2,10 @@
 
 The drawing equals the drawing that the ezdxf reader returns, bit by bit, and is read in about a
 hundredth of the time.  Entities in model space, and blocks that INSERTs move, rotate and scale
-equally in x and y, are processed in columns: all of them at once, by compiled kernels.  All other
-entities are expanded one by one: curves that must be approximated, blocks that are nested, repeated
-or unequally scaled, and entities that the scan does not support, which are read with ezdxf.
+equally in x and y, are processed in arrays: all of them together, by compiled kernels.  All other
+entities are expanded one by one by ``BlockExpansion``: curves that must be approximated, blocks
+that are nested, repeated or unequally scaled, and entities that the scan does not support, which
+are read with ezdxf.
 """
 
 from __future__ import annotations
@@ -28,8 +29,8 @@ from knifetip.dxf.ezdxf_reader.block_expansion import (
     Reference,
     unused_block_reason,
 )
-from knifetip.dxf.ezdxf_reader.entities import Drawn, Lines, Undrawable
-from knifetip.dxf.ezdxf_reader.place import columns, refuse_after, refuse_beyond, styled
+from knifetip.dxf.ezdxf_reader.entities import EntityShape, Lines, Undrawable
+from knifetip.dxf.ezdxf_reader.place import columns, refuse_after, refuse_beyond, renumber_styles
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.columns import (
@@ -81,7 +82,7 @@ class FastReading(NamedTuple):
 
 
 class _ScannedEntity:
-    """An entity of a Scan that implements the interface ``block_expansion.SourceEntity``."""
+    """An entity of a scanned file, as ``BlockExpansion`` needs it (interface ``SourceEntity``)."""
 
     hidden = False
 
@@ -93,11 +94,11 @@ class _ScannedEntity:
         # ``tables`` contains its own ``Styles`` of this file, equal to the argument.
         return self._reader.tables.style(self._row, insert_style)
 
-    def drawn(self) -> Drawn:
-        if why := drop_reason(self._reader.tables, self._row):
-            raise Undrawable(why)
+    def shape(self) -> EntityShape:
+        if reason := drop_reason(self._reader.tables, self._row):
+            raise Undrawable(reason)
         low, high = self._reader.first[self._row : self._row + 2]
-        return Drawn(Lines(self._reader.ends[low:high], self._reader.bulge[low:high]))
+        return EntityShape(Lines(self._reader.ends[low:high], self._reader.bulge[low:high]))
 
     def reference(self) -> Reference:
         return self._reader.reference(self._row)
@@ -107,24 +108,24 @@ class _ScannedEntity:
         return insert.block.lower(), insert.cells[0] * insert.cells[1]
 
 
-def _segments(found: Scan) -> tuple[I64, I64, F64, F64]:
-    """Return the segments of all e entities of a Scan, in the coordinates of each entity.
+def _segments(scanned: Scan) -> tuple[I64, I64, F64, F64]:
+    """Return the segments of all e entities of a scanned file, in the coordinates of each entity.
 
     Returns
     -------
     count : (e,)
         Number of segments of each entity.
     first : (e + 1,)
-        Index of the first segment of each entity, and the total number n of segments.
+        Index of the first segment of each entity; the last element is the number n of segments.
     ends : (n, 2, 2)
         Start and end point of each segment (file units).
     bulge : (n,)
         Bulge of each segment.
     """
-    count: I64 = counts(found.entity, found.value, found.vertex)
+    count: I64 = counts(scanned.entity, scanned.value, scanned.vertex)
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
-    draw(found.entity, found.value, found.vertex, first, ends, bulge)
+    draw(scanned.entity, scanned.value, scanned.vertex, first, ends, bulge)
     return count, first, ends, bulge
 
 
@@ -138,22 +139,22 @@ class FastReader:
     """
 
     def __init__(self, data: bytes, limits: Limits) -> None:
-        found = scan(data)
-        if found is None or len(found.entity) > limits.entities:
+        scanned = scan(data)
+        if scanned is None or len(scanned.entity) > limits.entities:
             raise Unsupported
-        self.found = found
+        self.scan = scanned
         self.limits = limits
-        self.entity = found.entity
+        self.entity = scanned.entity
         # In the coordinates of model space, or of the entity's block.
         self.count: I64
         self.first: I64
         self.ends: F64
         self.bulge: F64
         (self.count, self.first, self.ends, self.bulge), self.tables = parallel_pair(
-            lambda: _segments(found), lambda: Tables(found)
+            lambda: _segments(scanned), lambda: Tables(scanned)
         )
         # First entity and number of entities of each block.
-        spans = [self.tables.span.get(number, (0, 0)) for number in range(len(found.block))]
+        spans = [self.tables.span.get(number, (0, 0)) for number in range(len(scanned.block))]
         self._low, self._size = np.array(spans, np.int64).reshape(-1, 2).T
         self._is_word = np.isin(
             np.arange(len(self.tables.names)),
@@ -167,7 +168,7 @@ class FastReader:
     def _read_unsupported(self) -> dict[int, EzdxfEntity]:
         """Return the entities that the scan does not support, read with ezdxf.
 
-        The keys of the dictionary are the rows of the entities in the Scan.
+        The keys of the dictionary are the rows of the entities in ``Scan.entity``.
         """
         is_unsupported = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[
             self.entity[:, f.WORD]
@@ -177,21 +178,21 @@ class FastReader:
         from knifetip.dxf.ezdxf_reader.ezdxf_entity import EntityReader  # imports ezdxf: slow
 
         singles = EntityReader(self.tables.version, self.tables.encoding)
-        until = time.monotonic() + self.limits.seconds
+        deadline = time.monotonic() + self.limits.seconds
         unsupported = {}
         for row in np.flatnonzero(is_unsupported).tolist():
-            refuse_after(until, self.limits)
+            refuse_after(deadline, self.limits)
             low, high = self.entity[row, [f.START, f.END]].tolist()
             try:
-                unsupported[row] = singles.read(self.found.data[low:high])
+                unsupported[row] = singles.read(self.scan.data[low:high])
             except Exception as damage:
                 raise Unsupported from damage
         return unsupported
 
     def _simple_blocks(self) -> dict[int, bool]:
-        """Return for each block that can be processed in columns whether it contains arcs.
+        """Return for each block that can be processed in arrays whether the block contains arcs.
 
-        The keys of the dictionary are the rows of the blocks in the Scan.
+        The keys of the dictionary are the rows of the blocks in ``Scan.block``.
         """
         entity = self.entity
         special = (entity[:, f.KIND] == f.INSERT) | (entity[:, f.UNSUPPORTED] != 0)
@@ -199,13 +200,13 @@ class FastReader:
         simple = {}
         for block in self.tables.blocks.values():
             low, size = self.tables.span.get(block, (0, 0))
-            if not special[low : low + size].any() and not self.found.block[block, f.EXTERNAL]:
+            if not special[low : low + size].any() and not self.scan.block[block, f.EXTERNAL]:
                 bulge = self.bulge[self.first[low] : self.first[low + size]]
                 simple[block] = bool((np.abs(bulge) >= BULGE).any())
         return simple
 
     def _all_blocks(self) -> dict[str, Block]:
-        """Return all blocks, by name in lower case, for expansion of their entities one by one."""
+        """Return all blocks by name in lower case, as ``BlockExpansion`` needs them."""
         blocks = {}
         inserts = np.flatnonzero(self.entity[:, f.KIND] == f.INSERT)
         for key, number in self.tables.blocks.items():
@@ -213,45 +214,45 @@ class FastReader:
             nested = inserts[np.searchsorted(inserts, low) : np.searchsorted(inserts, low + size)]
             blocks[key] = Block(
                 self.tables.block_name(number),
-                self.found.base[number],
-                bool(self.found.block[number, f.EXTERNAL]),
+                self.scan.base[number],
+                bool(self.scan.block[number, f.EXTERNAL]),
                 size,
-                [self._found(row).repeats() for row in nested.tolist()],
+                [self._source_entity(row).repeats() for row in nested.tolist()],
                 partial(self._entries, range(low, low + size)),
             )
         return blocks
 
-    def _found(self, row: int) -> EzdxfEntity | _ScannedEntity:
+    def _source_entity(self, row: int) -> EzdxfEntity | _ScannedEntity:
         return self._unsupported.get(row) or _ScannedEntity(self, row)
 
     def _entries(self, rows: Iterable[int]) -> list[Entry]:
         return list(map(self._entry, rows))
 
     def _entry(self, row: int) -> Entry:
-        """Return the entity in row ``row`` of the Scan, for expansion one by one."""
+        """Return the entity in row ``row`` of ``Scan.entity``, as ``BlockExpansion`` needs it."""
         line = self.entity[row]
         kind, handle = self.tables.words[int(line[f.WORD])], self.tables.handles[row]
         box = None if line[f.PAPER] else boxes(self.tables, np.array([row]))[0]
         layer, paper = self.tables.layer(row), bool(line[f.PAPER])
         counted = PrescannedEntity(kind, handle, layer, paper, box=box)
-        return Entry(counted, handle, self._found(row))
+        return Entry(counted, handle, self._source_entity(row))
 
     def reference(self, row: int) -> Reference:
-        """Return the block placement of the INSERT in row ``row`` of the Scan."""
-        line, value = self.entity[row].tolist(), self.found.value[row].tolist()
+        """Return the block placement of the INSERT in row ``row`` of ``Scan.entity``."""
+        line, value = self.entity[row].tolist(), self.scan.value[row].tolist()
 
-        def given(column: int, silent: float) -> float:
+        def value_or(column: int, default: float) -> float:
             number: float = value[column]
-            return silent if np.isnan(number) else number
+            return default if np.isnan(number) else number
 
         return Reference(
             self.tables.names[line[f.REFERENCE]],
             line[f.MIRROR] != 0,
             (value[f.X], value[f.Y], 0.0),
-            (given(f.SCALE_X, 1.0), given(f.SCALE_Y, 1.0)),
-            given(f.ANGLE, 0.0),
+            (value_or(f.SCALE_X, 1.0), value_or(f.SCALE_Y, 1.0)),
+            value_or(f.ANGLE, 0.0),
             (max(line[f.COLUMNS], 1), max(line[f.ROWS], 1)),
-            (given(f.SPACE_X, 0.0), given(f.SPACE_Y, 0.0)),
+            (value_or(f.SPACE_X, 0.0), value_or(f.SPACE_Y, 0.0)),
             clipped=False,
         )
 
@@ -272,15 +273,15 @@ class FastReader:
         """
         rows = np.flatnonzero(self.entity[:, f.BLOCK] < 0)
         reach = REACH / (scale or 1.0)
-        alone = self._alone(rows, reach)
-        position, block, given = self._inserts(rows, alone)
+        one_by_one = self._one_by_one(rows, reach)
+        position, block, placement = self._inserts(rows, one_by_one)
         expansion = BlockExpansion(
             self._all_blocks(),
-            self._references(rows, alone, block),
+            self._references(rows, one_by_one, block),
             self.tables.styles,
             self.limits,
         )
-        shown = np.where(alone, 0, self.count[rows])
+        shown = np.where(one_by_one, 0, self.count[rows])
         refuse_beyond(int(shown.sum()), self.limits)
 
         children = np.zeros(len(rows), np.int64)
@@ -289,7 +290,7 @@ class FastReader:
         low = self._low[block]
         segments[position] = self.first[low + self._size[block]] - self.first[low]
         # First report row of each expanded entity.
-        expanded = np.flatnonzero(alone)
+        expanded = np.flatnonzero(one_by_one)
         begin = np.zeros(len(expanded), np.int64)
         for number, one in enumerate(expanded.tolist()):
             begin[number] = len(expansion.sheet.handle)
@@ -298,53 +299,63 @@ class FastReader:
         refuse_beyond(int(segments.sum()), self.limits)
 
         report_row = np.cumsum(children + 1) - children - 1
-        before = np.cumsum(segments) - segments
-        there = np.arange(len(expansion.sheet.handle)) + np.repeat(
+        segments_before = np.cumsum(segments) - segments
+        whole_row = np.arange(len(expansion.sheet.handle)) + np.repeat(
             report_row[expanded] - begin, children[expanded] + 1
         )
-        move = np.empty((len(given), 2, 3))
-        inserts(given, self.found.base[block], move)
+        move = np.empty((len(placement), 2, 3))
+        inserts(placement, self.scan.base[block], move)
         placed = Inserts(position, block, *self._variants(rows[position], block), move)
         texts = rows[self._is_word[self.entity[rows, f.WORD]]]
         styles = self._entity_styles(rows)
-        sheet = SheetRows(rows, report_row, before, shown)
-        done, words = parallel_pair(
-            lambda: self._placed(sheet, styles, int(segments.sum()), placed),
+        sheet = SheetRows(rows, report_row, segments_before, shown)
+        segments_read, words = parallel_pair(
+            lambda: self._column_segments(sheet, styles, int(segments.sum()), placed),
             lambda: read_annotations(self.tables, texts),
         )
         # An arc lies within half a chord length of its chord.
-        farthest = np.maximum(done.ends.max(initial=0.0), -done.ends.min(initial=0.0))
+        farthest = np.maximum(
+            segments_read.ends.max(initial=0.0), -segments_read.ends.min(initial=0.0)
+        )
         if not 3.0 * float(farthest) <= reach:
             raise Unsupported
         if len(expanded):
-            done = self._with_expanded(done, expansion, before[expanded], begin, there, scale)
+            segments_read = self._with_expanded(
+                segments_read, expansion, segments_before[expanded], begin, whole_row, scale
+            )
         self._report_unused_blocks(
             expansion.sheet, {*expansion.used, *map(self._key, np.unique(block).tolist())}
         )
         last = len(rows) + int(children.sum())
-        unused_rows = np.arange(last, last + len(expansion.sheet.handle) - len(there))
-        order = Order(rows, report_row, shown > 0, np.concatenate([there, unused_rows]))
-        done, known = styled(done, list(self._numbers))
+        unused_rows = np.arange(last, last + len(expansion.sheet.handle) - len(whole_row))
+        order = Order(rows, report_row, shown > 0, np.concatenate([whole_row, unused_rows]))
+        segments_read, used_styles = renumber_styles(segments_read, list(self._numbers))
         return FastReading(
-            report_rows(self.tables, order, placed, expansion.sheet), done, known, words
+            report_rows(self.tables, order, placed, expansion.sheet),
+            segments_read,
+            used_styles,
+            words,
         )
 
-    def _alone(self, rows: I64, reach: float) -> Bool:
-        """Return the mask of the entities in ``rows`` that are expanded one by one.
+    def _one_by_one(self, rows: I64, reach: float) -> Bool:
+        """Return the mask of the entities in ``rows`` that ``BlockExpansion`` expands one by one.
 
-        These are entities that the scan does not support, and entities with a coordinate beyond a
-        third of ``reach``.
+        They are the entities that the scan does not support, and the entities with a coordinate
+        beyond a third of ``reach``.  ``rows`` are rows in ``Scan.entity``.
         """
-        alone: Bool = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[self.entity[:, f.WORD]]
-        alone &= self.entity[:, f.PAPER] == 0
-        alone |= distant(self.ends, self.first, reach / 3.0)
-        return alone[rows]
+        one_by_one: Bool = (self.entity[:, f.UNSUPPORTED] != 0) & ~self._is_word[
+            self.entity[:, f.WORD]
+        ]
+        one_by_one &= self.entity[:, f.PAPER] == 0
+        one_by_one |= distant(self.ends, self.first, reach / 3.0)
+        return one_by_one[rows]
 
-    def _inserts(self, rows: I64, alone: Bool) -> tuple[I64, I64, F64]:
-        """Return the k INSERTs in model space whose blocks are processed in columns.
+    def _inserts(self, rows: I64, one_by_one: Bool) -> tuple[I64, I64, F64]:
+        """Return the k INSERTs in model space whose blocks are processed in arrays.
 
-        All other INSERTs are marked in the mask ``alone`` of the entities to expand one by one.
-        ``rows`` are the rows in the Scan of the entities of model space.
+        All other INSERTs are marked in ``one_by_one``, the mask of the entities that
+        ``BlockExpansion`` expands.  ``rows`` are the rows in ``Scan.entity`` of the entities of
+        model space.
 
         Returns
         -------
@@ -352,70 +363,77 @@ class FastReader:
             Index of each INSERT into ``rows``.
         block : (k,)
             Row of the block of each INSERT.
-        given : (k, 5)
+        placement : (k, 5)
             Position x and y, scale in x and in y, and rotation in degrees of each INSERT.
         """
         inserts = (self.entity[:, f.KIND] == f.INSERT) & (self.entity[:, f.PAPER] == 0)
         position = np.flatnonzero(inserts[rows])
-        at = rows[position]
+        insert_rows = rows[position]
         mirror, wide, high, reference = (
-            self.entity[at, column] for column in (f.MIRROR, f.COLUMNS, f.ROWS, f.REFERENCE)
+            self.entity[insert_rows, column]
+            for column in (f.MIRROR, f.COLUMNS, f.ROWS, f.REFERENCE)
         )
-        wanted = (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE)
-        given = np.column_stack([self.found.value[at, column] for column in wanted])
-        for column, silent in ((2, 1.0), (3, 1.0), (4, 0.0)):
-            given[np.isnan(given[:, column]), column] = silent
+        value_columns = (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE)
+        placement = np.column_stack(
+            [self.scan.value[insert_rows, column] for column in value_columns]
+        )
+        for column, default in ((2, 1.0), (3, 1.0), (4, 0.0)):
+            placement[np.isnan(placement[:, column]), column] = default
         # Row of the block with each name; whether each block is simple, and whether it has no arcs.
-        known = [self.tables.blocks.get(name.lower(), -1) for name in self.tables.names]
-        block = np.array([*known, -1], np.int64)[reference]
-        simple = np.zeros(len(self.found.block) + 1, np.bool_)
+        block_of_name = [self.tables.blocks.get(name.lower(), -1) for name in self.tables.names]
+        block = np.array([*block_of_name, -1], np.int64)[reference]
+        simple = np.zeros(len(self.scan.block) + 1, np.bool_)
         straight = simple.copy()
         for number, arcs in self._simple.items():
             simple[number], straight[number] = True, not arcs
-        scale = given[:, 2:4]
+        scale = placement[:, 2:4]
         columnar = (
-            ~alone[position]
+            ~one_by_one[position]
             & simple[block]
             & (mirror == 0)
             & (np.maximum(wide, high) <= 1)
             & (scale != 0.0).all(axis=1)
             & (straight[block] | (np.abs(scale[:, 0]) == np.abs(scale[:, 1])))
         )
-        alone[position[~columnar]] = True
-        return position[columnar], block[columnar], given[columnar]
+        one_by_one[position[~columnar]] = True
+        return position[columnar], block[columnar], placement[columnar]
 
-    def _references(self, rows: I64, alone: Bool, block: I64) -> list[tuple[str, int]]:
-        """Return names of blocks that INSERTs in model space place, in lower case, and how often.
+    def _references(self, rows: I64, one_by_one: Bool, block: I64) -> list[tuple[str, int]]:
+        """Return the lower-case name and the number of copies of blocks that INSERTs place.
+
+        The INSERTs are those in model space.  A block may occur more than once in the list.
 
         Parameters
         ----------
-        rows, alone
-            Rows in the Scan of the entities of model space, and the mask of those that are
-            expanded one by one.
+        rows, one_by_one
+            Rows in ``Scan.entity`` of the entities of model space, and the mask of those that
+            ``BlockExpansion`` expands.
         block
-            Row of the block of each INSERT that is processed in columns.
+            Row of the block of each INSERT that is processed in arrays.
         """
         numbers, times = np.unique(block, return_counts=True)
-        found = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
-        others = rows[alone]
-        others = others[self.entity[others, f.KIND] == f.INSERT]
-        return found + [self._found(row).repeats() for row in others.tolist()]
+        references = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
+        other_inserts = rows[one_by_one]
+        other_inserts = other_inserts[self.entity[other_inserts, f.KIND] == f.INSERT]
+        return references + [self._source_entity(row).repeats() for row in other_inserts.tolist()]
 
-    def _placed(self, sheet: SheetRows, styles: I32, total: int, placed: Inserts) -> Columns:
-        """Return the segments of all entities that are processed in columns.
+    def _column_segments(
+        self, sheet: SheetRows, styles: I32, total: int, placed: Inserts
+    ) -> Columns:
+        """Return the segments of all entities that are processed in arrays.
 
         Parameters
         ----------
         sheet
             The entities of model space.
         styles : (e,)
-            Style index of each entity of the Scan; -1 unless it is in model space with segments.
+            Style index of each entity of the file; -1 unless it is in model space and has segments.
         total
             Number of segments to return.
         placed
-            The INSERTs that are processed in columns.
+            The INSERTs that are processed in arrays.
         """
-        done = Columns(
+        segments = Columns(
             np.empty((total, 2, 2)),
             np.empty(total),
             np.empty(total, np.int32),
@@ -434,68 +452,73 @@ class FastReader:
                 placed.move,
                 np.concatenate([np.zeros(0, np.int32), *self._variant_styles]),
             ),
-            SheetSegments(done.ends, done.bulge, done.row, done.style),
+            SheetSegments(segments.ends, segments.bulge, segments.row, segments.style),
         )
-        return done
+        return segments
 
     def _with_expanded(
         self,
-        done: Columns,
+        segments: Columns,
         expansion: BlockExpansion,
-        before: I64,
-        begin: I64,
-        there: I64,
+        segments_before: I64,
+        first_row: I64,
+        whole_row: I64,
         scale: float,
     ) -> Columns:
-        """Return the segments ``done`` and the segments of expanded entities, in file order.
+        """Return ``segments`` and the segments of the expanded entities together, in file order.
 
         Parameters
         ----------
-        done
-            Segments of the entities that are processed in columns.
+        segments
+            Segments of the entities that are processed in arrays.
         expansion
             Import report and shapes of the entities that were expanded one by one.
-        before, begin
-            For each expanded entity: number of segments in ``done`` before it, and index of its
-            first row in ``there``.
-        there
-            Row in the whole import report of each row of the report of ``expansion``.
+        segments_before, first_row
+            For each expanded entity: number of elements of ``segments`` before it, and its first
+            row in the import report of ``expansion``.
+        whole_row
+            Row in the whole import report of each row of the import report of ``expansion``.
         scale
             Millimetres per file unit, 0 while the unit is unknown.
         """
-        more = columns(expansion.sheet, expansion.placed, scale, self.limits, done.ends)
-        where = before[np.searchsorted(begin, more.row, side="right") - 1]
+        expanded_segments = columns(
+            expansion.sheet, expansion.placed, scale, self.limits, segments.ends
+        )
+        insert_at = segments_before[
+            np.searchsorted(first_row, expanded_segments.row, side="right") - 1
+        ]
         styles = np.array(
             [self._numbers.setdefault(one.style, len(self._numbers)) for one in expansion.placed],
             np.int32,
         )
         return Columns(
-            np.insert(done.ends, where, more.ends, axis=0),
-            np.insert(done.bulge, where, more.bulge),
-            np.insert(done.row, where, there[more.row]),
-            np.insert(done.style, where, styles[more.style]),
+            np.insert(segments.ends, insert_at, expanded_segments.ends, axis=0),
+            np.insert(segments.bulge, insert_at, expanded_segments.bulge),
+            np.insert(segments.row, insert_at, whole_row[expanded_segments.row]),
+            np.insert(segments.style, insert_at, styles[expanded_segments.style]),
         )
 
     def _entity_styles(self, rows: I64) -> I32:
-        """Return the style index of each of the e entities of the Scan, (e,).
+        """Return the style index of each of the e entities of the file, (e,).
 
-        -1 for an entity that is not in ``rows``, the entities of model space, or has no segments.
+        The index is -1 for an entity that has no segments or is not in ``rows``, the rows in
+        ``Scan.entity`` of the entities of model space.
         """
-        drawn, key = style_keys(self.entity, rows, self.count)
+        with_segments, key = style_keys(self.entity, rows, self.count)
         first, kind = unique_rows(key)
         numbers = [
             self._numbers.setdefault(self.tables.style(row), len(self._numbers))
-            for row in drawn[first].tolist()
+            for row in with_segments[first].tolist()
         ]
         styles = np.full(len(self.entity), -1, np.int32)
-        styles[drawn] = np.array(numbers, np.int32)[kind]
+        styles[with_segments] = np.array(numbers, np.int32)[kind]
         return styles
 
     def _variants(self, rows: I64, block: I64) -> tuple[I64, list[Variant]]:
         """Return for each of k INSERTs the index of its variant, (k,), and the list of variants.
 
-        A variant is a block with the style of its INSERT.  ``rows`` and ``block``, (k,), are the
-        rows of the INSERTs and of their blocks in the Scan.
+        A variant is a block with the style of its INSERT.  ``rows``, (k,), are the rows of the
+        INSERTs in ``Scan.entity``, and ``block``, (k,), the rows of their blocks in ``Scan.block``.
         """
         first, kind = unique_rows(*(self.entity[rows, column] for column in _STYLE), block)
         return kind, [
@@ -505,19 +528,19 @@ class FastReader:
     def _variant(self, block: int, insert_style: Style) -> Variant:
         low, size = self.tables.span.get(block, (0, 0))
         layers: list[str] = []
-        given: dict[int, tuple[Message | None, tuple[Message, ...]]] = {}
+        outcomes: dict[int, tuple[Message | None, tuple[Message, ...]]] = {}
         styles = np.zeros(size, np.int32)
         for number, row in enumerate(range(low, low + size)):
-            if why := drop_reason(self.tables, row):
-                given[number] = why, ()
+            if reason := drop_reason(self.tables, row):
+                outcomes[number] = reason, ()
                 layers.append(self.tables.layer(row))
                 continue
             style = self.tables.style(row, insert_style)
             styles[number] = self._numbers.setdefault(style, len(self._numbers))
             layers.append(style.layer)
             if notes := self.tables.styles.notes(style.layer):
-                given[number] = None, notes
-        variant = Variant(layers, given, sum(map(len, self._variant_styles)))
+                outcomes[number] = None, notes
+        variant = Variant(layers, outcomes, sum(map(len, self._variant_styles)))
         self._variant_styles.append(np.repeat(styles, self.count[low : low + size]))
         return variant
 
@@ -527,16 +550,16 @@ class FastReader:
     def _report_unused_blocks(self, sheet: ReportWriter, used: set[str]) -> None:
         """Add a row to the import report ``sheet`` for each block that no INSERT places.
 
-        ``used`` contains the names, in lower case, of the other blocks.
+        ``used`` contains the names, in lower case, of the blocks that INSERTs place.
         """
         for key, number in self.tables.blocks.items():
             if key in used or number not in self.tables.span:
                 continue
-            line = self.found.block[number].tolist()
+            line = self.scan.block[number].tolist()
             low, size = line[f.BLOCK_HANDLE], line[f.BLOCK_HANDLE_SIZE]
             name = self.tables.block_name(number)
             layer = self.tables.names[line[f.BLOCK_LAYER]] if line[f.BLOCK_LAYER] >= 0 else "0"
-            handle = self.found.data[low : low + size].decode("ascii", "replace").strip().upper()
+            handle = self.scan.data[low : low + size].decode("ascii", "replace").strip().upper()
             sheet.row(
                 handle or name,
                 "BLOCK",
@@ -553,9 +576,9 @@ def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:
     try:
         reader = FastReader(data, limits)
         known = known_unit(unit, reader.tables.variables)
-        found = reader.read(known.scale)
+        reading = reader.read(known.scale)
     except Unsupported:
         return None
     # The scan takes more memory than the drawing: free it before the drawing is assembled.
     del reader
-    return assemble(found.sheet, found.columns, found.styles, found.annotations, known)
+    return assemble(reading.sheet, reading.columns, reading.styles, reading.annotations, known)

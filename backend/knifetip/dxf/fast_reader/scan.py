@@ -42,7 +42,7 @@ _LAYER: Final = re.compile(rb"\n *8\r?\n")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Scan:
-    """The entities, blocks, layers and names of a DXF file, in file order."""
+    """The content of a DXF file in arrays: entities, blocks, layers and names, in file order."""
 
     data: bytes
     entity: I32  #: (e, 21) columns ``KIND`` … ``UNSUPPORTED``, each contiguous
@@ -58,7 +58,7 @@ class Scan:
 
 
 def scan(data: bytes) -> Scan | None:
-    """Return the entities of an ASCII DXF file; None if the file is not supported.
+    """Return the content of an ASCII DXF file in arrays; None if the file is not supported.
 
     A large file is split into one part per core, and the parts are scanned in parallel.
 
@@ -67,17 +67,17 @@ def scan(data: bytes) -> Scan | None:
     data
         Content of the file without byte order mark and leading blank lines.
     """
-    most = len(data) // _SHORTEST + 64
-    expected = min(most, _expected(data))
+    largest = len(data) // _SHORTEST + 64
+    expected = min(largest, _expected(data))
     if cuts := _split_positions(data):
-        whole = _merge_parts(data, _scan_parts(data, [0, *cuts, len(data)], expected))
-        if whole is not None:
-            return whole
+        merged = _merge_parts(data, _scan_parts(data, [0, *cuts, len(data)], expected))
+        if merged is not None:
+            return merged
     # Scan the file as one part, and again if it has more entities than estimated.
-    found = _scan_parts(data, [0, len(data)], expected)
-    if not found.supported and found.state[0, s.ENTITIES] == expected < most:
-        found = _scan_parts(data, [0, len(data)], most)
-    return _merge_parts(data, found)
+    parts = _scan_parts(data, [0, len(data)], expected)
+    if not parts.supported and parts.state[0, s.ENTITIES] == expected < largest:
+        parts = _scan_parts(data, [0, len(data)], largest)
+    return _merge_parts(data, parts)
 
 
 def _expected(data: bytes) -> int:
@@ -86,8 +86,8 @@ def _expected(data: bytes) -> int:
     The estimate is rarely too low.
     """
     sample = data[len(data) // 2 :][:_SAMPLE]
-    found = len(_LAYER.findall(sample)) + 8
-    return 4096 + found * len(data) * 5 // (4 * len(sample) or 1)
+    entities = len(_LAYER.findall(sample)) + 8
+    return 4096 + entities * len(data) * 5 // (4 * len(sample) or 1)
 
 
 def _split_positions(data: bytes) -> list[int]:
@@ -100,13 +100,13 @@ def _split_positions(data: bytes) -> list[int]:
     if cores < 2 or first < 0:
         return []
     even = [first + (len(data) - first) * core // cores for core in range(1, cores)]
-    found = [_ENTITY.search(data, at, at + _SAMPLE) for at in even]
-    return sorted({one.start() for one in found if one is not None})
+    matches = [_ENTITY.search(data, at, at + _SAMPLE) for at in even]
+    return sorted({one.start() for one in matches if one is not None})
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _PartScans:
-    """What was read from each of k parts of a file, in arrays that all parts share."""
+    """The content of k parts of a file, which were scanned separately into common arrays."""
 
     supported: bool  #: whether all parts are supported
     state: I64  #: (k, STATES) state at the end of each part
@@ -123,7 +123,7 @@ class _PartScans:
 
 
 def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
-    """Scan all parts of a file in parallel.
+    """Return the content of all parts of a file, which are scanned in parallel.
 
     ``bounds`` are the positions at which the parts begin, and the end of the last part.
     ``entities`` is the largest number of entities for which arrays are provided.
@@ -145,11 +145,11 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     capacity = max(row[-1], 2)
     entity = np.empty((capacity, f.WIDTH), np.int32, order="F")
     value = np.empty((capacity, f.VALUES), order="F")
-    vertex, others = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
+    vertex, other_handles = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
     block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
     layer = np.empty((MOST_NAMES, 6), np.int32)
     spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in parts]
-    left = [np.empty((_MOST_LEFT, 5), np.int64) for _ in parts]
+    unsure = [np.empty((_MOST_LEFT, 5), np.int64) for _ in parts]
     text = np.frombuffer(data, np.uint8)
 
     def scan_part(part: int) -> bool:
@@ -165,59 +165,73 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
             layer[:size],
             spans[part],
             slots,
-            left[part],
-            others,
+            unsure[part],
+            other_handles,
         )
         return bool(scan_tags(text, *parts[part], tables, state[part]))
 
     supported = all(parallel_map(scan_part, range(len(parts))))
     tables = (value, vertex, base)
     supported = supported and all(
-        _finish(data, tables, some[: end[s.UNSURES]]) for some, end in zip(left, state, strict=True)
+        _finish(data, tables, unsure_of_part[: end[s.UNSURES]])
+        for unsure_of_part, end in zip(unsure, state, strict=True)
     )
-    spans = [some[: end[s.NAMES]] for some, end in zip(spans, state, strict=True)]
+    spans = [
+        unsure_of_part[: end[s.NAMES]] for unsure_of_part, end in zip(spans, state, strict=True)
+    ]
     first = list(zip(row, point, point, strict=False))[: len(parts)]
     return _PartScans(
-        supported, state, entity, value, vertex, others, block, base, layer, spans, left, first
+        supported,
+        state,
+        entity,
+        value,
+        vertex,
+        other_handles,
+        block,
+        base,
+        layer,
+        spans,
+        unsure,
+        first,
     )
 
 
-def _merge_parts(data: bytes, found: _PartScans) -> Scan | None:
-    """Return the Scan of a file whose parts were scanned separately.
+def _merge_parts(data: bytes, parts: _PartScans) -> Scan | None:
+    """Return the content of a file whose parts were scanned separately.
 
-    None if a part of the file is not supported.
+    The result is None if a part of the file is not supported.
     """
-    sections = found.state[:, s.SECTIONS].copy()
+    sections = parts.state[:, s.SECTIONS].copy()
     sections[1:] &= ~(1 << w.ENTITIES)
-    if not found.supported or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
+    if not parts.supported or (np.cumsum(sections) != np.bitwise_or.accumulate(sections)).any():
         return None
     number_of: dict[bytes, int] = {}
     rows = points = handles = 0
     for state, spans, (row, point, other) in zip(
-        found.state, found.spans, found.first, strict=True
+        parts.state, parts.spans, parts.first, strict=True
     ):
         names = [data[begin:end] for begin, end in spans.tolist()]
         numbers = [number_of.setdefault(name, len(number_of)) for name in names]
-        more = int(state[s.ENTITIES]) - row
+        added = int(state[s.ENTITIES]) - row
         if row:
             # Move the rows of this part behind the rows of the parts before.
-            known = np.array([*numbers, -1], np.int32)
-            _move_up(found.entity, found.value, row, rows, more, known, point - points)
+            new_numbers = np.array([*numbers, -1], np.int32)
+            _move_up(parts.entity, parts.value, row, rows, added, new_numbers, point - points)
         corners, named = int(state[s.VERTICES]) - point, int(state[s.OTHERS]) - other
-        found.vertex[points : points + corners] = found.vertex[point : point + corners]
-        found.others[handles : handles + named] = found.others[other : other + named]
-        rows, points, handles = rows + more, points + corners, handles + named
-    entity = found.entity[:rows]
-    state = found.state[0]
+        parts.vertex[points : points + corners] = parts.vertex[point : point + corners]
+        parts.others[handles : handles + named] = parts.others[other : other + named]
+        rows, points, handles = rows + added, points + corners, handles + named
+    entity = parts.entity[:rows]
+    state = parts.state[0]
     return Scan(
         data,
         entity,
-        found.value[:rows],
-        found.vertex[:points],
-        found.block[: state[s.BLOCKS]],
-        found.base[: state[s.BLOCKS]],
-        found.layer[: state[s.LAYERS]],
-        found.others[:handles],
+        parts.value[:rows],
+        parts.vertex[:points],
+        parts.block[: state[s.BLOCKS]],
+        parts.base[: state[s.BLOCKS]],
+        parts.layer[: state[s.LAYERS]],
+        parts.others[:handles],
         tuple(number_of),
         (int(state[s.HEADER_FIRST]), int(state[s.HEADER_LAST])),
         bool((entity[:, f.MARKS] > 0).any()),
@@ -247,16 +261,16 @@ def _move_up(
             entity[i, f.FIRST] -= gap
 
 
-def _finish(data: bytes, tables: tuple[F64, F64, F64], left: I64) -> bool:
+def _finish(data: bytes, tables: tuple[F64, F64, F64], unsure: I64) -> bool:
     """Parse with ``float`` the decimal numbers that the scan could not round with certainty.
 
-    The numbers are written into ``tables`` (values, vertices, base points).  Each row of ``left``
+    The numbers are written into ``tables`` (values, vertices, base points).  Each row of ``unsure``
     contains the index of the table, row, column, and the start and end of the number in ``data``.
     Returns whether all these numbers are finite.
     """
-    for which, row, column, start, end in left.tolist():
+    for table, row, column, start, end in unsure.tolist():
         read = float(data[start:end])
         if not np.isfinite(read):
             return False
-        tables[which][row, column] = read
+        tables[table][row, column] = read
     return True

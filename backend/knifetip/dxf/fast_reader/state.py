@@ -1,7 +1,7 @@
-"""state: indices into the array of integers that contains the state of a scan.
+"""state: indices into the array of integers that contains the state of a scan of a DXF file.
 
-The state includes the open section, table, block and entity, and the numbers of rows that the scan
-has written into each array.
+The state includes the section, table, block and entity that are being read, and the numbers of rows
+that the scan has written into each array.
 """
 
 from __future__ import annotations

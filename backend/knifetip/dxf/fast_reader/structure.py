@@ -1,4 +1,4 @@
-"""structure: kernels for group code 0, which starts sections, blocks, layers and entities."""
+"""structure: kernels for group code 0, which starts a section, block, layer or entity."""
 
 from __future__ import annotations
 
@@ -46,20 +46,25 @@ def mark_unsupported(entity: OutI32_2F, state: OutI64_1) -> None:
 def _close(start: int, entity: OutI32_2F, state: OutI64_1) -> None:
     """Complete the row of the entity or vertex whose tags were read; it ends before byte ``start``.
 
-    An entity with missing tags is marked as unsupported.
+    An entity with missing tags is marked as unsupported in ``entity``.
     """
-    row, kind, seen, marks = state[s.ROW], state[s.OPEN_KIND], state[s.SEEN], state[s.OPEN_MARKS]
+    row, kind, seen_tags, marks = (
+        state[s.ROW],
+        state[s.OPEN_KIND],
+        state[s.SEEN],
+        state[s.OPEN_MARKS],
+    )
     if row < 0:
         return
     entity[row, f.END] = start
     if state[s.MODE] == s.IN_VERTEX:
-        if kind != f.OTHER and ((seen & g.POINT) != g.POINT or (marks > 0 and marks != 3)):
+        if kind != f.OTHER and ((seen_tags & g.POINT) != g.POINT or (marks > 0 and marks != 3)):
             mark_unsupported(entity, state)
         return
     entity[row, f.MARKS] = marks
     if kind in (f.OTHER, g.OF_WORDS):
         return
-    if (seen & g.NEEDED[kind]) != g.NEEDED[kind] or (
+    if (seen_tags & g.NEEDED[kind]) != g.NEEDED[kind] or (
         marks > 0 and marks != (3 if kind == f.ARC else 2)
     ):
         mark_unsupported(entity, state)
@@ -74,9 +79,10 @@ def begin(
     tables: ScanTables,
     state: OutI64_1,
 ) -> int:
-    """Handle a tag of group code 0: complete the open entity and start the next record.
+    """Handle a tag of group code 0: complete the current entity and start the next record.
 
-    Returns ON, DONE at the end of the file, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``DONE`` at the end of the file, or ``REFUSED`` if the
+    fast reader cannot read the file.
 
     Parameters
     ----------
@@ -107,14 +113,14 @@ def begin(
     if word < 0:
         frame = word_at(data, low, high, w.SECTION, w.EOF)
         if frame >= 0:
-            return _frame(low, frame, state)
+            return _section_record(low, frame, state)
         if section < 0 or section == w.HEADER:
             return s.REFUSED
         if mode == s.IN_OBJECTS and not is_word(data, low, high, w.DICTIONARY):
             # The first object is the root dictionary.
             return s.REFUSED
         if section == w.TABLES:
-            return _of_tables(data, low, high, tables.layer, state)
+            return _table_record(data, low, high, tables.layer, state)
         if section == w.BLOCKS:
             if is_word(data, low, high, w.BLOCK):
                 return _open_block(tables, state)
@@ -141,9 +147,9 @@ def begin(
 
 @inline_kernel
 def _open_block(tables: ScanTables, state: OutI64_1) -> int:
-    """Start a block definition without name and layer.
+    """Add a row for a new block definition, whose name and layer are not read yet.
 
-    Returns ON, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
     """
     row = state[s.BLOCKS]
     if state[s.INSIDE] >= 0 or row == len(tables.block):
@@ -159,9 +165,10 @@ def _open_block(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
-    """Start a vertex of the open polyline.
+    """Add a row for a vertex of the polyline that is being read.
 
-    Returns ON, or REFUSED if there is no open polyline or the array of vertices is full.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if no polyline is being read or the array of
+    vertices is full.
     """
     chain, row = state[s.CHAIN], state[s.VERTICES]
     if chain < 0 or row == state[s.MOST_VERTICES]:
@@ -177,9 +184,9 @@ def _open_vertex(tables: ScanTables, state: OutI64_1) -> int:
 
 @inline_kernel
 def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: OutI64_1) -> int:
-    """Start an entity with default attributes.
+    """Add a row for a new entity with default attributes.
 
-    Returns ON, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
     Parameters
     ----------
@@ -222,7 +229,7 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 
 @inline_kernel
 def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
-    """Complete the open entity at the end of a part of the file.
+    """Complete the last entity of a part of a file, at the end of the part.
 
     Returns whether the file may be split at this position.
 
@@ -240,10 +247,10 @@ def pause(start: int, last: int, entity: OutI32_2F, state: OutI64_1) -> bool:
 
 
 @inline_kernel
-def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
-    """Start or end a table, or start a row of the open table, depending on ``data[low:high]``.
+def _table_record(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1) -> int:
+    """Start or end a table, or add a row for a layer, depending on the keyword ``data[low:high]``.
 
-    Returns ON, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
     """
     is_table = is_word(data, low, high, w.TABLE)
     if is_table == (state[s.TABLE] >= 0):
@@ -274,10 +281,11 @@ def _of_tables(data: U8_1, low: int, high: int, layer: OutI32_2, state: OutI64_1
 
 
 @inline_kernel
-def _frame(low: int, word: int, state: OutI64_1) -> int:
+def _section_record(low: int, word: int, state: OutI64_1) -> int:
     """Start a section, or end a section or the file.
 
-    Returns ON, DONE at the end of the file, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``DONE`` at the end of the file, or ``REFUSED`` if the
+    fast reader cannot read the file.
 
     Parameters
     ----------

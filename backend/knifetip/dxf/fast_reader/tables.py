@@ -1,4 +1,4 @@
-"""tables: decoded names, layers, handles and blocks of a Scan.
+"""tables: decoded names, layers, handles and blocks of a scanned DXF file.
 
 Each name is decoded and checked once, and not for every entity that uses it.
 """
@@ -40,34 +40,34 @@ class Unsupported(Exception):
 
 
 class Tables:
-    """Decoded names, layers, handles and blocks of one file.
+    """Decoded names, layers, handles and blocks of one scanned file.
 
     Raises
     ------
     Unsupported
-        A name, a handle, a block or the version is not supported.
+        A name, a handle, a block or the DXF version is not supported.
     """
 
-    def __init__(self, found: Scan) -> None:
-        self.found = found
-        low, high = found.header
-        self.variables = header_of(found.data[low:high])
+    def __init__(self, scanned: Scan) -> None:
+        self.scan = scanned
+        low, high = scanned.header
+        self.variables = header_of(scanned.data[low:high])
         version = self.variables.get("$ACADVER", "")
         if version not in _VERSIONS:
             raise Unsupported
         self.version = version or "AC1009"
-        self.encoding = encoding_of(found.data, self.variables)
-        self.names = [name.decode(self.encoding, "replace") for name in found.names]
+        self.encoding = encoding_of(scanned.data, self.variables)
+        self.names = [name.decode(self.encoding, "replace") for name in scanned.names]
         self.words = self._words()
         self._check_names()
         self.styles = Styles(self._layers())
-        handles = handles_of(found.data, found.entity, len(found.block), found.others)
+        handles = handles_of(scanned.data, scanned.entity, len(scanned.block), scanned.others)
         if handles is None:
             raise Unsupported
         self.handles = handles
         # First row and number of rows of each block; -1 is model space.
         blocks, first, size = np.unique(
-            found.entity[:, f.BLOCK], return_index=True, return_counts=True
+            scanned.entity[:, f.BLOCK], return_index=True, return_counts=True
         )
         self.span: dict[int, tuple[int, int]] = {
             block: (low, rows)
@@ -76,20 +76,20 @@ class Tables:
         self.blocks = self._blocks()
 
     def layer(self, row: int) -> str:
-        """Return the layer name of the entity in row ``row`` of the Scan, as written."""
-        number = self.found.entity[row, f.LAYER]
+        """Return the layer name, as written, of the entity in row ``row`` of ``Scan.entity``."""
+        number = self.scan.entity[row, f.LAYER]
         return self.names[number] if number >= 0 else "0"
 
     def block_name(self, block: int) -> str:
-        """Return the name of the block in row ``block`` of the Scan, as written."""
-        return self.names[int(self.found.block[block, f.NAME])]
+        """Return the name, as written, of the block in row ``block`` of ``Scan.block``."""
+        return self.names[int(self.scan.block[block, f.NAME])]
 
     def style(self, row: int, insert_style: Style | None = None) -> Style:
-        """Return the style of the entity in row ``row`` of the Scan.
+        """Return the style of the entity in row ``row`` of ``Scan.entity``.
 
         ``insert_style`` is the style of the INSERT that places the entity, None in model space.
         """
-        line = self.found.entity[row].tolist()
+        line = self.scan.entity[row].tolist()
         true, linetype = line[f.TRUE_COLOUR], line[f.LINETYPE]
         return self.styles.style(
             self.layer(row),
@@ -103,8 +103,13 @@ class Tables:
         """Return the kinds of entities that the file contains, such as LINE.
 
         The keys of the dictionary are the indices of the kinds in the table of names.
+
+        Raises
+        ------
+        Unsupported
+            The name of a kind is not ASCII, not in upper case, or not the name of an entity.
         """
-        column = self.found.entity[:, f.WORD]
+        column = self.scan.entity[:, f.WORD]
         words = {
             number: self.names[number] for number in np.flatnonzero(np.bincount(column)).tolist()
         }
@@ -114,13 +119,13 @@ class Tables:
         return words
 
     def _check_names(self) -> None:
-        entity, layer = self.found.entity, self.found.layer
+        entity, layer = self.scan.entity, self.scan.layer
         for column in (
             entity[:, f.LAYER],
             entity[:, f.LINETYPE],
             layer[:, f.LAYER_NAME],
             layer[:, f.LAYER_LINETYPE],
-            self.found.block[:, f.BLOCK_LAYER],
+            self.scan.block[:, f.BLOCK_LAYER],
         ):
             for number in np.flatnonzero(np.bincount(column + 1)[1:]).tolist():
                 name = self.names[number]
@@ -129,7 +134,7 @@ class Tables:
 
     def _layers(self) -> dict[str, Layer]:
         table: dict[str, Layer] = {}
-        for row in self.found.layer.tolist():
+        for row in self.scan.layer.tolist():
             name = self.names[row[f.LAYER_NAME]].lower() if row[f.LAYER_NAME] >= 0 else ""
             if not name or name in table:
                 raise Unsupported
@@ -144,11 +149,18 @@ class Tables:
         return table
 
     def _blocks(self) -> dict[str, int]:
-        """Return the row in the Scan of each block, by name in lower case."""
+        """Return the row in ``Scan.block`` of each block definition, by block name in lower case.
+
+        Raises
+        ------
+        Unsupported
+            A block is external, has no name, has a name with special characters or a name that
+            occurs twice, or contains the entities of a layout.
+        """
         blocks: dict[str, int] = {}
-        if self.found.block[:, f.EXTERNAL].any():
+        if self.scan.block[:, f.EXTERNAL].any():
             raise Unsupported
-        for number, name in enumerate(self.found.block[:, f.NAME].tolist()):
+        for number, name in enumerate(self.scan.block[:, f.NAME].tolist()):
             key = self.names[name].lower() if name >= 0 else ""
             if not key or key in blocks or "\\" in key or "\ufffd" in key:
                 raise Unsupported

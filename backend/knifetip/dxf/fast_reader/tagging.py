@@ -19,7 +19,7 @@ from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import keywords as w
 from knifetip.dxf.fast_reader import state as s
 from knifetip.dxf.fast_reader.content import take_decimal, take_tag
-from knifetip.dxf.fast_reader.group_values import name_at, valid, whole_at
+from knifetip.dxf.fast_reader.group_values import integer_at, name_at, valid
 from knifetip.dxf.fast_reader.handle_set import take_handle
 from knifetip.dxf.fast_reader.keywords import is_word, word_at
 from knifetip.dxf.fast_reader.structure import begin, context, pause
@@ -38,20 +38,29 @@ from knifetip.kernels import (
 
 
 @inline_kernel
-def _of_header(code: int, before: int, data: U8_1, low: int, high: int) -> bool:
+def _header_tag_valid(code: int, previous_code: int, data: U8_1, low: int, high: int) -> bool:
     """Return whether a tag may follow its preceding tag in the section HEADER.
 
     In this section a tag with the name of a variable is followed by one value or one point.
-    ``code`` and ``before`` are the group codes of the tag and of the preceding tag, and
-    ``data[low:high]`` is the value of the tag.
+
+    Parameters
+    ----------
+    code, previous_code
+        Group codes of the tag and of the preceding tag.
+    data, low, high
+        Bytes of the file; the value of the tag is ``data[low:high]``.
     """
     if code == 9:
-        return before != 9 and high > low and data[low] == 36
-    return before == 9 or (code == 20 and before == 10) or (code == 30 and before == 20)
+        return previous_code != 9 and high > low and data[low] == 36
+    return (
+        previous_code == 9
+        or (code == 20 and previous_code == 10)
+        or (code == 30 and previous_code == 20)
+    )
 
 
 @inline_kernel
-def _of_layer(
+def _store_layer_tag(
     code: int,
     data: U8_1,
     low: int,
@@ -61,10 +70,16 @@ def _of_layer(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the last row of the layer table.
+    """Store a tag of the last row of the layer table in ``layer``.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
-    if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    code, data, low, high
+        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
+    spans, slots
+        Positions of the names in the file, and hash table of names; a new name is added.
     """
     row = state[s.LAYERS] - 1
     if code == 2 or code == 6:
@@ -75,21 +90,21 @@ def _of_layer(
         layer[row, column] = name
         state[s.NAMED] |= code == 2
     elif code == 62 or code == 70 or code == 290 or code == 420:
-        whole = whole_at(data, low, high)
-        if abs(whole) >= 1 << 31:
+        integer = integer_at(data, low, high)
+        if abs(integer) >= 1 << 31:
             return s.REFUSED
         column = f.LAYER_FLAGS
         if code == 62:
             column = f.LAYER_COLOUR
-            if whole == 0 or abs(whole) > 255:
+            if integer == 0 or abs(integer) > 255:
                 # Not allowed in the table; 7 is the default.
-                whole = 7 if whole >= 0 else -7
+                integer = 7 if integer >= 0 else -7
         elif code == 290:
             column = f.LAYER_PLOT
         elif code == 420:
             column = f.LAYER_TRUE
-            whole &= 0xFFFFFF
-        layer[row, column] = whole
+            integer &= 0xFFFFFF
+        layer[row, column] = integer
     elif code in (8, 60, 67):
         # Only entities have these group codes.
         return s.REFUSED
@@ -97,7 +112,7 @@ def _of_layer(
 
 
 @inline_kernel
-def _of_block(
+def _store_block_tag(
     code: int,
     data: U8_1,
     low: int,
@@ -107,10 +122,16 @@ def _of_block(
     slots: OutI32_1,
     state: OutI64_1,
 ) -> int:
-    """Store a tag of the open block that precedes the entities of the block.
+    """Store a tag of the header of the block definition that is being read, in ``block``.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
-    if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
+
+    Parameters
+    ----------
+    code, data, low, high
+        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
+    spans, slots
+        Positions of the names in the file, and hash table of names; a new name is added.
     """
     row = state[s.INSIDE]
     if code == 5:
@@ -123,17 +144,19 @@ def _of_block(
             block[row, f.BLOCK_LAYER] = name
         elif block[row, f.NAME] < 0:
             block[row, f.NAME] = name
-    elif (code == 1 and high > low) or (code == 70 and whole_at(data, low, high) & 60):
+    elif (code == 1 and high > low) or (code == 70 and integer_at(data, low, high) & 60):
         block[row, f.EXTERNAL] = 1
     return s.ON
 
 
 @inline_kernel
-def _group(code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1) -> int:
-    """Check and skip a tag of a group in braces or of extension data of other programs.
+def _skip_group_tag(
+    code: int, data: U8_1, low: int, high: int, entity: I32_2F, state: OutI64_1
+) -> int:
+    """Check a tag of a group in braces, or of extension data of other programs, without storing it.
 
-    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ON, or REFUSED
-    if the fast reader cannot read the file.
+    ``code`` is the group code of the tag and ``data[low:high]`` its value.  Returns ``ON`` if the
+    scan continues, ``REFUSED`` if the fast reader cannot read the file.
     """
     if code == 102:
         opens = high > low and data[low] == 123
@@ -177,18 +200,18 @@ def _is_handle(code: int, state: I64_1) -> bool:
 
 
 @inline_kernel
-def _of_structure(
-    code: int, data: U8_1, low: int, high: int, after: int, tables: ScanTables, state: OutI64_1
+def _store_structure_tag(
+    code: int, data: U8_1, low: int, high: int, next_tag: int, tables: ScanTables, state: OutI64_1
 ) -> int:
-    """Store a tag of the open section, table, block or entity.
+    """Store a tag of the section, table, block or entity that is being read.
 
-    Returns ON, or REFUSED if the fast reader cannot read the file.
+    Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
     Parameters
     ----------
     code
         Group code of the tag; its value is ``data[low:high]``.
-    after
+    next_tag
         Position of the next tag.
     """
     spans, slots = tables.spans, tables.slots
@@ -206,7 +229,7 @@ def _of_structure(
         state[s.SECTION] = section
         state[s.MODE] = s.IN_OBJECTS if section == w.OBJECTS else s.NOTHING
         if section == w.HEADER:
-            state[s.HEADER_FIRST] = after
+            state[s.HEADER_FIRST] = next_tag
     elif mode == s.IN_TABLE:
         if code == 100 and state[s.TABLE] == 0:
             return s.REFUSED
@@ -218,9 +241,9 @@ def _of_structure(
     elif mode == s.IN_ROW or mode == s.IN_STYLE:
         state[s.NAMED] |= code == 2
     elif mode == s.IN_LAYER:
-        return _of_layer(code, data, low, high, tables.layer, spans, slots, state)
+        return _store_layer_tag(code, data, low, high, tables.layer, spans, slots, state)
     elif mode == s.IN_BLOCK:
-        return _of_block(code, data, low, high, tables.block, spans, slots, state)
+        return _store_block_tag(code, data, low, high, tables.block, spans, slots, state)
     return s.ON
 
 
@@ -240,7 +263,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
         Initial state of the scan; on return, it contains the numbers of rows that were written.
     """
     entity, block = tables.entity, tables.block
-    spans, slots, others = tables.spans, tables.slots, tables.others
+    spans, slots, other_handles = tables.spans, tables.slots, tables.others
     size: Any = np.uint64(len(data))
     stop: Any = np.uint64(ends)
     at: Any = np.uint64(begins)
@@ -248,20 +271,20 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
     while at < size:
         if at >= stop:
             # A part of a file must end between two tags.
-            here: Any = np.int64(at)
-            return bool(at == stop and pause(here, last, entity, state))
+            group_start: Any = np.int64(at)
+            return bool(at == stop and pause(group_start, last, entity, state))
         # The line of the group code.
         start: Any = np.int64(at)
         code, at = code_at(data, at, size)
         if code < 0 or code > g.LAST_CODE:
             return False
-        before = last
+        previous_code = last
         if code != 999:
-            if before >= 0 and g.IS_POINT[before] and code != before + 10:
+            if previous_code >= 0 and g.IS_POINT[previous_code] and code != previous_code + 10:
                 return False
             last = code
         low: Any = np.int64(at)
-        what = g.TYPE[code]
+        value_type = g.TYPE[code]
         action = g.ACTION[state[s.CONTEXT], code]
         read, sure = 0.0, WRONG
         if action == g.NUMBER or (state[s.MODE] == s.IN_BLOCK and (code == 10 or code == 20)):
@@ -280,22 +303,23 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
         if code == 100 and state[s.MODE] < s.IN_ENTITY:
             state[s.OPEN_MARKS] += 1
         if sure != WRONG:
-            verdict = take_decimal(code, before, read, sure, low, high, tables, state)
+            verdict = take_decimal(code, previous_code, read, sure, low, high, tables, state)
         elif code == 0:
-            if before == 9 and state[s.SECTION] == w.HEADER:
+            if previous_code == 9 and state[s.SECTION] == w.HEADER:
                 return False
             verdict = begin(data, start, low, high, tables, state)
             if verdict == s.DONE:
                 return True
             state[s.CONTEXT] = context(state)
         elif action == g.BY_PLACE and _is_handle(code, state):
-            verdict = take_handle(data, low, high, others, state)
+            verdict = take_handle(data, low, high, other_handles, state)
             if state[s.MODE] == s.IN_BLOCK and verdict == s.ON:
-                verdict = _of_block(code, data, low, high, block, spans, slots, state)
+                verdict = _store_block_tag(code, data, low, high, block, spans, slots, state)
         elif action == g.TAKEN:
             verdict = take_tag(code, data, low, high, entity, spans, slots, state)
-        elif (what != g.TEXT_VALUE and not valid(data, low, high, what)) or (
-            state[s.SECTION] == w.HEADER and not _of_header(code, before, data, low, high)
+        elif (value_type != g.TEXT_VALUE and not valid(data, low, high, value_type)) or (
+            state[s.SECTION] == w.HEADER
+            and not _header_tag_valid(code, previous_code, data, low, high)
         ):
             return False
         elif (
@@ -309,11 +333,11 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
             # Unused tags, and tags in other sections.
             continue
         elif code == 102 or code >= 1000 or state[s.GROUP] != 0:
-            verdict = _group(code, data, low, high, entity, state)
+            verdict = _skip_group_tag(code, data, low, high, entity, state)
             state[s.CONTEXT] = context(state)
         else:
-            after: Any = np.int64(at)
-            verdict = _of_structure(code, data, low, high, after, tables, state)
+            next_tag: Any = np.int64(at)
+            verdict = _store_structure_tag(code, data, low, high, next_tag, tables, state)
         if verdict != s.ON:
             return False
     return False

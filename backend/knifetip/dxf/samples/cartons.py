@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from knifetip.dxf.samples.write import Layer, drawn
+from knifetip.dxf.samples.write import Layer, write_dxf
 from knifetip.geometry.azimuth import left_normal, unit_vectors
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths, path_through
@@ -26,9 +26,9 @@ V_GROOVE = Layer("V-GROOVE", 6, "DASHDOT")
 def samples() -> dict[str, bytes]:
     """Return the content of the sample DXF files by file name."""
     return {
-        "tuck-end-carton.dxf": drawn(tuck_end_carton()),
-        "corrugated-tray.dxf": drawn(corrugated_tray()),
-        "rigid-box-blank.dxf": drawn(rigid_box_blank()),
+        "tuck-end-carton.dxf": write_dxf(tuck_end_carton()),
+        "corrugated-tray.dxf": write_dxf(corrugated_tray()),
+        "rigid-box-blank.dxf": write_dxf(rigid_box_blank()),
     }
 
 
@@ -56,41 +56,42 @@ def tuck_end_carton(
     lid = width - step
     ease = 0.8  # each side of the lid, so that it slides in between the side panels
 
-    def lid_at(left: float, right: float, crease: float, out: float) -> F64:
+    def lid_at(left: float, right: float, crease: float, direction: float) -> F64:
         """Return the corners of a lid with its tuck flap, from left to right, as for ``_contour``.
 
         The lid is between x = ``left`` and x = ``right``, and its crease is at y = ``crease``.
-        ``out`` is +1 if the lid points upwards from its crease, -1 if it points downwards.
+        ``direction`` is +1 if the lid points upwards from its crease, -1 if it points downwards.
         """
         return np.array(
             [
-                (left, crease - out * step, 0.0, 0.0),
-                (left + ease, crease + out * lid, 0.0, 0.0),
-                (left + ease + 0.5, crease + out * (lid + tuck), 11.0, 0.0),
-                (right - ease - 0.5, crease + out * (lid + tuck), 11.0, 0.0),
-                (right - ease, crease + out * lid, 0.0, 0.0),
-                (right, crease - out * step, 0.0, 0.0),
+                (left, crease - direction * step, 0.0, 0.0),
+                (left + ease, crease + direction * lid, 0.0, 0.0),
+                (left + ease + 0.5, crease + direction * (lid + tuck), 11.0, 0.0),
+                (right - ease - 0.5, crease + direction * (lid + tuck), 11.0, 0.0),
+                (right - ease, crease + direction * lid, 0.0, 0.0),
+                (right, crease - direction * step, 0.0, 0.0),
             ]
         )
 
-    def dust_at(tucked: float, hinged: float, crease: float, out: float) -> F64:
+    def dust_at(tucked: float, hinged: float, crease: float, direction: float) -> F64:
         """Return the corners of a dust flap, as for ``_contour``.
 
-        They are ordered from x = ``tucked``, the side at which a tuck flap is inserted, to
+        The corners are ordered from x = ``tucked``, the side at which a tuck flap is inserted, to
         x = ``hinged``, the side of the panel to which the lid is attached.  The crease of the dust
-        flap is at y = ``crease``.  ``out`` is +1 if the flap points upwards, -1 if downwards.
+        flap is at y = ``crease``.  ``direction`` is +1 if the dust flap points upwards from its
+        crease, -1 if it points downwards.
         """
         reach = (width + tuck) / 2.0
         shoulder = slit + 2.0
         taper = reach * math.tan(math.radians(15.0))
-        across = math.copysign(1.0, hinged - tucked)
+        sign = math.copysign(1.0, hinged - tucked)
         return np.array(
             [
                 (tucked, crease, 0.0, 0.0),
-                (tucked, crease + out * shoulder, 0.0, 0.0),
-                (tucked + across * 3.0, crease + out * (shoulder + 3.0), 0.0, 0.0),
-                (tucked + across * 4.0, crease + out * reach, 4.0, 0.0),
-                (hinged - across * taper, crease + out * reach, 4.0, 0.0),
+                (tucked, crease + direction * shoulder, 0.0, 0.0),
+                (tucked + sign * 3.0, crease + direction * (shoulder + 3.0), 0.0, 0.0),
+                (tucked + sign * 4.0, crease + direction * reach, 4.0, 0.0),
+                (hinged - sign * taper, crease + direction * reach, 4.0, 0.0),
                 (hinged, crease, 0.0, 0.0),
             ]
         )
@@ -101,20 +102,20 @@ def tuck_end_carton(
         [(0.0, low + slant, 0.0, 0.0)],
         lid_at(x[0], x[1], 0.0, -1.0),
         dust_at(x[2], x[1], low, -1.0)[::-1],
-        _placed(notch, ((x[2] + x[3]) / 2.0, low), (1.0, 0.0)),
+        _sheet_corners(notch, ((x[2] + x[3]) / 2.0, low), (1.0, 0.0)),
         dust_at(x[3], x[4], low, -1.0),
         dust_at(x[4], x[3], high, 1.0),
         lid_at(x[2], x[3], depth, 1.0)[::-1],
         dust_at(x[1], x[2], high, 1.0)[::-1],
-        _placed(notch, ((x[0] + x[1]) / 2.0, high), (-1.0, 0.0)),
+        _sheet_corners(notch, ((x[0] + x[1]) / 2.0, high), (-1.0, 0.0)),
         [(x[0], high, 0.0, 0.0), (0.0, high - slant, 0.0, 0.0)],
     )
     # The lid's sides lean, so its crease begins a little inside the panel.
     lean = ease * step / (lid + step)
     creases = [(at, low, at, high) for at in x[:4]]
     slits = []
-    for first, last, crease, out in ((x[2], x[3], depth, 1.0), (x[0], x[1], 0.0, -1.0)):
-        folds = crease + out * lid
+    for first, last, crease, lid_direction in ((x[2], x[3], depth, 1.0), (x[0], x[1], 0.0, -1.0)):
+        folds = crease + lid_direction * lid
         creases += [
             (first + lean, crease, last - lean, crease),
             (first + ease + slit, folds, last - ease - slit, folds),
@@ -126,9 +127,9 @@ def tuck_end_carton(
     creases += [(x[side], at, x[side + 1], at) for at in (low, high) for side in (1, 3)]
     lowest = np.array([0.0, lid + tuck])
     return [
-        (CUT, _moved(_apart(contour), lowest)),
-        (CUT, _moved(_lines(slits), lowest)),
-        (CREASE, _moved(_lines(creases), lowest)),
+        (CUT, _shifted_paths(_split_paths(contour), lowest)),
+        (CUT, _shifted_paths(_lines(slits), lowest)),
+        (CREASE, _shifted_paths(_lines(creases), lowest)),
     ]
 
 
@@ -137,7 +138,8 @@ def corrugated_tray(
 ) -> list[tuple[Layer, Paths]]:
     """Return the layers, with their paths, of a corrugated tray after FEFCO 0422.
 
-    The end walls are rolled over the corner flaps, and tabs on them lock in slots of the base.
+    The end walls are rolled over the corner flaps, and tabs on the end walls lock in slots of the
+    base.
 
     Parameters
     ----------
@@ -177,7 +179,7 @@ def corrugated_tray(
             (corner, rim, 0.0, 0.0),
         ]
     )
-    contour = _contour(*_four(quarter))
+    contour = _contour(*_four_quarters(quarter))
 
     inside = []
     for sign in (-1.0, 1.0):
@@ -201,9 +203,9 @@ def corrugated_tray(
         creases += [(sign * corner, up * foot, sign * corner, up * head) for up in (-1.0, 1.0)]
     lowest = np.array([free + reach, rim])
     return [
-        (CUT, _moved(contour, lowest)),
-        *((CUT, _moved(hole, lowest)) for hole in inside),
-        (CREASE, _moved(_lines(creases), lowest)),
+        (CUT, _shifted_paths(contour, lowest)),
+        *((CUT, _shifted_paths(hole, lowest)) for hole in inside),
+        (CREASE, _shifted_paths(_lines(creases), lowest)),
     ]
 
 
@@ -234,21 +236,21 @@ def rigid_box_blank(
             (x, y + height, 0.0, 0.0),
         ]
     )
-    first, second, third, fourth = _four(quarter)
+    first, second, third, fourth = _four_quarters(quarter)
     notch = _notch(radius=13.0, depth=9.0, lead=4.0)
     contour = _contour(
-        _placed(notch, (x + height, 0.0), (0.0, 1.0)),
+        _sheet_corners(notch, (x + height, 0.0), (0.0, 1.0)),
         first,
         second,
-        _placed(notch, (-x - height, 0.0), (0.0, -1.0)),
+        _sheet_corners(notch, (-x - height, 0.0), (0.0, -1.0)),
         third,
         fourth,
     )
     grooves = [(-x, -y, x, -y), (x, -y, x, y), (x, y, -x, y), (-x, y, -x, -y)]
     lowest = np.array([x + height, y + height])
     return [
-        (CUT, _moved(contour, lowest)),
-        (V_GROOVE, _moved(_lines(grooves), lowest)),
+        (CUT, _shifted_paths(contour, lowest)),
+        (V_GROOVE, _shifted_paths(_lines(grooves), lowest)),
     ]
 
 
@@ -262,15 +264,17 @@ def _contour(*parts: ArrayLike) -> Paths:
         bulge of the side that follows the corner.  The two sides at a fillet must be straight.
     """
     corners = np.concatenate([np.asarray(part, np.float64) for part in parts])
-    again = np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T) < 1e-9
-    corners = corners[~again]
+    repeated = np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T) < 1e-9
+    corners = corners[~repeated]
     at, radius, bulge = corners[:, :2], corners[:, 2], corners[:, 3]
-    into = unit_vectors(at - np.roll(at, 1, axis=0))
-    away = np.roll(into, -1, axis=0)
-    turn = np.arctan2(into[:, 0] * away[:, 1] - into[:, 1] * away[:, 0], (into * away).sum(axis=1))
+    incoming = unit_vectors(at - np.roll(at, 1, axis=0))
+    away = np.roll(incoming, -1, axis=0)
+    turn = np.arctan2(
+        incoming[:, 0] * away[:, 1] - incoming[:, 1] * away[:, 0], (incoming * away).sum(axis=1)
+    )
     back = (radius * np.tan(np.abs(turn) / 2.0))[:, None]
     round_ = radius > 0
-    vertices = np.stack([at - back * into, at + back * away], axis=1)
+    vertices = np.stack([at - back * incoming, at + back * away], axis=1)
     bulges = np.stack([np.where(round_, np.tan(turn / 4.0), bulge), bulge], axis=1)
     kept = np.stack([np.ones_like(round_), round_], axis=1)
     xy = vertices[kept]
@@ -300,23 +304,23 @@ def _notch(radius: float, depth: float, lead: float) -> F64:
     )
 
 
-def _placed(corners: F64, at: tuple[float, float], along: tuple[float, float]) -> F64:
-    """Return corners in the coordinates of the sheet.
+def _sheet_corners(corners: F64, origin: tuple[float, float], axis: tuple[float, float]) -> F64:
+    """Return corners of a contour in the coordinates of the sheet.
 
     Parameters
     ----------
     corners : (k, 4)
         Corners as for ``_contour``, with the coordinates u along an edge and v to its left.
-    at, along
+    origin, axis
         Origin of u and v in the coordinates of the sheet, and unit vector along the edge.
     """
-    u = np.array(along)
-    xy = at + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
+    u = np.array(axis)
+    xy = origin + corners[:, :1] * u + corners[:, 1:2] * left_normal(u)
     return np.hstack([xy, corners[:, 2:]])
 
 
-def _four(quarter: F64) -> list[F64]:
-    """Return the corners of all four quarters of a contour that is symmetrical to both axes.
+def _four_quarters(quarter: F64) -> list[F64]:
+    """Return the corners of all four quarters of a contour that is symmetrical to the x and y axes.
 
     ``quarter`` contains the corners of the first quarter.  All quarters are counter-clockwise.
     """
@@ -356,20 +360,23 @@ def _rectangle(x: float, y: float, width: float, height: float) -> Paths:
 def _lines(rows: ArrayLike) -> Paths:
     """Return a separate path for each row of ``rows``, (k, 4): x, y of the start and of the end."""
     ends = np.asarray(rows, np.float64)
-    return _apart(Paths(ends[:, :2], ends[:, 2:], np.zeros(len(ends)), np.array([0, len(ends)])))
+    return _split_paths(
+        Paths(ends[:, :2], ends[:, 2:], np.zeros(len(ends)), np.array([0, len(ends)]))
+    )
 
 
-def _apart(paths: Paths) -> Paths:
-    """Return the segments of ``paths``, each as a separate path."""
-    each = np.arange(len(paths.bulge) + 1, dtype=np.int32)
-    return Paths(paths.start, paths.end, paths.bulge, each)
+def _split_paths(paths: Paths) -> Paths:
+    """Return the segments of ``paths``, each as a path of one segment."""
+    numbers = np.arange(len(paths.bulge) + 1, dtype=np.int32)
+    return Paths(paths.start, paths.end, paths.bulge, numbers)
 
 
-def _moved(paths: Paths, by: F64) -> Paths:
-    """Return paths shifted by the vector ``by``, (2,) mm, with coordinates rounded to nanometres.
+def _shifted_paths(paths: Paths, shift: F64) -> Paths:
+    """Return ``paths`` shifted by the vector ``shift``, (2,) mm, with rounded coordinates.
 
-    Without rounding, the file would contain numbers such as 251.00000000000003.
+    Coordinates are rounded to nanometres, because the file would otherwise contain numbers such as
+    251.00000000000003.
     """
-    start, end = (paths.start + by).round(6), (paths.end + by).round(6)
+    start, end = (paths.start + shift).round(6), (paths.end + shift).round(6)
     # Adding 0 makes a zero of minus zero.
     return Paths(start + 0.0, end + 0.0, paths.bulge.round(12), paths.first)

@@ -39,8 +39,8 @@ class Layer:
     linetype: str = "Continuous"  #: or DASHED, DASHDOT
 
 
-def drawn(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
-    """Return the content of a DXF file that contains the given paths.
+def write_dxf(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
+    """Return the content of a DXF file with paths on layers.
 
     Parameters
     ----------
@@ -62,11 +62,11 @@ def drawn(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     for layer, paths in sheet:
         if not all(np.isfinite(column).all() for column in (paths.start, paths.end, paths.bulge)):
             raise GeometryError("layer.not-finite", layer=layer.name)
-    with _undated():
-        return _written(sheet)
+    with _fixed_dates():
+        return _save_bytes(sheet)
 
 
-def _written(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
+def _save_bytes(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     document = new("R2010")
     document.units = units.MM
     document.header["$MEASUREMENT"] = 1
@@ -77,7 +77,7 @@ def _written(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     for layer, paths in sheet:
         if layer.name not in document.layers:
             document.layers.add(layer.name, color=layer.colour, linetype=layer.linetype)
-        _put(model, layer.name, paths)
+        _add_paths(model, layer.name, paths)
 
     if sheet:
         ends = [np.stack([paths.start, paths.end], axis=1) for _, paths in sheet]
@@ -98,7 +98,7 @@ def _written(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     return text.getvalue().encode("utf-8")
 
 
-def _put(model: Modelspace, layer: str, paths: Paths) -> None:
+def _add_paths(model: Modelspace, layer: str, paths: Paths) -> None:
     centres = arc.centre(paths.start, paths.end, paths.bulge)
     radii = arc.radius(paths.start, paths.end, paths.bulge)
     attributes = {"layer": layer}
@@ -129,11 +129,11 @@ def _put(model: Modelspace, layer: str, paths: Paths) -> None:
 
 
 @contextmanager
-def _undated() -> Iterator[None]:
-    """Make ezdxf write fixed dates and identifiers within this context."""
-    before = options.write_fixed_meta_data_for_testing
+def _fixed_dates() -> Iterator[None]:
+    """Return a context manager within which ezdxf writes fixed dates and identifiers."""
+    previous = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:
         yield
     finally:
-        options.write_fixed_meta_data_for_testing = before
+        options.write_fixed_meta_data_for_testing = previous
