@@ -1,1 +1,1 @@
-"""Storage of drawings, jobs, profiles and events; transitions and compiles of jobs."""
+"""Stores drawings, jobs, profiles and events; moves jobs between states and compiles them."""

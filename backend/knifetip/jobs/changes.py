@@ -1,8 +1,8 @@
-"""Notification of threads and coroutines of this process after a change of a job or a drawing.
+"""Notifies threads and coroutines of this process after a change of a job or a drawing.
 
     with changes.subscribed(event.set): event.wait(1.0)
 
-Other processes on the same database are not notified; they query it at intervals.
+Other processes on the same database are not notified; they query the database at intervals.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from contextlib import contextmanager
 
 
 class Changes:
-    """Callbacks to call after each transaction that wrote an event of a job or a drawing."""
+    """Functions to call after each transaction that changed a job or a drawing."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -21,7 +21,7 @@ class Changes:
 
     @contextmanager
     def subscribed(self, callback: Callable[[], object]) -> Iterator[None]:
-        """Return a context in which ``callback()`` is called after each change.
+        """Return a context in which ``callback()`` is called after each change of a job or drawing.
 
         The callback is called on the thread that made the change.
         """
@@ -34,7 +34,7 @@ class Changes:
                 self._callbacks.remove(callback)
 
     def notify(self) -> None:
-        """Call all subscribed callbacks; a callback must return immediately and raise nothing."""
+        """Call all subscribed callbacks, which must return immediately and raise nothing."""
         with self._lock:
             callbacks = list(self._callbacks)
         for callback in callbacks:

@@ -30,10 +30,16 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 class CompileQueue(Protocol):
-    """Interface of a queue of received jobs that passes each job to a compile function."""
+    """Interface of a queue that passes each received job to a function that compiles the job."""
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each received job, on threads of the queue."""
+        """Begin to call ``compile`` with each received job, on threads of the queue.
+
+        Parameters
+        ----------
+        compile
+            Function that compiles a job and stores the result.
+        """
 
     def stop(self) -> None:
         """Take no further jobs, and return when all calls of ``compile`` have ended."""
@@ -53,9 +59,9 @@ class TableQueue:
     poll
         Time between two queries for jobs that another process received (s).
     fraction_compiled
-        Function that returns, for the name of a machine, the fraction (0 … 1) of its kernels that
-        have machine code.  Below 1, the jobs of that machine stay ``received`` while jobs of other
-        machines are compiled.
+        Function from the name of a machine to the fraction (0 … 1) of its kernels (functions that a
+        compile needs) that have machine code.  Below 1, the jobs of that machine stay ``received``
+        while jobs of other machines are compiled.
     """
 
     def __init__(
@@ -78,7 +84,13 @@ class TableQueue:
         self._threads: list[threading.Thread] = []
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each received job, on ``at_once`` threads."""
+        """Begin to call ``compile`` with each received job, on ``at_once`` threads.
+
+        Parameters
+        ----------
+        compile
+            Function that compiles a job and stores the result.
+        """
         for number in range(self._at_once):
             thread = threading.Thread(
                 target=self._take_jobs, args=(compile,), name=f"compile-{number + 1}", daemon=True
@@ -89,7 +101,8 @@ class TableQueue:
     def _take_jobs(self, compile: Compile) -> None:
         """Call ``compile`` with one received job after another until the queue is stopped.
 
-        Jobs of machines whose kernels have no machine code yet are not taken.
+        A job is not taken while the kernels (functions) that its compile needs have no machine
+        code.
         """
         with self._store.changes.subscribed(self._received.set):
             while not self._stopping.is_set():
@@ -107,10 +120,10 @@ class TableQueue:
                 self._received.wait(_READY_POLL if self._unready else self._poll)
 
     def _next_job(self) -> Job | None:
-        """Take the oldest received job whose kernels have machine code; None if there is none.
+        """Take the oldest received job that can be compiled now; return None if there is none.
 
-        If the kernels of a machine were missing for ``_PATIENCE`` s, its jobs get a message about
-        it.
+        A job can be compiled if the kernels (functions) for its machine have machine code.  If they
+        lack it for ``_PATIENCE`` seconds, the jobs of the machine get a message about it.
         """
         machines = self._store.compiles.received_machines()
         compiled = {machine: self._fraction_compiled(machine) for machine in machines}
@@ -154,8 +167,8 @@ def queue_of(
     compiles
         False in a process that receives jobs and does not compile them.
     fraction_compiled
-        Function that returns, for the name of a machine, the fraction (0 … 1) of its kernels that
-        have machine code.
+        Function from the name of a machine to the fraction (0 … 1) of its kernels (functions that a
+        compile needs) that have machine code.
     """
     if store.database.url.startswith("postgresql"):
         # DBOS needs 24 MB and polls the database, so it is imported only for PostgreSQL.

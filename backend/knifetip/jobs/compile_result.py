@@ -1,4 +1,4 @@
-"""Defines the stored result of the compile of a job."""
+"""Defines the stored result of compiling a job."""
 
 from __future__ import annotations
 

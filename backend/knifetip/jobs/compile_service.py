@@ -1,9 +1,10 @@
-"""compile_service: compiles received jobs in worker processes, and sweeps expired leases.
+"""compile_service: compiles received jobs in worker processes, and takes back abandoned jobs.
 
 A job is taken from the queue by the UPDATE that sets its state to ``compiling`` with an owner, an
-epoch and a lease (ADR 28).  The result of a compile is stored in the transaction that moves the
-job, and only if the job still has the worker's epoch, so that a job that is compiled twice has one
-result.  A job whose worker process ended unexpectedly is compiled again.
+epoch (a number that increases with each owner) and a lease (ADR 28).  The result of a compile is
+stored in the transaction that moves the job, and only if the job still has the worker's epoch, so
+that a job that is compiled twice has one result.  A job whose worker process ended unexpectedly is
+compiled again.
 """
 
 from __future__ import annotations
@@ -42,7 +43,13 @@ _log = logging.getLogger("knifetip.jobs")
 
 
 def _kernels_for(machine: str) -> tuple[str, ...]:
-    """Return the names of the kernel groups that a compile for a machine of the library needs."""
+    """Return the names of the groups of kernels (functions) that compiling for a machine needs.
+
+    Parameters
+    ----------
+    machine
+        Name of a machine of the library.
+    """
     engines = {kind_of(station.tool).engine for station in load.machine(machine).stations}
     return ("drawings", "jobs", "offsets") if Engine.RADIUS in engines else ("drawings", "jobs")
 
@@ -87,7 +94,13 @@ class CompileService:
     def fraction_compiled(self, machine: str) -> float:
         """Return the fraction (0 … 1) of the kernels for a machine that have machine code.
 
-        Returns 1 only if a compile for the machine can begin.
+        Kernels are functions that a compile needs.  Returns 1 only if a compile for the machine can
+        begin.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
         """
         try:
             return self.warm_up.fraction_compiled(*_kernels_for(machine))
@@ -100,7 +113,7 @@ class CompileService:
         self._threads.append(thread)
 
     def stop(self) -> None:
-        """Stop immediately; a running compile is cancelled and repeated after the next start."""
+        """Stop compiling immediately; a running compile is repeated after the next start."""
         self._stopping.set()
         self.warm_up.close()
         self.pool.close()
@@ -123,7 +136,7 @@ class CompileService:
             self._stopping.wait(_SWEEP if leased else _REST)
 
     def compile(self, job: Job) -> None:
-        """Compile a job, and store the result, or the reason for which the job is refused.
+        """Compile a job; store the result, or the message for which the job is refused.
 
         Parameters
         ----------

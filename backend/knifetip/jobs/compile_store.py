@@ -32,26 +32,28 @@ class CompileStore:
         self._transitions = transitions
 
     def received_jobs(self) -> list[tuple[str, int]]:
-        """Return the id and the number of the attempt of each job that waits for a compile."""
+        """Return id and number of the compile attempt of each job that waits for a compile."""
         query = sa.select(Job.id, Job.attempt).where(Job.state == State.RECEIVED)
         with self._db.reading() as session:
             return [(id, attempt) for id, attempt in session.execute(query)]
 
     def received_machines(self) -> list[str]:
-        """Return the names of the machines of the jobs that wait for a compile, each name once."""
+        """Return the names of the machines for which jobs wait to be compiled, each name once."""
         query = sa.select(Job.machine).where(Job.state == State.RECEIVED).distinct()
         with self._db.reading() as session:
             return list(session.scalars(query))
 
     def report_waiting(self, machine: str, progress: float) -> None:
-        """Store in each received job of a machine that the job waits until kernels are compiled.
+        """Store in each received job of a machine that it waits until functions are compiled.
 
         The first such report about a job also writes an event.
 
         Parameters
         ----------
+        machine
+            Name of the machine.
         progress
-            Fraction (0 … 1) of the kernels for the machine that have machine code.
+            Fraction (0 … 1) of the kernels (functions) for the machine that have machine code.
         """
         message = Message("job.awaits-kernels", machine=machine)
         waiting = sa.and_(Job.state == State.RECEIVED, Job.machine == machine)
@@ -83,7 +85,8 @@ class CompileStore:
         worker
             Name of the worker that becomes the owner of the job.
         only
-            Id and number of the attempt of the only job that may be taken; None for any job.
+            Id and number of the compile attempt of the only job that may be taken; None for any
+            job.
         without
             Names of the machines whose jobs are not taken.
         """
@@ -115,9 +118,14 @@ class CompileStore:
             return self._transitions.lock(session, id)
 
     def recover(self, worker: str) -> None:
-        """Return the unfinished jobs of an earlier process with this worker name to the queue.
+        """Return the jobs that an earlier process of this worker was compiling to the queue.
 
         A job that has had ``ATTEMPTS`` attempts is refused instead.
+
+        Parameters
+        ----------
+        worker
+            Name of the worker, which is the same after a restart.
         """
         with self._db.writing() as session:
             dead = sa.select(Job).where(Job.state == State.COMPILING, Job.owner == worker)
@@ -166,10 +174,10 @@ class CompileStore:
 
         Parameters
         ----------
-        epoch
-            Epoch of the job when the worker took it.
+        id, epoch
+            Id of the job, and its epoch when the worker took it.
         stage, progress
-            Present stage of the compile, and fraction done (0 … 1).
+            Present stage of the compile, and completed fraction of the compile (0 … 1).
 
         Returns
         -------
@@ -249,8 +257,8 @@ class CompileStore:
 
         Parameters
         ----------
-        epoch
-            Epoch of the job when the worker took it.
+        id, epoch
+            Id of the job, and its epoch when the worker took it.
         message
             Reason for which the job is refused.
         source
@@ -275,7 +283,13 @@ class CompileStore:
             )
 
     def give_back(self, id: str, epoch: int) -> None:
-        """Return a job to the queue after its compile was cancelled."""
+        """Return a job to the queue after its compile was cancelled.
+
+        Parameters
+        ----------
+        id, epoch
+            Id of the job, and its epoch when the worker took it.
+        """
         with self._db.writing() as session:
             attempt = self._transitions.lock(session, id).attempt
             self._transitions.move(

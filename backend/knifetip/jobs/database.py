@@ -96,21 +96,21 @@ class Database:
 
     @contextmanager
     def reading(self) -> Iterator[Session]:
-        """Return a context with a session that only reads, in one transaction."""
+        """Return a context with a database session for reading, in one transaction."""
         with Session(self._engine, expire_on_commit=False) as session:
             yield session
 
     @contextmanager
     def writing(self, *, urgent: bool = False) -> Iterator[Session]:
-        """Return a context with a session that writes, in one transaction.
+        """Return a context with a database session for writing, in one transaction.
 
         If the transaction has written events, the subscribers of ``changes`` are called after it.
 
         Parameters
         ----------
         urgent
-            Whether the transaction begins before all waiting transactions of this process that are
-            not urgent.
+            Whether the transaction begins before waiting transactions of this process that are not
+            urgent.
         """
         with (
             self._turns.turn(urgent),
@@ -155,16 +155,16 @@ class Database:
         return bytes(found[0])
 
     def alive(self) -> bool:
-        """Return whether the database answers a query."""
+        """Return True if the database answers a query; otherwise the database's error is raised."""
         with self.reading() as session:
             return bool(session.scalar(sa.select(sa.literal(1))))
 
 
 def rows(session: Session, statement: sa.Update | sa.Delete) -> int:
-    """Execute a statement and return the number of rows that it changed."""
+    """Execute a statement and return the number of table rows that it changed."""
     return cast("sa.CursorResult[Any]", session.execute(statement)).rowcount
 
 
 def short(id: str) -> str:
-    """Return an id for an error message: quoted, and shortened if it is long."""
+    """Return the id of a drawing or job for an error message: quoted, shortened if it is long."""
     return repr(id if len(id) <= 40 else id[:40] + "…")

@@ -1,4 +1,4 @@
-"""Repository of drawings and of the overrides that the user has set for their edges."""
+"""Repository of drawings, with the line types that users have set for their edges."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from knifetip.model.interpretation import Interpretation
 
 @dataclass(frozen=True, slots=True)
 class NewDrawing:
-    """A drawing to store: the file, its interpretation, and the data that were read from it."""
+    """A drawing to store: the file, its interpretation (unit, profile, overrides), its content."""
 
     name: str  #: file name
     content: bytes  #: the file
@@ -50,6 +50,8 @@ class DrawingStore:
 
         Parameters
         ----------
+        new
+            The drawing to store.
         key
             Idempotency-Key of the request, None if it has none.  If a drawing was stored with this
             key, that drawing is returned and nothing is stored.
@@ -101,6 +103,11 @@ class DrawingStore:
         ----------
         key, fingerprint
             Idempotency-Key and hash of the present request.
+
+        Raises
+        ------
+        KeyReused
+            The key was used for a request with another fingerprint.
         """
         with self._db.reading() as session:
             row = session.scalar(
@@ -113,7 +120,20 @@ class DrawingStore:
         return self.get_with(id)
 
     def get_with(self, id: str, *columns: str) -> Drawing:
-        """Return a drawing with the large columns named ``columns``, all of the same revision."""
+        """Return a drawing with some of its large columns, all of the same revision.
+
+        Parameters
+        ----------
+        id
+            Id of the drawing.
+        columns
+            Names of the large columns to load.
+
+        Raises
+        ------
+        NoSuchJob
+            There is no drawing with this id.
+        """
         large = [undefer(getattr(Drawing, column)) for column in columns]
         with self._db.reading() as session:
             row = session.scalar(sa.select(Drawing).where(Drawing.id == id).options(*large))
@@ -122,10 +142,12 @@ class DrawingStore:
         return row
 
     def column(self, id: str, column: str) -> bytes:
-        """Return a large column of a drawing.
+        """Return the content of a large column of a drawing.
 
         Parameters
         ----------
+        id
+            Id of the drawing.
         column
             ``content``, ``overrides``, ``edges`` or ``import_report``.
         """
@@ -150,6 +172,8 @@ class DrawingStore:
 
         Parameters
         ----------
+        id
+            Id of the drawing.
         version
             Version of the drawing on which the change is based.
         event

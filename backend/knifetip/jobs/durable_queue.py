@@ -46,7 +46,13 @@ class DurableQueue:
         self._compile: Compile = lambda _job: None
 
     def start(self, compile: Compile) -> None:
-        """Begin to call ``compile`` with each received job."""
+        """Begin to call ``compile`` with each received job, on threads of DBOS.
+
+        Parameters
+        ----------
+        compile
+            Function that compiles a job and stores the result.
+        """
         global _running
         if _running is not None:
             raise RuntimeError("A process can run one DurableQueue. Stop the other one first.")
@@ -98,7 +104,15 @@ class DurableQueue:
                 self._received.wait(_POLL)
 
     def compile(self, id: str, attempt: int) -> None:
-        """Compile a job, if it is still ``received`` and its attempt still has this number."""
+        """Compile a job, unless the job or its attempt is outdated.
+
+        Parameters
+        ----------
+        id
+            Id of the job; nothing is done if the job is no longer ``received``.
+        attempt
+            Number of the compile attempt; nothing is done if the job has a newer attempt.
+        """
         job = self._store.compiles.begin(self._worker, (id, attempt))
         if job is not None:
             self._compile(job)
@@ -122,9 +136,16 @@ _running: DurableQueue | None = None
 
 @DBOS.workflow(name="compile")
 def compile_job(job: str, attempt: int) -> None:
-    """Compile a job, given by its id and the number of the attempt, as a workflow of DBOS.
+    """Compile a job as a workflow of DBOS.
 
     DBOS repeats this workflow if the process that executed it has died.
+
+    Parameters
+    ----------
+    job
+        Id of the job.
+    attempt
+        Number of the compile attempt.
     """
     _compile(job, attempt)
 

@@ -25,7 +25,7 @@ class EventStore:
             )
 
     def after(self, last: int, limit: int = 1000) -> list[Event]:
-        """Return at most ``limit`` events with ids above ``last``, oldest first."""
+        """Return at most ``limit`` events whose ids are greater than ``last``, oldest first."""
         query = sa.select(Event).where(Event.id > last).order_by(Event.id).limit(limit)
         with self._db.reading() as session:
             return list(session.scalars(query))

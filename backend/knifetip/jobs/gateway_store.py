@@ -48,9 +48,9 @@ class GatewayReport:
 
 @dataclass(frozen=True, slots=True)
 class Queue:
-    """State of the queue of a machine: the next job to be claimed, and the job before it.
+    """State of the queue of a machine: the next queued job, and the job that occupies the machine.
 
-    The job before it is on the table, or is claimed and waits for a confirmation.
+    A job occupies the machine if it is on the table, or is claimed and waits for a confirmation.
     """
 
     first: str  #: next job to be claimed; empty if none
@@ -92,7 +92,7 @@ class GatewayStore:
             return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
 
     def jobs_on_tables(self) -> dict[str, str]:
-        """Return the id of the job on the table of each machine, by name of the machine.
+        """Return the ids of the jobs that are on the table of a machine, by name of the machine.
 
         Machines without a job on their table are omitted.
         """
@@ -238,6 +238,13 @@ class GatewayStore:
         """Return the command for a gateway that has not sent anything to the machine yet.
 
         If the operator has confirmed the job, this method starts it, or holds it before its start.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job that the gateway has claimed.
         """
         renewed: dict[str, Any] = {"lease": self._db.clock() + LEASE}
         if row.requested_action == "cancel":
@@ -265,6 +272,13 @@ class GatewayStore:
         """Move a claimed job to ``running`` and return it.
 
         The caller has checked that the operator confirmed the job, or that its gateway runs it.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
         """
         confirmed = row.confirmation == Confirmation.GIVEN
         event = Message("job.started" if confirmed else "job.started-unconfirmed")
@@ -285,7 +299,17 @@ class GatewayStore:
         )
 
     def _answer_running(self, session: Session, row: Job, report: GatewayReport) -> str:
-        """Store a report on a running job and return the command for its gateway."""
+        """Store the report of a gateway on its running job; return the command for the gateway.
+
+        Parameters
+        ----------
+        session
+            Session with the transaction of the caller.
+        row
+            The job.
+        report
+            Progress of the job.
+        """
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
         confirmation, requested = row.confirmation, row.requested_action
@@ -350,13 +374,15 @@ class GatewayStore:
 
         Parameters
         ----------
+        id, epoch
+            Id of the job, and epoch under which the gateway claimed it.
         outcome
             ``done``, ``interrupted`` or ``cancelled``; ``returned`` releases a claim that was never
             started, with nothing sent to the machine.
         cause
-            Cause that the gateway states; None if it states none.
+            Cause that the gateway reports; None if it reports none.
         line, copies_done
-            Last executed line, and copies completed under this claim; by default the values of the
+            Last executed line, and copies completed under this claim; None for the values of the
             last heartbeat.
 
         Raises
@@ -452,10 +478,14 @@ class GatewayStore:
         self._transitions.write_event(session, "job", row.id, State.QUEUED, actor, event)
 
     def _change(self, session: Session, row: Job, changes: dict[str, Any]) -> None:
-        """Set columns of a job that is locked by the transaction of the caller.
+        """Set columns of a job that the transaction of the caller has locked.
 
         Parameters
         ----------
+        session
+            Session with that transaction.
+        row
+            The job.
         changes
             New values of columns, by name of the column.
         """
@@ -466,7 +496,13 @@ class GatewayStore:
 
 
 def silent_gateway_message(gateway: str) -> Message:
-    """Return the message about a gateway whose lease has expired."""
+    """Return the message that a job was interrupted because its gateway's lease has expired.
+
+    Parameters
+    ----------
+    gateway
+        Name of the gateway.
+    """
     return Message("job.gateway-fell-silent", gateway=gateway)
 
 

@@ -1,4 +1,4 @@
-"""Grace period in which no gateway counts as silent, because this process missed heartbeats."""
+"""Detects when this process has missed heartbeats, so that gateways must not count as silent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Functions that convert between an ``Interpretation`` and the columns of a drawing or a job."""
+"""Functions that convert between an ``Interpretation`` and the columns of a drawing or a job.
+
+An interpretation contains the unit, the profile and the overrides with which a file is read.
+"""
 
 from __future__ import annotations
 

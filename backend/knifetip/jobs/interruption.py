@@ -31,9 +31,9 @@ def interruption(
     row
         The job before the interruption, or already interrupted.
     cause
-        Cause of the interruption, from the gateway or from the lease sweep.
+        Cause of the interruption: reported by the gateway, or that its lease has expired.
     line, copies_done
-        Number of executed lines and of completed copies that the gateway reported last; None for
+        Numbers of executed lines and of completed copies that the gateway reported last; None for
         the stored values of the job.
     """
     at = row.line if line is None else min(line, row.lines)

@@ -41,7 +41,7 @@ class State(StrEnum):
 
 
 class Who(StrEnum):
-    """Kinds of persons and processes that cause transitions."""
+    """Kinds of persons and processes that move a job to another state."""
 
     OPERATOR = "operator"
     WORKER = "worker"  #: a compile worker
@@ -50,7 +50,7 @@ class Who(StrEnum):
 
 
 class Actor(NamedTuple):
-    """Person or process that causes a transition of a job, with its name if it is known."""
+    """The person or process that moves a job to another state, with its name if it is known."""
 
     kind: Who
     name: str = ""
@@ -64,7 +64,7 @@ OPERATOR, CLOCK = Actor(Who.OPERATOR), Actor(Who.CLOCK)
 
 
 class Confirmation(StrEnum):
-    """Whether the operator has confirmed, or must confirm, that the machine may move.
+    """Whether the operator must confirm, or has confirmed, that the machine may begin a job.
 
     A confirmation is valid only for the present claim of the job.
     """
@@ -83,7 +83,7 @@ LEASED = (State.RUNNING, State.HELD)
 
 
 class Action(StrEnum):
-    """Actions that move a job to another state; each has one target state."""
+    """Actions that move a job to another state; each action leads to one state."""
 
     COMPILE = "compile"
     ACCEPT = "accept"
@@ -101,7 +101,7 @@ class Action(StrEnum):
 
 
 class Transition(NamedTuple):
-    """A permitted transition of a job: states before and after, action, and permitted actors."""
+    """A permitted change of a job's state: both states, the action, and the permitted actors."""
 
     source: State
     action: Action
@@ -154,7 +154,15 @@ ADVICE: dict[State, Message] = {
 
 
 def sources(action: Action, who: Who) -> tuple[State, ...]:
-    """Return the states of a job in which an actor of the kind ``who`` may perform an action."""
+    """Return the states of a job from which an action may be performed.
+
+    Parameters
+    ----------
+    action
+        The action.
+    who
+        Kind of the person or process that performs it.
+    """
     return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
 
 

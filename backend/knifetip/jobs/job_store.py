@@ -37,7 +37,7 @@ from knifetip.model.interpretation import Interpretation
 
 @dataclass(frozen=True, slots=True)
 class JobOrder:
-    """Order of an operator: the machine, the board and the number of copies of a drawing."""
+    """Data of a new job beside its drawing: machine, board, interpretation and number of copies."""
 
     machine: str
     board: str
@@ -66,6 +66,10 @@ class JobStore:
 
         Parameters
         ----------
+        drawing
+            Drawing of the job.
+        order
+            Machine, board, interpretation and number of copies.
         key
             Idempotency-Key of the request, None if it has none.  If a job was stored with this key,
             that job is returned and nothing is stored.
@@ -169,12 +173,12 @@ class JobStore:
         limit: int = 100,
         ids: Sequence[str] | None = None,
     ) -> list[Job]:
-        """Return jobs, newest first.
+        """Return the jobs that meet all conditions, newest first.
 
         Parameters
         ----------
         states
-            States of the jobs; all states if empty.
+            States that the jobs may have; empty for all states.
         before
             Return only jobs with a smaller serial number; None for all.
         limit
@@ -235,7 +239,7 @@ class JobStore:
         return self.get(id)
 
     def scrap(self, id: str) -> Job:
-        """Scrap an interrupted job, free the table of its machine, and return the job."""
+        """Give up an interrupted job, which frees the table of its machine; return the job."""
         with self._db.writing() as session:
             self._transitions.move(
                 session, id, Action.SCRAP, OPERATOR, Message("job.scrapped"), requested_action=""
@@ -272,8 +276,10 @@ class JobStore:
 
         Parameters
         ----------
+        id
+            Id of the job.
         board
-            The board on the table; empty if the operator does not name it.
+            Name of the board on the table; "" if the operator does not name it.
         by
             Name of the operator, for the log of events.
 
@@ -370,7 +376,15 @@ class JobStore:
         return self._request(id, OperatorAction.CANCEL)
 
     def _request(self, id: str, action: OperatorAction) -> Job:
-        """Record an action that the gateway of a job on a table must perform; return the job."""
+        """Store the request that the gateway of a job performs an action; return the job.
+
+        Parameters
+        ----------
+        id
+            Id of a job that is on a table.
+        action
+            Hold, resume or cancel.
+        """
         with self._db.writing() as session:
             row = self._transitions.lock(session, id)
             if action not in allowed_actions(row, self._db.clock()):
@@ -392,7 +406,7 @@ class JobStore:
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
-    """Return the error for an action that a job does not allow in its present state."""
+    """Return the error that a job in its present state does not allow an action."""
     if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
         return WrongState("job.not-confirmed", job=row.id)
     if row.requested_action == OperatorAction.CANCEL:

@@ -1,4 +1,4 @@
-"""Ends the leases of workers and gateways that did not renew their lease in time."""
+"""Takes jobs back from workers and gateways that did not renew their lease in time."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ class LeaseSweep:
         Parameters
         ----------
         gateways
-            Whether leases of gateways expire; False if gateways could not reach this service.
+            Whether jobs are also taken back from gateways; False if this process could not receive
+            their heartbeats.
 
         Returns
         -------

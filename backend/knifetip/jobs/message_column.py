@@ -16,9 +16,9 @@ class MessageColumn(sa.TypeDecorator[Message]):
     cache_ok = True
 
     def process_bind_param(self, value: Message | None, dialect: sa.Dialect) -> Any:  # noqa: ARG002
-        """Return the JSON data of a message, None for None."""
+        """Return the JSON data of a message, which the database stores; None for None."""
         return None if value is None else value.as_json()
 
     def process_result_value(self, value: Any, dialect: sa.Dialect) -> Message | None:  # noqa: ARG002
-        """Return the message that JSON data describe, None for None."""
+        """Return the message with the JSON data ``value``; None for None."""
         return None if value is None else from_json(value)

@@ -9,7 +9,7 @@ from knifetip.jobs.tables import Job
 
 
 class OperatorAction(StrEnum):
-    """Actions of an operator on a job, in the order in which the page offers them."""
+    """Actions that an operator can perform on jobs, in the order of their buttons on the page."""
 
     RELEASE = "release"
     CONFIRM = "confirm"  #: table, board and tools are ready
@@ -26,10 +26,10 @@ _REQUESTED = frozenset({Action.HOLD, Action.RESUME, Action.CANCEL})
 
 
 def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
-    """Return the actions on a job that an operator may perform or request now.
+    """Return the actions that an operator may perform or request on a job now.
 
-    All other actions are refused.  An exception is an accepted action: it may be repeated, and then
-    has no effect.
+    All other actions are refused, except the action that was accepted last: it may be repeated
+    without effect.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
 
 
 def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None:
-    """Add and remove allowed actions if the operator has already requested an action.
+    """Change the allowed actions of a job if the operator has already requested an action.
 
     Parameters
     ----------
@@ -84,8 +84,8 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
 def awaits_confirmation(row: Job, now: float) -> bool:
     """Return whether a job waits for the operator's confirmation.
 
-    Returns False if the job is being cancelled, and if the lease of the gateway that claimed the
-    job has expired.
+    Returns False if the job is being cancelled, or if the lease of the gateway that claimed the job
+    has expired.
 
     Parameters
     ----------

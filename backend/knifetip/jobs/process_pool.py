@@ -155,15 +155,19 @@ class ProcessPool:
 
         Parameters
         ----------
+        worker
+            Worker process that executes the task.
         deadline
             Time at which to stop waiting (s, monotonic clock).
         limit
             Time allowed for the task (s), for the error message.
+        watch
+            See ``run``.
 
         Returns
         -------
         kind, value
-            ``result`` and the result, or ``error`` and a ``KnifetipError`` or a traceback.
+            "result" and the result, or "error" and a ``KnifetipError`` or the text of a traceback.
 
         Raises
         ------
@@ -198,7 +202,10 @@ class ProcessPool:
         return _Worker(process, parent_end)
 
     def trim(self, idle: float = IDLE) -> None:
-        """End worker processes without a task for ``idle`` seconds, except the one used last."""
+        """End the worker processes that have had no task for ``idle`` seconds, but keep one.
+
+        The process that was used last is kept.
+        """
         with self._lock:
             # The worker that was used last is the first to be used again.
             before = time.monotonic() - idle
@@ -224,6 +231,8 @@ def _serve_tasks(pipe: Connection, memory: int) -> None:
 
     Parameters
     ----------
+    pipe
+        Pipe from which tasks are read, and to which results and progress are written.
     memory
         Greatest address space of this process (bytes).
     """

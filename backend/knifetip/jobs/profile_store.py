@@ -1,4 +1,7 @@
-"""Repository of the classification profiles of customers, with optimistic locking by version."""
+"""Repository of the classification profiles of customers.
+
+A change must name the version on which it is based (optimistic locking).
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,7 @@ class ProfileStore:
             return session.scalar(sa.select(Profile).where(Profile.name == name))
 
     def all(self) -> Sequence[Profile]:
-        """Return all profiles, ordered by name."""
+        """Return the profiles of all customers, ordered by name."""
         with self._db.reading() as session:
             return list(session.scalars(sa.select(Profile).order_by(Profile.name)))
 
@@ -90,6 +93,8 @@ class ProfileStore:
 
         Parameters
         ----------
+        name
+            Name of the profile.
         version
             Version that the profile must have; None for any version.
 

@@ -1,4 +1,7 @@
-"""Previews of a profile on a drawing, and proposals of rules from the user's corrections."""
+"""Tasks that preview the effect of a profile on a drawing, and that propose rules.
+
+Rules are proposed from the line types that the user has set by hand.
+"""
 
 from __future__ import annotations
 
@@ -27,6 +30,8 @@ def preview(
 
     Parameters
     ----------
+    progress
+        Called with stage and completed fraction.
     content, interpretation
         File of the drawing, and its present interpretation with its profile and overrides.
     text
@@ -36,9 +41,9 @@ def preview(
     -------
     dict
         ``rules``: for each rule of the other profile, the fields of ``rule_json``, whether the rule
-        is inherited (``inherited``), and number (``edges``) and total length (``length``) of the
-        edges that it matches; ``open``: number of edges that no rule matches; ``changes``: edges
-        that would get another line type, as in ``_changes``.
+        is inherited (``inherited``), and number (``edges``) and total length in mm (``length``) of
+        the edges that it matches; ``open``: number of edges that no rule matches; ``changes``:
+        edges that would get another line type, as in ``_changes``.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -76,24 +81,27 @@ def preview(
 def learn(
     progress: Progress, content: bytes, interpretation: Interpretation
 ) -> list[dict[str, Any]]:
-    """Return proposed rules that give edges the line types which the user has set as corrections.
+    """Return proposed rules that give edges the line types which the user has set by hand.
 
-    Corrections that no rule explains without contradiction get rules by layer and colour.  Each
-    proposed rule is listed with the other edges that it would change: if the user set ten red lines
+    Line types that no rule explains without contradiction get rules by layer and colour.  Each
+    proposed rule is listed with the other edges that it would change: if the user set ten red edges
     of a layer to crease, an eleventh may have been overlooked.
 
     Parameters
     ----------
+    progress
+        Called with stage and completed fraction.
     content, interpretation
-        File of the drawing, and its interpretation with the corrections as overrides.
+        File of the drawing, and its interpretation, whose overrides are the line types that the
+        user has set.
 
     Returns
     -------
     list of dict
-        ``rule``: the rule as in ``rule_json``; ``explains``: indices of the corrected edges to
-        which the rule gives the line type that the user has set; ``sure``: whether the rule changes
-        only edges that have no line type yet; ``changes``: other edges that the rule would change,
-        as in ``_changes``.  Sure rules come first.
+        ``rule``: the rule as in ``rule_json``; ``explains``: rows of the edges to which the rule
+        gives the line type that the user has set; ``sure``: whether the rule changes only edges
+        that have no line type yet; ``changes``: other edges that the rule would change, as in
+        ``_changes``.  Sure rules come first.
     """
     from knifetip import pipeline
     from knifetip.classification.decision.profile_rules import matching_rules
@@ -135,14 +143,16 @@ def learn(
 
 
 def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[LineRule]:
-    """Return one rule per pair of layer and colour, if all corrections of the pair agree.
+    """Return one rule per layer and colour whose edges all got the same line type from the user.
 
     Parameters
     ----------
-    overrides
-        Line type that the user has set for each edge, or ``NO_OVERRIDE``.
+    drawing
+        The drawing with n edges.
+    overrides : (n,)
+        For each edge the line type that the user has set, or ``NO_OVERRIDE``.
     rows
-        Indices of the corrected edges.
+        Rows of the edges to consider; the user has set a line type for each of them.
     """
     wanted: dict[tuple[str, int, int], set[int]] = {}
     for row in rows:
@@ -165,7 +175,7 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
 
 
 def rule_json(rule: LineRule) -> dict[str, Any]:
-    """Return a rule as JSON data with the fields of a profile file."""
+    """Return a rule as JSON data: its line type, and its conditions by name of the field."""
     colours: list[int | str] = [*rule.colour, *(f"#{colour:06x}" for colour in rule.true_colour)]
     return {
         "type": rule.line_type.word,
@@ -179,17 +189,17 @@ def rule_json(rule: LineRule) -> dict[str, Any]:
 
 
 def _changes(before: U8, after: U8) -> list[dict[str, Any]]:
-    """Return the edges whose line type differs, grouped by line type before and after.
+    """Return the edges that have two different line types, grouped by both line types.
 
     Parameters
     ----------
-    before, after
-        Line types of the edges, shape (n,).
+    before, after : (n,)
+        Line types of the n edges before and after a change of the profile.
 
     Returns
     -------
     list of dict
-        ``before`` and ``after``: names of the line types; ``edges``: indices of the edges.
+        ``before`` and ``after``: names of the two line types; ``edges``: rows of the edges.
     """
     rows = np.flatnonzero(before != after)
     pairs, pair = np.unique(

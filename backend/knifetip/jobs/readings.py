@@ -1,7 +1,8 @@
-"""The stored reading of a drawing, from which a compile restores the drawing and its dieline.
+"""Restores a drawing and its dieline from the stored reading of the drawing.
 
 A *reading* contains all data that questions, planning and verification need, so a file is read and
-classified only once: at upload, or when its unit or profile changes.
+classified only once: at upload, or when its unit or profile changes.  The dieline contains the
+edges with their line types.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from knifetip.presentation.edges import restore_drawing
 
 @dataclass(frozen=True, slots=True)
 class StoredDrawing:
-    """The file of a drawing, with its stored edges and the interpretation used for them."""
+    """The file of a drawing, its stored edges, and the interpretation with which it was read."""
 
     content: bytes  #: the file
     edges: bytes  #: packed ``EdgeTable`` of the drawing
@@ -28,18 +29,18 @@ class StoredDrawing:
 
 
 def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
-    """Return the drawing and its dieline for an interpretation.
+    """Return a drawing and its dieline (edges with line types) for an interpretation.
 
     They are restored from the stored edges if the stored interpretation has the same profile and an
-    equal, known unit, and if no override was removed; otherwise the file is read again.  A removed
-    override makes this necessary because the line type under an override is not stored.
+    equal, known unit, and if no override was removed; otherwise the file is read again.  It is read
+    again after the removal of an override because the line type under the override is not stored.
 
     Parameters
     ----------
     stored
         File, stored edges and stored interpretation of the drawing.
     wanted
-        Interpretation of the returned drawing.
+        Unit, profile and overrides of the returned drawing and dieline.
 
     Raises
     ------
@@ -65,10 +66,12 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
 # Changes of overrides or profile need the same drawing again: cache the last few.
 @lru_cache(maxsize=4)
 def read_drawing(content: bytes, unit: str) -> Drawing:
-    """Return the drawing in a file.
+    """Return the drawing that a file contains; the drawings read last are cached.
 
     Parameters
     ----------
+    content
+        The file.
     unit
         Unit that the user has set, "" for the unit of the file.
     """
@@ -78,9 +81,10 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
 
 
 def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
-    """Return the overrides to add to a stored drawing, (n,) with one per edge.
+    """Return the overrides with which a stored drawing becomes the wanted one, (n,), or None.
 
-    Returns None if the stored drawing cannot be used for the wanted interpretation.
+    There is one override per edge: ``NO_OVERRIDE`` or a LineType.  Returns None if the file must be
+    read again.
 
     Parameters
     ----------

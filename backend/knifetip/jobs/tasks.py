@@ -44,7 +44,7 @@ _SHOWN: Final = 3
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Result of reading and classifying a drawing, as it is stored."""
+    """Result of reading and classifying a drawing, in the form in which it is stored."""
 
     summary: dict[str, Any]
     edges: bytes  #: packed ``EdgeTable``
@@ -58,18 +58,21 @@ def read(
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
 ) -> Reading:
-    """Return a drawing, read and classified, in the form in which the store keeps it.
+    """Read and classify a drawing; return it in the form in which it is stored.
 
     Parameters
     ----------
+    progress
+        Called with stage and completed fraction.
     content
         File of the drawing.
     interpretation
-        Unit, profile and overrides; the overrides belong to an earlier reading of the same file.
+        Unit, profile and overrides.  The overrides belong to the edges of an earlier reading of the
+        same file.
     handles : (n,)
         Handles of the edges of that earlier reading; None if there was none.  Overrides are carried
-        over by index of the edge if the handles are equal, else by handle if all edges with the
-        handle have the same override.
+        over by row if the handles are equal, else by handle if all edges with the handle have the
+        same override.
     """
     from knifetip import pipeline
 
@@ -95,14 +98,17 @@ def read(
 
 
 def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
-    """Return the overrides for the edges of a new reading, given those of an earlier reading.
+    """Return the overrides for the edges of a new reading from those of an earlier one, (m,).
+
+    If the handles are equal, so are the overrides.  Otherwise an edge gets the override that all
+    edges with its handle have in the earlier reading, or ``NO_OVERRIDE``.
 
     Parameters
     ----------
     before : (n,)
-        Overrides of the earlier reading.
+        Overrides of the edges of the earlier reading.
     handles : (n,)
-        Handles of the edges of the earlier reading.
+        Handles of these edges.
     now : (m,)
         Handles of the edges of the new reading.
     """
@@ -116,10 +122,12 @@ def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
 
 
 def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
-    """Return a report on the edges that cleaning a drawing changes, as JSON data.
+    """Return a report on the edges that cleaning changes in a drawing, as JSON data.
 
     Parameters
     ----------
+    progress
+        Called with stage and completed fraction.
     edges
         Field ``edges`` of the ``Reading`` of the drawing.
 
@@ -140,10 +148,12 @@ def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
 def open_questions(
     progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
-    """Return the questions that the user must answer before a compile, as JSON data.
+    """Return the questions that the user must answer before a job can be compiled, as JSON data.
 
     Parameters
     ----------
+    progress
+        Called with stage and completed fraction.
     stored, wanted
         The stored drawing, and the interpretation with which it is compiled.
     machine
@@ -173,12 +183,23 @@ def compile(
     board: str,
     notes: Sequence[str],
 ) -> CompileResult:
-    """Compile a drawing for a board and a machine, and verify the program.
+    """Compile a drawing for a board and a machine, verify the program, and return the result.
+
+    Parameters
+    ----------
+    progress
+        Called with stage and completed fraction.
+    stored, wanted
+        The stored drawing, and the interpretation with which it is compiled.
+    machine, board
+        Names of the machine and the board in the library.
+    notes
+        Comment lines for the beginning of the program.
 
     Raises
     ------
     KnifetipError
-        The drawing cannot be made; the message contains place and measure.
+        The drawing cannot be made; the message contains position and measured value.
     """
     from knifetip import pipeline
 
@@ -205,7 +226,7 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
     Parameters
     ----------
     made
-        The compiled program.
+        Result of the compile, with the program.
     handles : (n,)
         Handles of the edges of the drawing.
     table
@@ -242,7 +263,9 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
 
 
 def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
-    """Return the modules of some kernel groups that contain kernels without machine code.
+    """Return the modules of some groups of kernels in which a kernel has no machine code.
+
+    Kernels are functions that are compiled once after an installation.
 
     Parameters
     ----------
@@ -253,14 +276,16 @@ def missing_kernels(_progress: Progress, groups: Sequence[str]) -> list[Part]:
 
 
 def compile_kernels(progress: Progress, module: str, niceness: int) -> None:
-    """Compile the kernels of a module in this process, at low priority.
+    """Compile the kernels (functions that numba compiles) of a module, at low priority.
 
     Parameters
     ----------
+    progress
+        Called with the stage ``PREPARE`` and the fraction of the kernels that are compiled.
     module
         Name of the module.
     niceness
-        Least niceness of the process (see ``nice``).
+        Least niceness of this process (see ``nice``).
     """
     os.setpriority(os.PRIO_PROCESS, 0, max(niceness, os.getpriority(os.PRIO_PROCESS, 0)))
     for fraction in compile_module(module):

@@ -22,7 +22,7 @@ Row = TypeVar("Row", Drawing, Job)
 
 
 class Transitions:
-    """Transitions of jobs and their events; used inside a transaction of the caller."""
+    """Moves jobs to other states and writes events, inside a transaction of the caller."""
 
     def __init__(self, database: Database) -> None:
         self._db = database
@@ -103,8 +103,10 @@ class Transitions:
 
         Parameters
         ----------
+        session
+            Session with the transaction of the caller.
         kind, subject
-            ``job`` or ``drawing``, and its id.
+            "job" or "drawing", and the id of the job or drawing.
         state
             State of the job after the event; for a drawing ``read``, ``changed`` or ``deleted``.
         actor
@@ -146,7 +148,12 @@ class Transitions:
 def advice(state: str, message: Message | None) -> Message:
     """Return a message about what an operator can do with a job.
 
-    It is the hint of the message of the job if there is one, else a hint for the state of the job.
+    It is the hint of ``message`` if this has one, else a hint for the state.
+
+    Parameters
+    ----------
+    state, message
+        State of the job, and message stored in the job; None for no message.
     """
     if message is not None and hint(message):
         return Message("advice.of-reason", reason=message)
@@ -154,7 +161,7 @@ def advice(state: str, message: Message | None) -> Message:
 
 
 def unknown_job_error(id: str) -> NoSuchJob:
-    """Return the error that no job has this id."""
+    """Return the error that there is no job with an id."""
     return NoSuchJob("job.unknown", job=short(id))
 
 
@@ -163,6 +170,8 @@ def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpo
 
     Parameters
     ----------
+    id, state
+        Id and state of the job.
     current, epoch
         Present epoch of the job, and epoch that the worker or gateway has sent.
     """
@@ -170,10 +179,12 @@ def stale_epoch_error(id: str, state: str, current: int, epoch: int) -> StaleEpo
 
 
 def same_request(row: Row, key: str, fingerprint: str) -> Row:
-    """Return ``row``, a drawing or job that was stored with an Idempotency-Key, if it matches.
+    """Return a stored drawing or job if the present request is the one that created it.
 
     Parameters
     ----------
+    row
+        Drawing or job that was stored with the Idempotency-Key of the present request.
     key, fingerprint
         Idempotency-Key and hash of the present request.
 

@@ -1,4 +1,4 @@
-"""Lock for the threads that write to SQLite, in order of their urgency.
+"""Lock for the threads that write to SQLite, with priority for urgent threads.
 
 SQLite permits one writer at a time and has no queue: a waiting thread retries at intervals, and
 with many writers it may wait for seconds.  The threads of a process therefore wait for this lock.

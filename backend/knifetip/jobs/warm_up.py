@@ -2,10 +2,11 @@
 
     python -m knifetip.jobs.warm_up        compiles all kernels and prints the progress
 
-Two processes compile module after module in the order of ``warming.GROUPS``: first the kernels that
-read drawings, then those that compile jobs, then those that offset contours.  Requests and compiles
-wait for the groups that they need; everything else is served meanwhile.  The processes end after
-the last module, because compiling leaves hundreds of megabytes in them.
+Kernels are the functions that numba compiles.  Two processes compile module after module in the
+order of ``warming.GROUPS``: first the kernels that read drawings, then those that compile jobs,
+then those that offset contours.  Requests and compiles wait for the groups that they need; other
+requests are served meanwhile.  The processes end after the last module, because compiling leaves
+hundreds of megabytes in them.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ _log = logging.getLogger("knifetip.jobs")
 
 @dataclass(frozen=True, slots=True)
 class WarmUpProgress:
-    """Progress of a warm-up: numbers of kernels, and whether the warm-up is finished."""
+    """Progress of compiling the kernels (functions that numba compiles), and whether it ended."""
 
     finished: bool
     compiled: int = 0  #: kernels
@@ -43,7 +44,7 @@ class WarmUpProgress:
 
 
 class WarmUp:
-    """Compiles all kernels without machine code once; callers can wait for groups of kernels.
+    """Compiles all kernels without machine code once; threads can wait for groups of kernels.
 
     Parameters
     ----------
@@ -207,7 +208,7 @@ class WarmUp:
                 raise TaskCancelled
 
     def fraction_compiled(self, *groups: str) -> float:
-        """Return the fraction (0 … 1) that is compiled of the kernels of some groups.
+        """Return the fraction (0 … 1) of the kernels of some groups that are compiled.
 
         Only kernels without machine code at the start of the warm-up are counted.  Returns 1 only
         if all of them are compiled, or if no warm-up is running, so that no caller has to wait.
@@ -231,7 +232,7 @@ class WarmUp:
         )
 
     def close(self) -> None:
-        """Stop compiling; threads in ``wait`` raise ``TaskCancelled``."""
+        """Stop compiling; threads that wait in ``wait`` raise ``TaskCancelled``."""
         with self._changed:
             self._closed = True
             compilers = self._compilers
@@ -241,7 +242,7 @@ class WarmUp:
 
 
 def main() -> None:
-    """Compile all missing kernels with normal priority, and print the progress."""
+    """Compile all kernels without machine code, with normal priority, and print the progress."""
     shown = -1
 
     def show(progress: WarmUpProgress) -> None:
