@@ -3,7 +3,7 @@
     .venv/bin/python -m tests.benchmarks.import_table      writes backend/docs/import.md
 
 Every file, with what was kept of it and how it was classified; the drawings whose truth is known,
-also without their layers' names and without any style; cartons as other houses draw them; and
+also without their layers' names and without any style; cartons in the conventions of other companies; and
 drawings of our own with known truth, by decile of confidence and by who drew them.
 """
 
@@ -27,15 +27,20 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import ImportOutcome
 from knifetip.model.profile import LineRules
 from tests.conftest import CORPUS, ROOT
-from tests.support.cartons.house_files import drawn, truth
-from tests.support.cartons.houses import HOUSES, House
+from tests.support.cartons.companies import COMPANIES, Company
+from tests.support.cartons.company_files import company_file, truth
 from tests.support.cartons.kinds import KINDS
 from tests.support.cartons.random_drawings import misplaced_edge, on_layer, random_drawing
-from tests.support.truth.known_types import KNOWN, shares, without_names, without_style
+from tests.support.truth.known_types import (
+    KNOWN,
+    classification_fractions,
+    without_names,
+    without_style,
+)
 
 SEEDS = 3000
-#: Languages of the houses' layer names.
-TONGUES = 20
+#: Languages of the layer names of companies.
+LANGUAGES = 20
 PAGE = ROOT / "backend" / "docs" / "import.md"
 
 HEAD = """# Import of drawings from other sources
@@ -74,13 +79,13 @@ panel on one side only; the crosses beside the CF2 are not cut, although their l
 With the colours and linetypes of the files all of them are right, or asked about.
 """
 
-BY_HOUSE = """
+BY_COMPANY = """
 ## Cartons in the styles of other companies
 
 {kinds} kinds of cartons (slotted cases with slots and with slits, trays, tuck ends, mailers,
 displays, pillows, bags, crash locks, folders …), each drawn as a file in the style of each of
-{houses} companies (`tests/support/cartons`): layer names of CAD programs and of
-{tongues} languages, colours, one style for all; with dimensions inside and outside, frames,
+{companies} companies (`tests/support/cartons`): layer names of CAD programs and of
+{languages} languages, colours, one style for all; with dimensions inside and outside, frames,
 legends, crosses, bleeds, texts turned into lines, glue marks; edges split into pieces, with
 gaps, with creases that stop short, three and six blanks in one file; and with wrong units in the
 header. Classified by the profile `default`.
@@ -92,7 +97,7 @@ a drawing; and whether the unit was found, asked about, or wrong.
 |---|--:|--:|--:|--:|--:|--:|--:|---|
 """
 
-AFTER_HOUSES = """
+AFTER_COMPANIES = """
 The most frequent questions: which line through the flaps is the slit, if the drawing has one style;
 letters, crosses and bleeds on the layer of the cuts, for which the rule and the shape disagree (one
 question each); and the unit, if neither the header nor a text states it. With other sizes two kinds
@@ -117,7 +122,7 @@ DRAWN = """
 |---|--:|--:|--:|--:|--:|
 """
 
-MISLAID = """
+MISPLACED = """
 ## One line on the wrong layer
 
 The cartons above with the layers CUT and CREASE; in each carton one line is moved to the other
@@ -128,13 +133,13 @@ cuts may be a slit: it is recognised if its mirror image is a fold, or if it wou
 |---|--:|--:|--:|
 """
 
-WAYS = {
+SCHEMES = {
     "default": "layer names of the default profile",
     "words": "layer names in ten languages, one colour",
-    "house": "one layer, the colours of a house",
+    "company": "one layer, the colours of one company",
     "colours": "one layer, colours by chance",
     "nothing": "one layer, one colour",
-    "friends": "layer names that mislead (NoCut, Faltmarken …)",
+    "misleading": "layer names that mislead (NoCut, Faltmarken …)",
     "swapped": "cut and crease exchanged",
 }
 
@@ -173,8 +178,8 @@ def files() -> Iterator[str]:
 def classes(dieline: Dieline) -> str:
     """Return how many edges have each type: ``cut 12, crease 4, asked 3``."""
     count = np.bincount(dieline.line_type, minlength=len(LineType))
-    told = [f"{kind.word} {count[kind]}" for kind in LineType if kind and count[kind]]
-    return ", ".join([*told, *([f"asked {count[0]}"] if count[0] else [])])
+    counts = [f"{kind.word} {count[kind]}" for kind in LineType if kind and count[kind]]
+    return ", ".join([*counts, *([f"asked {count[0]}"] if count[0] else [])])
 
 
 def known() -> Iterator[str]:
@@ -184,46 +189,57 @@ def known() -> Iterator[str]:
     for one in KNOWN:
         whole = pipeline.read((CORPUS / one.path).read_bytes())
         kinds_of = one.truth(whole)
-        ways = {"is": whole, "no names": without_names(whole), "one style": without_style(whole)}
-        for way, drawing in ways.items():
+        variants = {
+            "is": whole,
+            "no names": without_names(whole),
+            "one style": without_style(whole),
+        }
+        for variant, drawing in variants.items():
             dieline = classify(drawing, rules, conventions)
             asked = len(list_questions(drawing, dieline))
-            sums[way].append((kinds_of, dieline.line_type, drawing.lengths))
-            yield _shared(Path(one.path).name, way, *sums[way][-1], asked)
-    for way, parts in sums.items():
+            sums[variant].append((kinds_of, dieline.line_type, drawing.lengths))
+            yield _truth_row(Path(one.path).name, variant, *sums[variant][-1], asked)
+    for variant, parts in sums.items():
         columns = [np.concatenate(column) for column in zip(*parts, strict=True)]
-        truth_of, said, length = columns
-        yield _shared("**all**", way, truth_of, said, length, "")
+        truth_of, line_type, length = columns
+        yield _truth_row("**all**", variant, truth_of, line_type, length, "")
 
 
-def _shared(name: str, way: str, truth: U8, said: U8, length: F64, asked: int | str) -> str:
-    part = (*shares(truth, said, np.ones(len(said))), *shares(truth, said, length))
-    return f"| {name} | {way} | {' | '.join(f'{100 * x:.1f}' for x in part)} | {asked} |"
+def _truth_row(
+    name: str, variant: str, truth: U8, line_type: U8, length: F64, asked: int | str
+) -> str:
+    fractions = (
+        *classification_fractions(truth, line_type, np.ones(len(line_type))),
+        *classification_fractions(truth, line_type, length),
+    )
+    return f"| {name} | {variant} | {' | '.join(f'{100 * x:.1f}' for x in fractions)} | {asked} |"
 
 
-def houses() -> Iterator[str]:
-    """Yield the table of cartons as other houses draw them."""
-    yield BY_HOUSE.format(kinds=len(KINDS), houses=len(HOUSES), tongues=TONGUES).rstrip("\n")
+def companies() -> Iterator[str]:
+    """Yield the table of cartons in the conventions of other companies."""
+    yield BY_COMPANY.format(kinds=len(KINDS), companies=len(COMPANIES), languages=LANGUAGES).rstrip(
+        "\n"
+    )
     sums = []
-    for house in HOUSES:
-        edges, lengths, asked, units = _house(house)
+    for company in COMPANIES:
+        edges, lengths, asked, units = _company_figures(company)
         sums.append((edges, lengths, asked, units))
-        yield _housed(house.name, edges, lengths, asked / len(KINDS), units)
+        yield _company_row(company.name, edges, lengths, asked / len(KINDS), units)
     units = sum((one[3] for one in sums), Counter())
-    questions_ = sum(one[2] for one in sums) / len(KINDS) / len(HOUSES)
+    questions_ = sum(one[2] for one in sums) / len(KINDS) / len(COMPANIES)
     edges = np.sum([one[0] for one in sums], axis=0)
     lengths = np.sum([one[1] for one in sums], axis=0)
-    yield _housed("**all**", edges, lengths, questions_, units)
-    yield AFTER_HOUSES.rstrip("\n")
+    yield _company_row("**all**", edges, lengths, questions_, units)
+    yield AFTER_COMPANIES.rstrip("\n")
 
 
-def _house(house: House) -> tuple[F64, F64, int, Counter[str]]:
+def _company_figures(company: Company) -> tuple[F64, F64, int, Counter[str]]:
     """Return edges and mm that are right, asked about and wrong, questions, and units."""
     rules = load.profile("default")
     edges, lengths, asked = np.zeros(3), np.zeros(3), 0
     units: Counter[str] = Counter()
     for seed in range(len(KINDS)):
-        data, strokes, _ = drawn(house, seed)
+        data, strokes, _ = company_file(company, seed)
         drawing = pipeline.read(data)
         kinds, _ = truth(drawing, strokes)
         dieline = pipeline.classify(drawing, rules)
@@ -240,20 +256,20 @@ def _house(house: House) -> tuple[F64, F64, int, Counter[str]]:
     return edges, lengths, asked, units
 
 
-def _housed(name: str, edges: F64, lengths: F64, asked: float, units: Counter[str]) -> str:
-    shares_ = (
-        f"{100 * part[0]:.1f} | {100 * part[1]:.1f} | {100 * part[2]:.3f}"
-        for part in (edges / edges.sum(), lengths / lengths.sum())
+def _company_row(name: str, edges: F64, lengths: F64, asked: float, units: Counter[str]) -> str:
+    fractions = (
+        f"{100 * fractions[0]:.1f} | {100 * fractions[1]:.1f} | {100 * fractions[2]:.3f}"
+        for fractions in (edges / edges.sum(), lengths / lengths.sum())
     )
-    told = ", ".join(f"{what} {count}" for what, count in units.most_common())
-    return f"| {name} | {' | '.join(shares_)} | {asked:.1f} | {told} |"
+    counts = ", ".join(f"{what} {count}" for what, count in units.most_common())
+    return f"| {name} | {' | '.join(fractions)} | {asked:.1f} | {counts} |"
 
 
 def own() -> Iterator[str]:
     """Yield the tables of our own cartons."""
     rules, conventions = load.profile("default"), load.conventions()
     decile = np.zeros((10, 2), int)
-    ways: dict[str, I64] = defaultdict(lambda: np.zeros(6, int))
+    variants: dict[str, I64] = defaultdict(lambda: np.zeros(6, int))
     wrong: Counter[str] = Counter()
     for seed in range(SEEDS):
         drawing, kinds_of, how = random_drawing(seed)
@@ -261,12 +277,12 @@ def own() -> Iterator[str]:
         best = np.array([one[0] if one else 0 for one in dieline.alternatives], np.uint8)
         asked = dieline.line_type == LineType.UNCLASSIFIED
         guess = np.where(asked, best[dieline.rule], dieline.line_type)
-        said = guess != LineType.UNCLASSIFIED
-        step = np.minimum((dieline.confidence[said] * 10.0 + 1e-9).astype(int), 9)
+        line_type = guess != LineType.UNCLASSIFIED
+        step = np.minimum((dieline.confidence[line_type] * 10.0 + 1e-9).astype(int), 9)
         np.add.at(decile, (step, 0), 1)
-        np.add.at(decile, (step, 1), guess[said] != kinds_of[said])
+        np.add.at(decile, (step, 1), guess[line_type] != kinds_of[line_type])
         silent = ~asked & (guess != kinds_of)
-        ways[how.split(" / ")[1]] += (
+        variants[how.split(" / ")[1]] += (
             len(kinds_of),
             int((~asked & ~silent).sum()),
             int(asked.sum()),
@@ -277,7 +293,7 @@ def own() -> Iterator[str]:
         for row in np.flatnonzero(silent).tolist():
             kinds = LineType(int(kinds_of[row])).word, LineType(int(guess[row])).word
             wrong[f"{how}: {kinds[0]} taken for {kinds[1]}"] += 1
-    edges = int(sum(row[0] for row in ways.values()))
+    edges = int(sum(row[0] for row in variants.values()))
     yield DECILES.format(seeds=SEEDS, edges=edges).rstrip("\n")
     for step, (count, off) in enumerate(decile.tolist()):
         if count:
@@ -285,11 +301,11 @@ def own() -> Iterator[str]:
             yield f"| {between} | {count:,} | {off:,} | {off / count:.3%} |"
     yield DRAWN.rstrip("\n")
     total = np.zeros(6, int)
-    for way, told in WAYS.items():
-        total += ways[way]
-        yield _way(told, ways[way])
-    yield _way("**all**", total)
-    yield from _mislaid(rules, conventions)
+    for variant, label in SCHEMES.items():
+        total += variants[variant]
+        yield _scheme_row(label, variants[variant])
+    yield _scheme_row("**all**", total)
+    yield from _misplaced_rows(rules, conventions)
     yield (
         "\nSilently wrong in the drawings without such a mistake: "
         + ("; ".join(f"{count} × {what}" for what, count in wrong.most_common()) or "none")
@@ -297,8 +313,8 @@ def own() -> Iterator[str]:
     )
 
 
-def _mislaid(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[str]:
-    yield MISLAID.rstrip("\n")
+def _misplaced_rows(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[str]:
+    yield MISPLACED.rstrip("\n")
     for kind, layer in ((LineType.CUT, "CREASE"), (LineType.CREASE, "CUT")):
         drawings = caught = 0
         for seed in range(SEEDS):
@@ -306,9 +322,9 @@ def _mislaid(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[s
             row = misplaced_edge(drawing, kinds_of, kind, seed) if how.endswith("default") else None
             if row is None or layer not in drawing.layers:
                 continue
-            said = classify(on_layer(drawing, row, layer), rules, conventions).line_type[row]
+            line_type = classify(on_layer(drawing, row, layer), rules, conventions).line_type[row]
             drawings += 1
-            caught += said == LineType.UNCLASSIFIED
+            caught += line_type == LineType.UNCLASSIFIED
         share = 100.0 * caught / max(drawings, 1)
         yield (
             f"| a {kind.word} to layer {layer} | {drawings} | {caught} ({share:.0f} %) "
@@ -316,10 +332,10 @@ def _mislaid(rules: LineRules, conventions: tuple[LineRules, ...]) -> Iterator[s
         )
 
 
-def _way(told: str, row: I64) -> str:
+def _scheme_row(label: str, row: I64) -> str:
     count, right, asked, silent, put, drawings = row.tolist()
     return (
-        f"| {told} | {count:,} | {100 * right / count:.2f} | {100 * asked / count:.2f} "
+        f"| {label} | {count:,} | {100 * right / count:.2f} | {100 * asked / count:.2f} "
         f"| {100 * silent / count:.4f} | {put / drawings:.1f} |"
     )
 
@@ -331,7 +347,7 @@ def _cell(text: str) -> str:
 def main() -> None:
     """Write the page."""
     parts = [HEAD.rstrip("\n"), *files(), TRUTH.rstrip("\n"), *known(), NOTES.rstrip("\n")]
-    parts += [*houses(), *own()]
+    parts += [*companies(), *own()]
     PAGE.write_text("\n".join(parts) + "\n", "utf-8")
 
 

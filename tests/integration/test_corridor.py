@@ -9,7 +9,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.support.serving.server import Running, ordered, square, until, uploaded
+from tests.support.serving.server import Running, order_job, square, upload_drawing, wait_for_state
 from tests.support.truth.named import NAMED, SAMPLES, Named
 from tests.support.writers import cf2_text, pdf_text, svg_text
 
@@ -27,14 +27,14 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
 
 def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> None:
     asked = {"profile": named.profile} | ({"unit": named.unit} if named.unit else {})
-    drawing = uploaded(shop, named.data(corpus), **asked)
+    drawing = upload_drawing(shop, named.data(corpus), **asked)
     assert bool(drawing["questions"]) == bool(named.answer)
     if named.answer:
         said = [{"type": named.answer, "edges": one["edges"]} for one in drawing["questions"]]
         answer = shop.patch(f"/api/drawings/{drawing['id']}/edges", json={"overrides": said})
         assert answer.json()["questions"] == []
-    job = ordered(shop, drawing["id"], board=named.board, release=True)["id"]
-    done = until(shop, job, "done", confirm=True)
+    job = order_job(shop, drawing["id"], board=named.board, release=True)["id"]
+    done = wait_for_state(shop, job, "done", confirm=True)
     assert done["verdict"]["accepted"]
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
@@ -70,7 +70,7 @@ def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path)
 def test_a_carton_in_another_format_runs_to_its_end(
     shop: httpx.Client, data: bytes, unit: str
 ) -> None:
-    drawing = uploaded(shop, data)
+    drawing = upload_drawing(shop, data)
     assert (drawing["unit"], drawing["questions"]) == (unit, [])
     rows = drawing["import_report"]["rows"]
     edges = shop.get(f"/api/drawings/{drawing['id']}/edges").json()["edges"]
@@ -78,19 +78,19 @@ def test_a_carton_in_another_format_runs_to_its_end(
     assert sum(row["length"] for row in rows) == pytest.approx(drawn, abs=1e-3)
     assert {edge["type"] for edge in edges} == {"cut", "crease"}
     assert shop.get(f"/api/drawings/{drawing['id']}/file").content == data
-    job = ordered(shop, drawing["id"], release=True)["id"]
-    done = until(shop, job, "done", confirm=True)
+    job = order_job(shop, drawing["id"], release=True)["id"]
+    done = wait_for_state(shop, job, "done", confirm=True)
     assert done["verdict"]["accepted"]
     assert (done["line"], done["progress"]) == (done["lines"], 1.0)
 
 
 def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> None:
-    drawing = uploaded(shop, square())["id"]
-    job = ordered(shop, drawing, copies=3, release=True)["id"]
+    drawing = upload_drawing(shop, square())["id"]
+    job = order_job(shop, drawing, copies=3, release=True)["id"]
     for copy in (1, 2):
-        while until(shop, job, "held", "running", confirm=True)["copies_done"] < copy:
+        while wait_for_state(shop, job, "held", "running", confirm=True)["copies_done"] < copy:
             time.sleep(0.02)
-        waiting = until(shop, job, "held")
+        waiting = wait_for_state(shop, job, "held")
         assert waiting["waiting_for"] == "sheet"
         assert waiting["reason"] == f"Copy {copy} of 3 is finished."
         assert (
@@ -99,7 +99,7 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
         )
         # The older command and the confirmation do the same.
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
-    done = until(shop, job, "done", confirm=True)
+    done = wait_for_state(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
     assert "Copy 1 of 3 is finished. The next copy needs a new sheet." in whys
@@ -107,19 +107,19 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
 
 
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
-    drawing = uploaded(shop, square(side=1000.0))["id"]
-    job = ordered(shop, drawing, copies=2, release=True)["id"]
-    until(shop, job, "held", confirm=True)
+    drawing = upload_drawing(shop, square(side=1000.0))["id"]
+    job = order_job(shop, drawing, copies=2, release=True)["id"]
+    wait_for_state(shop, job, "held", confirm=True)
     shop.post(f"/api/jobs/{job}/cancel")
-    cancelled = until(shop, job, "cancelled")
+    cancelled = wait_for_state(shop, job, "cancelled")
     assert cancelled["copies_done"] == 1
     assert shop.get("/api/machines/demo-table").json()["job"] is None
 
 
 def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Client) -> None:
-    drawing = uploaded(shop, square())["id"]
-    first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
-    until(shop, first, "done", confirm=True)
+    drawing = upload_drawing(shop, square())["id"]
+    first, second = (order_job(shop, drawing, release=True)["id"] for _ in range(2))
+    wait_for_state(shop, first, "done", confirm=True)
     deadline = time.monotonic() + 20.0
     while (found := shop.get(f"/api/jobs/{second}").json())["waiting_for"] != "confirmation":
         assert time.monotonic() < deadline, found
@@ -136,7 +136,7 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
     assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"
     assert shop.get("/api/machines/demo-table").json()["job"] is None
     shop.post(f"/api/jobs/{second}/confirm", json={"board": "e-flute", "by": "Kim"})
-    until(shop, second, "done")
+    wait_for_state(shop, second, "done")
     events = shop.get(f"/api/jobs/{second}/events").json()
     said = [(event["state"], event["who"], event["why"]) for event in events]
     assert (
@@ -149,11 +149,11 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
 def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(
     shop: httpx.Client,
 ) -> None:
-    drawing = uploaded(shop, square())["id"]
-    first, second = (ordered(shop, drawing, release=True)["id"] for _ in range(2))
+    drawing = upload_drawing(shop, square())["id"]
+    first, second = (order_job(shop, drawing, release=True)["id"] for _ in range(2))
     deadline = time.monotonic() + 20.0
     while shop.get(f"/api/jobs/{first}").json()["waiting_for"] != "confirmation":
         assert time.monotonic() < deadline
         time.sleep(0.02)
     assert shop.post(f"/api/jobs/{first}/cancel").json()["state"] == "cancelled"
-    assert until(shop, second, "done", confirm=True)["copies_done"] == 1
+    assert wait_for_state(shop, second, "done", confirm=True)["copies_done"] == 1

@@ -14,7 +14,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.support.serving.server import Running, square, uploaded
+from tests.support.serving.server import Running, square, upload_drawing
 from tests.support.writers import hostile, svg_text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -34,7 +34,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
     with running:
         # The first reading compiles kernels, which is not what is timed here.
         for drawing in (svg_text.carton(), square()):
-            uploaded(running.client, drawing)
+            upload_drawing(running.client, drawing)
         yield running
         assert running.process.poll() is None
 
@@ -54,7 +54,7 @@ def unharmed(server: Running) -> Iterator[None]:
     yield
     assert time.monotonic() - begun < _SECONDS
     assert most_memory(server) - before < _MORE_MEMORY
-    assert uploaded(server.client, square())["segments"] == 4
+    assert upload_drawing(server.client, square())["segments"] == 4
 
 
 def check_problem(answer: httpx.Response, status: int, word: str) -> None:
@@ -80,7 +80,7 @@ def test_a_hostile_file_is_refused(server: Running, name: str) -> None:
 def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: str) -> None:
     word, edges, made = hostile.READ[name]
     with unharmed(server):
-        drawing = uploaded(server.client, made(), unit="mm")
+        drawing = upload_drawing(server.client, made(), unit="mm")
         assert drawing["segments"] == edges
         assert any(word in row["reason"]["text"] for row in drawing["import_report"]["rows"])
         assert max(map(abs, drawing["bounds"])) <= 1e7
@@ -90,7 +90,7 @@ def test_nothing_that_a_file_points_to_is_fetched(server: Running) -> None:
     with socket.create_server(("127.0.0.1", 0)) as elsewhere:
         elsewhere.settimeout(1.0)
         url = f"http://127.0.0.1:{elsewhere.getsockname()[1]}/"
-        uploaded(server.client, hostile.external_references(url))
+        upload_drawing(server.client, hostile.external_references(url))
         refused = server.client.post(
             "/api/drawings", files={"file": ("a.svg", hostile.external_entity(url))}
         )
@@ -188,7 +188,7 @@ def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running) -> No
         begun = request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000
         for line in lines:
             line.__enter__().sendall(begun)
-        assert uploaded(server.client, square())["segments"] == 4
+        assert upload_drawing(server.client, square())["segments"] == 4
         for line in lines:
             line.__exit__(None, None, None)
 
@@ -260,7 +260,7 @@ def test_everything_at_once_leaves_a_server_that_reads(server: Running) -> None:
         senders = [threading.Thread(target=send, args=(made,)) for made in bombs]
         for sender in senders:
             sender.start()
-        assert uploaded(server.client, svg_text.carton())["unit"] == "mm"
+        assert upload_drawing(server.client, svg_text.carton())["unit"] == "mm"
         for sender in senders:
             sender.join()
     assert len(statuses) == len(bombs) >= 6

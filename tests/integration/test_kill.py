@@ -9,7 +9,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.support.serving.server import Running, ordered, square, until, uploaded
+from tests.support.serving.server import Running, order_job, square, upload_drawing, wait_for_state
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -35,12 +35,12 @@ def course(client: httpx.Client, job: str) -> list[str]:
 
 def test_killed_while_it_compiles_it_compiles_again(database: Path) -> None:
     first = Running(database, simulator=False)
-    drawing = uploaded(first.client, SLITS, unit="mm")["id"]
-    job = ordered(first.client, drawing)["id"]
-    until(first.client, job, "compiling")
+    drawing = upload_drawing(first.client, SLITS, unit="mm")["id"]
+    job = order_job(first.client, drawing)["id"]
+    wait_for_state(first.client, job, "compiling")
     first.kill()
     with Running(database, simulator=False) as client:
-        found = until(client, job, "ready")
+        found = wait_for_state(client, job, "ready")
         assert found["verdict"]["accepted"]
         assert found["lines"] > 10_000
         states = course(client, job)
@@ -51,11 +51,11 @@ def test_killed_while_it_compiles_it_compiles_again(database: Path) -> None:
 
 def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(database: Path) -> None:
     first = Running(database, simulator=False)
-    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
-    sha256 = until(first.client, job, "queued")["program_sha256"]
+    job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
+    sha256 = wait_for_state(first.client, job, "queued")["program_sha256"]
     first.kill()
     with Running(database, speed=200.0) as client:
-        assert until(client, job, "done", confirm=True)["program_sha256"] == sha256
+        assert wait_for_state(client, job, "done", confirm=True)["program_sha256"] == sha256
         # Queued once, claimed and confirmed: neither compiled again nor given back.
         assert course(client, job)[-5:] == ["queued"] * 3 + ["running", "done"]
         assert course(client, job).count("queued") == 3
@@ -63,14 +63,14 @@ def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(databas
 
 def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> None:
     first = Running(database, speed=0.2)
-    drawing = uploaded(first.client, square())["id"]
-    job = ordered(first.client, drawing, release=True)["id"]
-    until(first.client, job, "running", confirm=True)
+    drawing = upload_drawing(first.client, square())["id"]
+    job = order_job(first.client, drawing, release=True)["id"]
+    wait_for_state(first.client, job, "running", confirm=True)
     while not (line := first.client.get(f"/api/jobs/{job}").json()["line"]):
         time.sleep(0.02)
     first.kill()
     with Running(database, speed=200.0) as client:
-        found = until(client, job, "interrupted")
+        found = wait_for_state(client, job, "interrupted")
         assert found["line"] >= line > 0
         assert (
             f"The job was interrupted at line {found['line']} of {found['lines']}. "
@@ -78,23 +78,23 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
         )
         assert "switched off" in found["reason"]
         # The table is not given to another before somebody has looked at it.
-        other = ordered(client, drawing, release=True)["id"]
-        until(client, other, "queued")
+        other = order_job(client, drawing, release=True)["id"]
+        wait_for_state(client, other, "queued")
         time.sleep(1.0)
         assert client.get(f"/api/jobs/{other}").json()["state"] == "queued"
         client.post(f"/api/jobs/{job}/requeue")
-        until(client, job, "done", confirm=True)
-        until(client, other, "done", confirm=True)
+        wait_for_state(client, job, "done", confirm=True)
+        wait_for_state(client, other, "done", confirm=True)
         assert course(client, job).count("interrupted") == 1
 
 
 def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path) -> None:
     first = Running(database, speed=0.2)
-    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
-    until(first.client, job, "running", confirm=True)
+    job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
+    wait_for_state(first.client, job, "running", confirm=True)
     first.kill()
     with Running(database, simulator=False) as client:
-        found = until(client, job, "interrupted", seconds=40.0)
+        found = wait_for_state(client, job, "interrupted", seconds=40.0)
         assert "stopped responding" in found["reason"]
 
 
@@ -102,9 +102,9 @@ def test_killed_at_any_moment_it_loses_no_job(database: Path) -> None:
     random.seed(20)
     jobs: list[str] = []
     server = Running(database, speed=2.0)
-    drawing = uploaded(server.client, square())["id"]
+    drawing = upload_drawing(server.client, square())["id"]
     for _ in range(2):
-        jobs += [ordered(server.client, drawing, release=True)["id"] for _ in range(3)]
+        jobs += [order_job(server.client, drawing, release=True)["id"] for _ in range(3)]
         while states_attended(server.client, jobs)[jobs[-3]] not in ("running", "done"):
             time.sleep(0.05)
         time.sleep(random.uniform(0.0, 0.6))
@@ -135,8 +135,8 @@ def states_attended(client: httpx.Client, jobs: list[str]) -> dict[str, str]:
 
 def test_stopped_in_order_its_machine_stands(database: Path) -> None:
     first = Running(database, speed=0.2)
-    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
-    until(first.client, job, "running", confirm=True)
+    job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
+    wait_for_state(first.client, job, "running", confirm=True)
     began = time.monotonic()
     assert first.stop() == 0
     assert time.monotonic() - began < 20.0
@@ -148,7 +148,7 @@ def test_stopped_in_order_its_machine_stands(database: Path) -> None:
 
 def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Path) -> None:
     first = Running(database, speed=200.0)
-    job = ordered(first.client, uploaded(first.client, square())["id"], release=True)["id"]
+    job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
     while first.client.get(f"/api/jobs/{job}").json()["waiting_for"] != "confirmation":
         time.sleep(0.02)
     first.kill()
@@ -158,5 +158,5 @@ def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Pat
             assert time.monotonic() < deadline, course(client, job)
             time.sleep(0.05)
         assert client.get(f"/api/jobs/{job}").json()["state"] == "queued"
-        until(client, job, "done", confirm=True)
+        wait_for_state(client, job, "done", confirm=True)
         assert "interrupted" not in course(client, job)

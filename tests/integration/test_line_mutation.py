@@ -12,14 +12,14 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from tests.support.programs.digit_mutation import FELT
+from tests.support.programs.digit_mutation import TOLERANCE
 from tests.support.programs.engines import ENGINES
-from tests.support.programs.line_mutation import hazard, moved, mutants
+from tests.support.programs.line_mutation import displacement, hazard, mutants
 
 #: Of each engine so many mutants are verified, chosen by the seed.
 COUNT, SEED = 110, 3
 #: (engine, kind): in the waste only, where the knife may also stop at the contour's end.
-HARMLESS = {("led knife", "line dropped"), ("led knife", "lines swapped")}
+HARMLESS = {("knife with leads", "line dropped"), ("knife with leads", "lines swapped")}
 
 
 @pytest.mark.parametrize("name", ENGINES)
@@ -37,8 +37,8 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
             refused += 1
             continue
         let_pass[kind] += 1
-        far = moved(engine.text, mutant, engine.machine, engine.board, engine.line)
-        if far > FELT + 1e-6 and (name, kind) not in HARMLESS:
+        far = displacement(engine.text, mutant, engine.machine, engine.board, engine.line)
+        if far > TOLERANCE + 1e-6 and (name, kind) not in HARMLESS:
             missed.append((kind, row + 1, far, mutant.splitlines()[row]))
         if harm := hazard(mutant, engine.machine):
             missed.append((kind, row + 1, harm, mutant.splitlines()[row]))
@@ -49,7 +49,12 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
 
 
 #: Mutants by which verifiers have been deceived: whole turns of C, and releases and lifts left out.
-FOOLED = ("C turned by 360", "C turned by -360", "line dropped", "lifted after the next is lowered")
+DECEIVING = (
+    "C turned by 360",
+    "C turned by -360",
+    "line dropped",
+    "lifted after the next is lowered",
+)
 
 
 @pytest.mark.parametrize("name", ENGINES)
@@ -60,7 +65,7 @@ def test_every_full_turn_in_the_board_and_every_missing_release_or_lift_is_refus
     assert hazard(engine.text, engine.machine) == ""
     dangerous = []
     for kind, row, mutant in mutants(engine.text):
-        if kind not in FOOLED:
+        if kind not in DECEIVING:
             continue
         line = engine.text.splitlines()[row]
         turn = kind.startswith("C") and not line.startswith(b"G0") and b"C" in line

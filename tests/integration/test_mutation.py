@@ -8,7 +8,7 @@ import pytest
 
 from knifetip import pipeline
 from knifetip.library import load
-from tests.support.programs.digit_mutation import shares, told
+from tests.support.programs.digit_mutation import changed_line, count_refusals
 from tests.support.truth.named import NAMED, SAMPLES, Named
 
 MACHINE = load.machine("demo-table")
@@ -22,13 +22,15 @@ def every_moving_mutant_is_refused(named: Named, corpus: Path | None, dialect: s
         return not pipeline.verify(text, dieline, made.placement, MACHINE, board).accepted
 
     assert not refused(made.program.text)
-    everything, caught, missed = shares(
+    everything, caught, missed = count_refusals(
         made.program.text, MACHINE, board, refused, count=150, seed=1
     )
     print(named, dialect, {kind: f"{caught[kind]}/{everything[kind]}" for kind in everything})
     assert everything["moved"] > 20
     for kind in ("moved", "line", "code", "output"):
-        let_pass = [told(made.program.text, place, text) for k, place, text in missed if k == kind]
+        let_pass = [
+            changed_line(made.program.text, place, text) for k, place, text in missed if k == kind
+        ]
         assert caught[kind] == everything[kind], let_pass
 
 

@@ -61,7 +61,7 @@ def box(x: float, y: float, wide: float, high: float) -> F64:
 def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap: float) -> None:
     count = 0
     for seed in range(8):
-        sheet = nested_contours.sheet(seed, room=6.0, least=15.0, gap=gap)
+        sheet = nested_contours.sheet(seed, clearance=6.0, min_side=15.0, gap=gap)
         toolpath = made(sheet.line)
         assert out_of_order(sheet, toolpath) == []
         verdict = verdict_of(sheet.line, toolpath)
@@ -73,7 +73,7 @@ def test_a_knife_cuts_every_contour_after_what_lies_inside_it(gap: float) -> Non
 def test_a_router_mills_every_contour_after_what_lies_inside_it() -> None:
     count = 0
     for seed in range(14):
-        sheet = nested_contours.sheet(seed, room=14.0, least=30.0)
+        sheet = nested_contours.sheet(seed, clearance=14.0, min_side=30.0)
         toolpath = made(sheet.line, ROUTER, THICK)
         assert out_of_order(sheet, toolpath) == []
         verdict = verdict_of(sheet.line, toolpath, ROUTER, THICK)

@@ -17,7 +17,7 @@ import pytest
 
 from knifetip.dxf.samples import samples
 from tests.conftest import ROOT
-from tests.support.serving.server import Running, until
+from tests.support.serving.server import Running, wait_for_state
 
 pytestmark = pytest.mark.xdist_group("readme")
 
@@ -103,7 +103,7 @@ def test_the_curl_examples_order_watch_and_confirm_a_job(tray: Path, server: htt
     assert events == "read"
     confirmed = run_in_shell(confirm, tray, server, job=job)
     assert job in confirmed
-    assert until(server, job, "done")["copies_done"] == 1
+    assert wait_for_state(server, job, "done")["copies_done"] == 1
 
 
 @pytest.mark.skipif(not shutil.which("curl"), reason="the example calls curl")

@@ -26,7 +26,7 @@ V, PASSES, CREASE, DOUBLE = (
     ENGINES[name] for name in ("V-groove", "V-groove in passes", "crease", "double crease")
 )
 KNIFE, TEARS, NICKS, DRAG, LED = (
-    ENGINES[name] for name in ("knife", "torn lines", "bridges", "drag knife", "led knife")
+    ENGINES[name] for name in ("knife", "partial cuts", "bridges", "drag knife", "knife with leads")
 )
 B, C, SOFT, AUTO = (ENGINES[name] for name in ENGINES if name.startswith("router"))
 ROUTERS = [B, C, SOFT, AUTO]
@@ -232,7 +232,7 @@ def without(kind: LineType) -> Callable[[list[Operation]], list[Operation]]:
 def test_what_is_planned_by_a_wrong_rule_is_refused(
     engine: Engine, change: Callable[..., Any]
 ) -> None:
-    text = engine.made(change)
+    text = engine.program_bytes(change)
     assert text != engine.text
     assert not engine.verdict_of(text).accepted
 
@@ -240,7 +240,7 @@ def test_what_is_planned_by_a_wrong_rule_is_refused(
 def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = vgroove.sideways_move
     monkeypatch.setattr(vgroove, "sideways_move", lambda *args: 0.0 * right(*args))
-    assert not V.verdict_of(V.made()).accepted
+    assert not V.verdict_of(V.program_bytes()).accepted
 
 
 # -- all of one word

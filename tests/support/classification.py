@@ -72,19 +72,19 @@ def side_by_side(
     )
 
 
-def drawn(*parts: tuple[Sequence[Line], Style]) -> Drawing:
+def drawing_of(*parts: tuple[Sequence[Line], Style]) -> Drawing:
     """Return a drawing (mm) of groups of lines; all lines of a group have one style."""
     lines = [line for part, _ in parts for line in part]
     styles = [style for part, style in parts for _ in part]
     return drawing(np.array(lines, float), styles)
 
 
-def plain(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
+def style(layer: str = "0", colour: int = 7, linetype: str = "CONTINUOUS") -> Style:
     """Return a style: layer, AutoCAD colour index and linetype."""
     return layer, colour, linetype
 
 
-def seen(sheet: Drawing, profile: str = "default") -> Dieline:
+def classified(sheet: Drawing, profile: str = "default") -> Dieline:
     """Return the dieline of a drawing, classified with a profile of the library."""
     return classify(sheet, load.profile(profile), load.conventions())
 

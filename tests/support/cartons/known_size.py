@@ -18,7 +18,7 @@ INCH = 25.4
 _METRIC_CALIPERS = (0.3, 0.4, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0)
 _IMPERIAL_CALIPERS = tuple(INCH * part for part in (0.012, 0.018, 0.024, 1 / 32, 1 / 16, 1 / 8))
 #: Numbers of decimals with which programs write coordinates, by unit; None for all decimals.
-PLACES: dict[str, tuple[int | None, ...]] = {
+DECIMALS: dict[str, tuple[int | None, ...]] = {
     "mm": (1, 2, 3, 6, None),
     "cm": (2, 3, 6, None),
     "m": (4, 5, 6, None),
@@ -142,12 +142,12 @@ def carton(chance: random.Random) -> Carton:
     if style == "slotted":
         caliper = max(caliper, 1.5 if not imperial else INCH / 16)
 
-    def side(low: float, high: float) -> float:
+    def random_side(low: float, high: float) -> float:
         size = math.exp(chance.uniform(math.log(low), math.log(high)))
         return max(round(size / grid), 1) * grid
 
     low = 60.0 if style == "slotted" else 26.0
-    sides = side(low, 500.0), side(low, 350.0), side(low, 350.0)
+    sides = random_side(low, 500.0), random_side(low, 350.0), random_side(low, 350.0)
     # Small features are whole millimetres or sixteenths of an inch.
     small = INCH / 16.0 if imperial and chance.random() < 0.9 else 1.0
     return Carton(style, *sides, caliper, STYLES[style](*sides, caliper, small), imperial)
@@ -161,13 +161,13 @@ def drawing_of(ends: F64, stated: str = "", texts: tuple[Annotation, ...] = ()) 
     return drawing(ends, [("0", 7, "CONTINUOUS")] * len(ends), header=Header("", stated, texts))
 
 
-def drawn(
+def carton_drawing(
     one: Carton,
     unit: str,
     stated: str,
     *,
-    places: int | None = None,
-    words: str = "",
+    decimals: int | None = None,
+    annotation: str = "",
     chance: random.Random | None = None,
     turn: float = 0.0,
 ) -> Drawing:
@@ -193,18 +193,20 @@ def drawn(
     if turn:
         cos, sin = math.cos(turn), math.sin(turn)
         ends = ends @ np.array([[cos, sin], [-sin, cos]])
-    if places is not None:
-        ends = np.round(ends, places)
-    return drawing_of(ends, stated, _written(one, unit, words, chance or random.Random(0)))
+    if decimals is not None:
+        ends = np.round(ends, decimals)
+    return drawing_of(ends, stated, _annotations(one, unit, annotation, chance or random.Random(0)))
 
 
-def _written(one: Carton, unit: str, words: str, chance: random.Random) -> tuple[Annotation, ...]:
-    if not words:
+def _annotations(
+    one: Carton, unit: str, annotation: str, chance: random.Random
+) -> tuple[Annotation, ...]:
+    if not annotation:
         return ()
-    kind, _, suffix = words.partition(" ")
+    kind, _, suffix = annotation.partition(" ")
     scale = MILLIMETRES[suffix or ("in" if one.imperial else "mm")]
 
-    def said(size: float) -> str:
+    def format_length(size: float) -> str:
         if one.imperial and not suffix and chance.random() < 0.5:
             whole, part = divmod(round(size / INCH * 16), 16)
             shorter = math.gcd(part, 16)
@@ -214,12 +216,12 @@ def _written(one: Carton, unit: str, words: str, chance: random.Random) -> tuple
 
     sizes = (one.length, one.width, one.height)
     if kind == "title":
-        inside = "x".join(said(size) for size in sizes)
+        inside = "x".join(format_length(size) for size in sizes)
         return (Annotation(f"BOX {inside} {suffix}".strip(), 0, 0, 3, math.nan, "TEXT", "0"),)
     measured = kind == "dimensions"
     return tuple(
         Annotation(
-            f"{said(size)} {suffix}".strip(),
+            f"{format_length(size)} {suffix}".strip(),
             0.0,
             0.0,
             3.0,

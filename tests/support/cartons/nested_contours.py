@@ -22,7 +22,7 @@ class Sheet:
     pairs: list[tuple[int, int]]
 
 
-def sheet(seed: int, *, room: float, least: float, gap: float = 0.0) -> Sheet:
+def sheet(seed: int, *, clearance: float, min_side: float, gap: float = 0.0) -> Sheet:
     """Return randomly nested contours, whose edges have random order and direction.
 
     Parameters
@@ -36,7 +36,7 @@ def sheet(seed: int, *, room: float, least: float, gap: float = 0.0) -> Sheet:
     """
     chance = np.random.default_rng(seed)
     corners: list[F64] = []
-    _fill(chance, 10.0, 10.0, 700.0, 500.0, room, least, corners, 0)
+    _fill(chance, 10.0, 10.0, 700.0, 500.0, clearance, min_side, corners, 0)
     groups = [_edges(one, chance, gap) for one in corners]
     order = chance.permutation(sum(len(one) for one in groups))
     ends = np.concatenate(groups)[order]
@@ -57,10 +57,10 @@ def _fill(
     chance: np.random.Generator,
     x: float,
     y: float,
-    wide: float,
-    high: float,
-    room: float,
-    least: float,
+    width: float,
+    height: float,
+    clearance: float,
+    min_side: float,
     corners: list[F64],
     depth: int,
 ) -> None:
@@ -68,29 +68,29 @@ def _fill(
 
     The rectangle is split in two, or becomes a contour that is filled with further contours.
     """
-    if wide < least or high < least:
+    if width < min_side or height < min_side:
         return
-    if chance.random() < 0.6 and max(wide, high) > 2.5 * least + room:
+    if chance.random() < 0.6 and max(width, height) > 2.5 * min_side + clearance:
         share = chance.uniform(0.35, 0.65)
-        if wide > high:
-            left = wide * share - room / 2.0
-            _fill(chance, x, y, left, high, room, least, corners, depth)
-            x, wide = x + left + room, wide - left - room
+        if width > height:
+            left = width * share - clearance / 2.0
+            _fill(chance, x, y, left, height, clearance, min_side, corners, depth)
+            x, width = x + left + clearance, width - left - clearance
         else:
-            low = high * share - room / 2.0
-            _fill(chance, x, y, wide, low, room, least, corners, depth)
-            y, high = y + low + room, high - low - room
-        _fill(chance, x, y, wide, high, room, least, corners, depth)
+            low = height * share - clearance / 2.0
+            _fill(chance, x, y, width, low, clearance, min_side, corners, depth)
+            y, height = y + low + clearance, height - low - clearance
+        _fill(chance, x, y, width, height, clearance, min_side, corners, depth)
         return
-    slant = chance.uniform(0.0, 0.15) * min(wide, high) if chance.random() < 0.5 else 0.0
+    slant = chance.uniform(0.0, 0.15) * min(width, height) if chance.random() < 0.5 else 0.0
     corners.append(
-        np.array([(x + slant, y), (x + wide, y), (x + wide - slant, y + high), (x, y + high)])
+        np.array([(x + slant, y), (x + width, y), (x + width - slant, y + height), (x, y + height)])
     )
     if depth < 6:
-        inset = room + slant
+        inset = clearance + slant
         _fill(
-            chance, x + inset, y + room, wide - 2.0 * inset, high - 2.0 * room, room, least,
-            corners, depth + 1,
+            chance, x + inset, y + clearance, width - 2.0 * inset, height - 2.0 * clearance,
+            clearance, min_side, corners, depth + 1,
         )  # fmt: skip
 
 

@@ -145,7 +145,7 @@ def _random_plan(rng: np.random.Generator) -> tuple[Plan, str, str]:
         _add_holes(plan, rng)
     scheme = str(
         rng.choice(
-            ["default", "words", "house", "colours", "nothing", "friends", "swapped"],
+            ["default", "words", "company", "colours", "nothing", "misleading", "swapped"],
             p=[0.2, 0.2, 0.2, 0.12, 0.15, 0.06, 0.07],
         )
     )
@@ -253,21 +253,21 @@ def _scheme(scheme: str, rng: np.random.Generator) -> tuple[list[str], list[int]
         Whether creases have a dashed linetype.
     """
     dashed = bool(rng.random() < 0.3)
-    house = COLOURS[str(rng.choice(list(COLOURS)))]
-    plain = str(rng.choice(["0", "Layer 1", "Default", "Ebene 3"]))
+    colours = COLOURS[str(rng.choice(list(COLOURS)))]
+    layer = str(rng.choice(["0", "Layer 1", "Default", "Ebene 3"]))
     if scheme == "default":
-        return list(LANGUAGES["default"]), list(house), dashed
+        return list(LANGUAGES["default"]), list(colours), dashed
     if scheme == "words":
         return list(LANGUAGES[str(rng.choice(list(LANGUAGES)[1:]))]), [7] * 6, dashed
-    if scheme == "house":
-        return [plain] * 6, list(house), dashed
+    if scheme == "company":
+        return [layer] * 6, list(colours), dashed
     if scheme == "colours":
-        return [plain] * 6, rng.permutation([1, 2, 3, 4, 5, 6, 30, 40])[:6].tolist(), False
+        return [layer] * 6, rng.permutation([1, 2, 3, 4, 5, 6, 30, 40])[:6].tolist(), False
     if scheme == "nothing":
-        return [plain] * 6, [7] * 6, False
-    if scheme == "friends":
+        return [layer] * 6, [7] * 6, False
+    if scheme == "misleading":
         names = [str(rng.choice(_MISLEADING)), *["Faltmarken"] * 4, "INFO"]
-        return names, list(house), False
+        return names, list(colours), False
     swapped = list(LANGUAGES["default"])
     swapped[0], swapped[1] = swapped[1], swapped[0]
-    return swapped, list(house), False
+    return swapped, list(colours), False

@@ -14,7 +14,7 @@ from knifetip.geometry import arc
 from tests.support.cartons.plan import Plan, Stroke
 
 
-def _dimensions(plan: Plan) -> None:
+def _add_dimensions(plan: Plan) -> None:
     x0, y0, x1, y1 = plan.bounds
     for gap in (15.0, 30.0):
         y, x = y0 - gap, x1 + gap
@@ -32,7 +32,7 @@ def _dimensions(plan: Plan) -> None:
         plan.text(f"{y1 - y0:.1f}", x + 1.0, 0.5 * (y0 + y1), part="dimension")
 
 
-def _inner_dimensions(plan: Plan) -> None:
+def _add_inner_dimensions(plan: Plan) -> None:
     """Add dimensions inside the panels, from crease to crease, as plain lines with arrowheads."""
     _, y0, _, y1 = plan.bounds
     y = y0 + 0.437 * (y1 - y0)
@@ -47,7 +47,7 @@ def _inner_dimensions(plan: Plan) -> None:
         plan.text(f"{right - left:.1f}", 0.5 * (left + right), y + 1.0, part="dimension")
 
 
-def _framed(plan: Plan) -> None:
+def _add_frame(plan: Plan) -> None:
     x0, y0, x1, y1 = plan.bounds
     left, low, right, top = x0 - 50.0, y0 - 110.0, x1 + 60.0, y1 + 40.0
     plan.rectangle(left, low, right, top, "frame")
@@ -57,7 +57,7 @@ def _framed(plan: Plan) -> None:
     plan.line(right - 110.0, low, right - 110.0, low + 30.0, "frame")
 
 
-def _legend(plan: Plan) -> None:
+def _add_legend(plan: Plan) -> None:
     """Add a legend: a line in the style of each line type, with its name beside it."""
     x0, y0, _, _ = plan.bounds
     for row, part in enumerate(("outer", "crease", "perforation")):
@@ -66,7 +66,7 @@ def _legend(plan: Plan) -> None:
         plan.text(("Cut", "Crease", "Perforation")[row], x0 + 24.0, y - 1.5)
 
 
-def _marks(plan: Plan) -> None:
+def _add_marks(plan: Plan) -> None:
     """Add registration crosses with rings, and crop marks at the corners."""
     x0, y0, x1, y1 = plan.bounds
     for x, y in ((0.5 * (x0 + x1), y1 + 60.0), (x0 - 60.0, 0.5 * (y0 + y1))):
@@ -79,10 +79,10 @@ def _marks(plan: Plan) -> None:
             plan.line(x, y + sy * 6.0, x, y + sy * 12.0, "mark")
 
 
-def _grain(plan: Plan) -> None:
+def _add_grain_arrows(plan: Plan) -> None:
     """Add two arrows for the direction of the grain: one inside a panel, one beside the carton."""
     _, y0, x1, y1 = plan.bounds
-    for x, y in ((x1 + 45.0, 0.5 * (y0 + y1)), _middle(plan)):
+    for x, y in ((x1 + 45.0, 0.5 * (y0 + y1)), _most_distant_point(plan)):
         plan.line(x, y - 9.0, x, y + 9.0, "grain")
         for way in (1.0, -1.0):
             for side in (1.5, -1.5):
@@ -90,29 +90,29 @@ def _grain(plan: Plan) -> None:
     plan.text("GRAIN", x1 + 48.0, 0.5 * (y0 + y1))
 
 
-def _middle(plan: Plan) -> tuple[float, float]:
+def _most_distant_point(plan: Plan) -> tuple[float, float]:
     """Return the point (x, y) inside the outline that is farthest from every line, on a coarse
     grid.
     """
     x0, y0, x1, y1 = plan.bounds
-    best, place = -1.0, (x0, y0)
+    best, farthest = -1.0, (x0, y0)
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
     cut = np.array([s.part == "outer" for s in plan.strokes])
     a, d = ends[:, :2], ends[:, 2:] - ends[:, :2]
     for u in np.linspace(0.03, 0.97, 24):
         for v in np.linspace(0.03, 0.97, 24):
             p = np.array([x0 + u * (x1 - x0), y0 + v * (y1 - y0)])
-            share = ((p - a) * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-12)
-            away = np.hypot(*(a + np.clip(share, 0, 1)[:, None] * d - p).T).min()
+            fraction = ((p - a) * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-12)
+            away = np.hypot(*(a + np.clip(fraction, 0, 1)[:, None] * d - p).T).min()
             up = (ends[:, 1] > p[1]) != (ends[:, 3] > p[1])
             with np.errstate(all="ignore"):
                 at = ends[:, 0] + (p[1] - ends[:, 1]) * d[:, 0] / d[:, 1]
             if away > best and (up & cut & (at > p[0])).sum() % 2 == 1:
-                best, place = away, (float(p[0]), float(p[1]))
-    return place
+                best, farthest = away, (float(p[0]), float(p[1]))
+    return farthest
 
 
-def _bled(plan: Plan) -> None:
+def _add_bleed(plan: Plan) -> None:
     """Add a bleed: the outline of the blank, offset outwards by 3 mm."""
     lines = [shapely.LineString(_points(s)) for s in plan.strokes if s.part in ("outer", "crease")]
     blank = shapely.union_all(shapely.polygonize([shapely.union_all(lines, grid_size=1e-4)]))
@@ -125,21 +125,23 @@ def _bled(plan: Plan) -> None:
 
 def _points(stroke: Stroke, count: int = 24) -> list[tuple[float, float]]:
     ends = np.array([[stroke.x0, stroke.y0], [stroke.x1, stroke.y1]])
-    share = np.linspace(0.0, 1.0, count if stroke.bulge else 2)
-    start, end = (np.repeat(one[None], len(share), 0) for one in ends)
-    return [tuple(p) for p in arc.point_at(start, end, np.full(len(share), stroke.bulge), share)]
+    fraction = np.linspace(0.0, 1.0, count if stroke.bulge else 2)
+    start, end = (np.repeat(one[None], len(fraction), 0) for one in ends)
+    return [
+        tuple(p) for p in arc.point_at(start, end, np.full(len(fraction), stroke.bulge), fraction)
+    ]
 
 
-def _safe(plan: Plan) -> None:
+def _add_safety_square(plan: Plan) -> None:
     """Add a square inside a panel, which limits the area for text."""
-    x, y = _middle(plan)
+    x, y = _most_distant_point(plan)
     ends = np.array([(s.x0, s.y0, s.x1, s.y1) for s in plan.strokes])
     near = np.abs(ends.reshape(-1, 2) - (x, y)).max(axis=1)
     half = max(8.0, 0.35 * float(near.min()))
     plan.rectangle(x - half, y - half, x + half, y + half, "safety")
 
 
-def _glued(plan: Plan) -> None:
+def _add_glue_hatching(plan: Plan) -> None:
     """Add hatching on the glue flap: five short oblique lines."""
     x0, y0, _, y1 = plan.bounds
     for k in range(5):
@@ -147,7 +149,7 @@ def _glued(plan: Plan) -> None:
         plan.line(x0 + 3.0, y, x0 + 9.0, y + 6.0, "glue")
 
 
-def _scale_bar(plan: Plan) -> None:
+def _add_scale_bar(plan: Plan) -> None:
     x0, _, _, y1 = plan.bounds
     plan.line(x0, y1 + 25.0, x0 + 100.0, y1 + 25.0, "mark")
     for k in range(6):
@@ -155,12 +157,12 @@ def _scale_bar(plan: Plan) -> None:
     plan.text("100 mm", x0 + 104.0, y1 + 25.0)
 
 
-def _lettered(plan: Plan) -> None:
+def _add_letters(plan: Plan) -> None:
     """Add text as lines: a T, an O of chords and an L, once inside a panel and once beside the
     carton.
     """
     x0, _, _, y1 = plan.bounds
-    for x, y in (_middle(plan), (x0, y1 + 8.0)):
+    for x, y in (_most_distant_point(plan), (x0, y1 + 8.0)):
         plan.line(x, y + 5.0, x + 3.0, y + 5.0, "text")
         plan.line(x + 1.5, y, x + 1.5, y + 5.0, "text")
         ring = [
@@ -172,13 +174,13 @@ def _lettered(plan: Plan) -> None:
         plan.line(x + 9.0, y, x + 12.0, y, "text")
 
 
-def _several(plan: Plan) -> None:
+def _add_two_copies(plan: Plan) -> None:
     """Add two copies of the carton, one to the right and one above."""
     x0, y0, x1, y1 = plan.bounds
     plan.strokes += plan.moved(x1 - x0 + 12.0, 0.0) + plan.moved(0.0, y1 - y0 + 12.0)
 
 
-def _gridded(plan: Plan) -> None:
+def _add_five_copies(plan: Plan) -> None:
     """Add five copies of the carton in a grid of 3 × 2 without gaps: common edges are drawn
     twice.
     """
@@ -191,29 +193,29 @@ def _gridded(plan: Plan) -> None:
                 plan.strokes += source.moved(column * (x1 - x0), row * (y1 - y0))
 
 
-AROUND: dict[str, Callable[[Plan], None]] = {
-    "three-up": _several,
-    "six-up": _gridded,
-    "inner dimensions": _inner_dimensions,
-    "glue": _glued,
-    "safety": _safe,
-    "letters": _lettered,
-    "grain": _grain,
-    "bleed": _bled,
-    "dimensions": _dimensions,
-    "scale bar": _scale_bar,
-    "marks": _marks,
-    "legend": _legend,
-    "frame": _framed,
+SURROUNDINGS: dict[str, Callable[[Plan], None]] = {
+    "three-up": _add_two_copies,
+    "six-up": _add_five_copies,
+    "inner dimensions": _add_inner_dimensions,
+    "glue": _add_glue_hatching,
+    "safety": _add_safety_square,
+    "letters": _add_letters,
+    "grain": _add_grain_arrows,
+    "bleed": _add_bleed,
+    "dimensions": _add_dimensions,
+    "scale bar": _add_scale_bar,
+    "marks": _add_marks,
+    "legend": _add_legend,
+    "frame": _add_frame,
 }
 
 
-def _doubled(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _repeat_some(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     twice = [s for s in strokes if rng.random() < 0.15]
     return strokes + [replace(s, x0=s.x1, y0=s.y1, x1=s.x0, y1=s.y0, bulge=-s.bulge) for s in twice]
 
 
-def _parted(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _split_some(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     """Return the strokes with some lines split in two pieces, some of which overlap."""
     out = []
     for s in strokes:
@@ -229,7 +231,7 @@ def _parted(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     return out
 
 
-def _gaped(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _displace_ends(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     """Return the strokes with every end displaced by up to 0.02 mm in x and y."""
     off = rng.uniform(-0.02, 0.02, (len(strokes), 4)).tolist()
     return [
@@ -238,7 +240,7 @@ def _gaped(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     ]
 
 
-def _rounded(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _round_coordinates(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     """Return the strokes with coordinates rounded to one decimal."""
     return [
         replace(s, x0=round(s.x0, 1), y0=round(s.y0, 1), x1=round(s.x1, 1), y1=round(s.y1, 1))
@@ -246,7 +248,7 @@ def _rounded(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     ]
 
 
-def _short(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _shorten_creases(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     """Return the strokes with creases shortened by 1.5 mm at both ends, like creasing rules of a
     die.
     """
@@ -261,7 +263,7 @@ def _short(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     return out
 
 
-def _dashed(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
+def _dash_creases(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
     """Return the strokes with straight creases replaced by rows of dashes."""
     out = []
     for s in strokes:
@@ -280,10 +282,10 @@ def _dashed(strokes: list[Stroke], rng: np.random.Generator) -> list[Stroke]:
 
 
 FLAWS: dict[str, Callable[[list[Stroke], np.random.Generator], list[Stroke]]] = {
-    "short creases": _short,
-    "dashes": _dashed,
-    "pieces": _parted,
-    "doubles": _doubled,
-    "gaps": _gaped,
-    "rounded": _rounded,
+    "short creases": _shorten_creases,
+    "dashes": _dash_creases,
+    "pieces": _split_some,
+    "doubles": _repeat_some,
+    "gaps": _displace_ends,
+    "rounded": _round_coordinates,
 }

@@ -24,7 +24,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Knife, VCutter
 
 #: A change that displaces the working tip by more than this must be refused (mm).
-FELT = 0.01
+TOLERANCE = 0.01
 #: A digit changes the ends of two moves; so many moves before and after are compared.
 NEIGHBOURS = 3
 
@@ -32,7 +32,7 @@ _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
 
 #: (n, 4): x, y, z of the tip on the sheet (mm) and heading (degrees) of n poses.
-Way = F64
+Poses = F64
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Move:
     line: int
     rapid: bool
     station: int  #: index in the machine's stations, -1 for none
-    way: Way
+    poses: Poses
 
 
 def mutants(text: bytes, count: int, seed: int) -> Iterator[tuple[int, bytes]]:
@@ -51,14 +51,14 @@ def mutants(text: bytes, count: int, seed: int) -> Iterator[tuple[int, bytes]]:
     ``count`` positions and their new digits are chosen at random by the seed.
     """
     chance = np.random.default_rng(seed)
-    digits = np.flatnonzero((raw := np.frombuffer(text, np.uint8)) - 48 < 10)
-    for place in chance.choice(digits, count, replace=count > len(digits)):
+    digits = np.flatnonzero((line_bytes := np.frombuffer(text, np.uint8)) - 48 < 10)
+    for position in chance.choice(digits, count, replace=count > len(digits)):
         mutant = bytearray(text)
-        mutant[place] = 48 + (raw[place] - 48 + chance.integers(1, 10)) % 10
-        yield int(place), bytes(mutant)
+        mutant[position] = 48 + (line_bytes[position] - 48 + chance.integers(1, 10)) % 10
+        yield int(position), bytes(mutant)
 
 
-def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Board) -> str:
+def effect(text: bytes, position: int, mutant: bytes, machine: Machine, board: Board) -> str:
     """Return the kind of effect that a change at a position of the program has.
 
     ``moved``: the working tip moves by more than 0.01 mm, another station works, or a rapid enters
@@ -68,23 +68,23 @@ def effect(text: bytes, place: int, mutant: bytes, machine: Machine, board: Boar
     most 0.01 mm); ``air`` (a coordinate that does not move the working tip); ``idle`` (an output is
     switched, but all outputs are the same at every move).
     """
-    if any(found.start() <= place < found.end() for found in _COMMENT.finditer(text)):
+    if any(found.start() <= position < found.end() for found in _COMMENT.finditer(text)):
         return "comment"
-    before, after = followed(text, machine), followed(mutant, machine)
+    before, after = tip_moves(text, machine), tip_moves(mutant, machine)
     if before is None or after is None:
         return "line"
-    felt = _felt(before, after, machine, board)
+    displacement = _displacement(before, after, machine, board)
     # Changes of one digit are often 0.01 exactly, which must not count because of rounding.
-    if felt > FELT + 1e-6:
+    if displacement > TOLERANCE + 1e-6:
         return "moved"
-    start = text.rfind(b"\n", 0, place) + 1
-    line = text[start : text.find(b"\n", place)].decode()
+    start = text.rfind(b"\n", 0, position) + 1
+    line = text[start : text.find(b"\n", position)].decode()
     letter = max(
-        (found for found in _WORD.finditer(line) if found.start() <= place - start),
+        (found for found in _WORD.finditer(line) if found.start() <= position - start),
         key=lambda found: found.start(),
     )[1]
     if letter in "XYZCIJ":
-        return "smaller" if felt > 0.0 else "air"
+        return "smaller" if displacement > 0.0 else "air"
     if letter == "F":
         return "feed"
     if "G64" in line:
@@ -98,8 +98,8 @@ def outputs_at_moves(text: bytes) -> list[dict[float, bool]]:
     """Return the states (number: on) of all switched outputs at each move and at the end."""
     outputs: dict[float, bool] = {}
     result = []
-    for raw in _COMMENT.sub(b"", text).decode("ascii").splitlines():
-        words = {letter: float(number) for letter, number in _WORD.findall(raw)}
+    for line_bytes in _COMMENT.sub(b"", text).decode("ascii").splitlines():
+        words = {letter: float(number) for letter, number in _WORD.findall(line_bytes)}
         if words.get("M") in (64.0, 65.0):
             outputs[words.get("P", -1.0)] = words["M"] == 64.0
         elif words.keys() & set("XYZC"):
@@ -107,7 +107,7 @@ def outputs_at_moves(text: bytes) -> list[dict[float, bool]]:
     return [*result, outputs]
 
 
-def shares(
+def count_refusals(
     text: bytes,
     machine: Machine,
     board: Board,
@@ -125,26 +125,26 @@ def shares(
     missed : list of (kind, position, mutant)
         Mutants that were accepted.
     """
-    everything: Counter[str] = Counter()
+    total: Counter[str] = Counter()
     caught: Counter[str] = Counter()
     missed = []
-    for place, mutant in mutants(text, count, seed):
-        kind = effect(text, place, mutant, machine, board)
-        everything[kind] += 1
+    for position, mutant in mutants(text, count, seed):
+        kind = effect(text, position, mutant, machine, board)
+        total[kind] += 1
         if refused(mutant):
             caught[kind] += 1
         else:
-            missed.append((kind, place, mutant))
-    return everything, caught, missed
+            missed.append((kind, position, mutant))
+    return total, caught, missed
 
 
-def told(text: bytes, place: int, mutant: bytes) -> str:
+def changed_line(text: bytes, position: int, mutant: bytes) -> str:
     """Return the changed program line before and after the change, for the message of a failure."""
-    row = text.count(b"\n", 0, place)
+    row = text.count(b"\n", 0, position)
     return f"line {row + 1}: {text.splitlines()[row]!r} -> {mutant.splitlines()[row]!r}"
 
 
-def followed(text: bytes, machine: Machine) -> list[Move] | None:
+def tip_moves(text: bytes, machine: Machine) -> list[Move] | None:
     """Return the moves of the tip in a program, None if the program is not valid."""
     by_number = {station.number: index for index, station in enumerate(machine.stations)}
     by_output = {station.output: index for index, station in enumerate(machine.stations)}
@@ -154,8 +154,8 @@ def followed(text: bytes, machine: Machine) -> list[Move] | None:
     scale, relative = 1.0, False
     called, station = -1, -1
     moves = []
-    for row, raw in enumerate(_COMMENT.sub(b"", text).decode("ascii").splitlines(), 1):
-        words = [(letter, float(number)) for letter, number in _WORD.findall(raw)]
+    for row, line_bytes in enumerate(_COMMENT.sub(b"", text).decode("ascii").splitlines(), 1):
+        words = [(letter, float(number)) for letter, number in _WORD.findall(line_bytes)]
         codes = {number for letter, number in words if letter == "G"}
         values = {letter: number for letter, number in words if letter != "G"}
         if "T" in values:
@@ -192,23 +192,23 @@ def followed(text: bytes, machine: Machine) -> list[Move] | None:
         if code >= 2.0 and (np.isnan(joints).any() or not {"I", "J"} <= values.keys()):
             return None
         centre = joints[:2] + scale * np.array([values.get("I", 0.0), values.get("J", 0.0)])
-        way = _way(joints, target, centre, code)
-        moves.append(Move(row, code == 0.0, station, _tip(way, machine, station)))
+        poses = _joint_poses(joints, target, centre, code)
+        moves.append(Move(row, code == 0.0, station, _tip_poses(poses, machine, station)))
         joints = target
     return moves
 
 
 def _datum(machine: Machine, station: int) -> F64:
-    held = machine.stations[station]
-    return np.array([held.x, held.y, held.z, held.c]) if station >= 0 else np.zeros(4)
+    mounted = machine.stations[station]
+    return np.array([mounted.x, mounted.y, mounted.z, mounted.c]) if station >= 0 else np.zeros(4)
 
 
-def _way(start: F64, end: F64, centre: F64, code: float) -> Way:
+def _joint_poses(start: F64, end: F64, centre: F64, code: float) -> Poses:
     if code < 2.0:
         # A tool that turns by more than 180° passes through all headings in between.
         turn = abs(end[3] - start[3])
         pieces = 2 if not turn > 180.0 else 2 + int(turn / 10.0)
-        straight: Way = start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
+        straight: Poses = start + (end - start) * np.linspace(0.0, 1.0, pieces)[:, None]
         return straight
     (ax, ay), (bx, by) = start[:2] - centre, end[:2] - centre
     first, last = math.atan2(ay, ax), math.atan2(by, bx)
@@ -220,42 +220,40 @@ def _way(start: F64, end: F64, centre: F64, code: float) -> Way:
     # If the radii at the ends differ, the radius is interpolated, as in LinuxCNC.
     radius, other = math.hypot(ax, ay), math.hypot(bx, by)
     pieces = 2 + int(abs(sweep) * math.sqrt(max(radius, other) / 1.6e-3))
-    share = np.linspace(0.0, 1.0, pieces)[:, None]
-    angle, size = first + sweep * share, radius + (other - radius) * share
-    way: Way = start + (end - start) * share
-    way[:, :2] = centre + size * np.hstack([np.cos(angle), np.sin(angle)])
-    return way
+    fraction = np.linspace(0.0, 1.0, pieces)[:, None]
+    angle, size = first + sweep * fraction, radius + (other - radius) * fraction
+    poses: Poses = start + (end - start) * fraction
+    poses[:, :2] = centre + size * np.hstack([np.cos(angle), np.sin(angle)])
+    return poses
 
 
-def _tip(way: Way, machine: Machine, station: int) -> Way:
-    tip: Way = way - _datum(machine, station)
+def _tip_poses(joints: Poses, machine: Machine, station: int) -> Poses:
+    poses: Poses = joints - _datum(machine, station)
     if station >= 0:
         tool = machine.stations[station].tool
-        cos, sin = np.cos(np.radians(tip[:, 3])), np.sin(np.radians(tip[:, 3]))
+        cos, sin = np.cos(np.radians(poses[:, 3])), np.sin(np.radians(poses[:, 3]))
         if isinstance(tool, VCutter):
-            tip[:, 0] -= tool.back * sin + tool.half_width * cos
-            tip[:, 1] -= -tool.back * cos + tool.half_width * sin
+            poses[:, 0] -= tool.back * sin + tool.half_width * cos
+            poses[:, 1] -= -tool.back * cos + tool.half_width * sin
         elif isinstance(tool, Knife):
-            tip[:, 0] -= tool.trail * cos
-            tip[:, 1] -= tool.trail * sin
-    return tip
+            poses[:, 0] -= tool.trail * cos
+            poses[:, 1] -= tool.trail * sin
+    return poses
 
 
-def sunk(move: Move, caliper: float) -> Way:
-    """Return the part of the path of a move that is below the top of the board, (n, 4), or (0,
-    4).
-    """
-    way = move.way
-    if move.station < 0 or not (way[:, 2] < caliper - 1e-6).any():
-        return way[:0]
-    if len(way) == 2 and (way[:, 2] >= caliper - 1e-6).any():
-        high, low = (way[0], way[1]) if way[0, 2] > way[1, 2] else (way[1], way[0])
+def poses_in_board(move: Move, caliper: float) -> Poses:
+    """Return the poses of a move below the top of the board, (n, 4), which may be (0, 4)."""
+    poses = move.poses
+    if move.station < 0 or not (poses[:, 2] < caliper - 1e-6).any():
+        return poses[:0]
+    if len(poses) == 2 and (poses[:, 2] >= caliper - 1e-6).any():
+        high, low = (poses[0], poses[1]) if poses[0, 2] > poses[1, 2] else (poses[1], poses[0])
         entry = low + (high - low) * (caliper - low[2]) / (high[2] - low[2])
         return np.stack([entry, low])
-    return way
+    return poses
 
 
-def _felt(before: list[Move], after: list[Move], machine: Machine, board: Board) -> float:
+def _displacement(before: list[Move], after: list[Move], machine: Machine, board: Board) -> float:
     """Return how far the working tip is displaced, including the swing of the blade (mm).
 
     ``inf`` if the number of moves differs, another station works, or a rapid enters the board.
@@ -263,45 +261,47 @@ def _felt(before: list[Move], after: list[Move], machine: Machine, board: Board)
     if len(before) != len(after):
         return math.inf
     caliper = board.caliper
-    old = [sunk(move, caliper) for move in before]
-    new = [sunk(move, caliper) for move in after]
+    old = [poses_in_board(move, caliper) for move in before]
+    new = [poses_in_board(move, caliper) for move in after]
     farthest = 0.0
     for index, (one, other) in enumerate(zip(before, after, strict=True)):
         same = one.station == other.station and one.rapid == other.rapid
-        if same and np.array_equal(one.way, other.way, equal_nan=True):
+        if same and np.array_equal(one.poses, other.poses, equal_nan=True):
             continue
         if len(new[index]) and (other.rapid or one.station != other.station):
             return math.inf
         farthest = max(
             farthest,
-            _beyond(new[index], _stay(old, index)),
-            _beyond(old[index], _stay(new, index)),
-            _swing(one, other, machine, caliper) if len(old[index]) and len(new[index]) else 0.0,
+            _greatest_distance(new[index], _nearby_paths(old, index)),
+            _greatest_distance(old[index], _nearby_paths(new, index)),
+            _blade_swing(one, other, machine, caliper)
+            if len(old[index]) and len(new[index])
+            else 0.0,
         )
     return farthest
 
 
-def _stay(ways: list[Way], index: int) -> list[Way]:
+def _nearby_paths(paths: list[Poses], index: int) -> list[Poses]:
     """Return the paths of a move and of its neighbours up to the next lift out of the board."""
     first, last = index, index
-    while first > max(0, index - NEIGHBOURS) and len(ways[first - 1]):
+    while first > max(0, index - NEIGHBOURS) and len(paths[first - 1]):
         first -= 1
-    while last + 1 < min(len(ways), index + NEIGHBOURS + 1) and len(ways[last + 1]):
+    while last + 1 < min(len(paths), index + NEIGHBOURS + 1) and len(paths[last + 1]):
         last += 1
-    return [way for way in ways[first : last + 1] if len(way)]
+    return [poses for poses in paths[first : last + 1] if len(poses)]
 
 
-def _beyond(way: Way, others: list[Way]) -> float:
+def _greatest_distance(poses: Poses, others: list[Poses]) -> float:
     """Return the greatest distance of the points of a path from the other paths (mm)."""
-    if len(way) == 0:
+    if len(poses) == 0:
         return 0.0
     if not others:
         return math.inf
-    share = np.linspace(0.0, 1.0, 65 if len(way) == 2 else 3)[:-1]
-    steps = (way[:-1, None, :3] + np.diff(way[:, :3], axis=0)[:, None] * share[:, None]).reshape(
-        -1, 3
-    )
-    points = np.vstack([steps, way[-1, :3]])
+    fraction = np.linspace(0.0, 1.0, 65 if len(poses) == 2 else 3)[:-1]
+    steps = (
+        poses[:-1, None, :3] + np.diff(poses[:, :3], axis=0)[:, None] * fraction[:, None]
+    ).reshape(-1, 3)
+    points = np.vstack([steps, poses[-1, :3]])
     nearest = np.full(len(points), np.inf)
     for other in others:
         start, step = other[:-1, :3], np.diff(other[:, :3], axis=0)
@@ -314,7 +314,7 @@ def _beyond(way: Way, others: list[Way]) -> float:
     return float(nearest.max())
 
 
-def _swing(one: Move, other: Move, machine: Machine, caliper: float) -> float:
+def _blade_swing(one: Move, other: Move, machine: Machine, caliper: float) -> float:
     """Return how far the far end of the blade moves because headings differ at the ends of a move
     (mm).
     """
@@ -327,8 +327,8 @@ def _swing(one: Move, other: Move, machine: Machine, caliper: float) -> float:
     else:
         assert isinstance(tool, CreaseWheel)
         turn = 180.0
-        depth = caliper - one.way[:, 2].min()
+        depth = caliper - one.poses[:, 2].min()
         reach = math.sqrt(max(depth * (2.0 * tool.radius - depth), 0.0))
-    off = other.way[[0, -1], 3] - one.way[[0, -1], 3]
+    off = other.poses[[0, -1], 3] - one.poses[[0, -1], 3]
     off = np.abs((off + turn / 2.0) % turn - turn / 2.0).max()
     return float(2.0 * reach * math.sin(math.radians(off) / 2.0))

@@ -38,7 +38,7 @@ ROUNDED = dieline(
     (LineType.CUT, edges(((170, 120), (200, 150)))),
     bulge={4: 1.0, 5: 1.0, 1: 0.2},
 )
-TORN = dieline(
+PARTIAL_CUTS = dieline(
     BLANK,
     (LineType.HALF_CUT, edges(((120, 100), (120, 180)))),
     (LineType.PERFORATION, edges(((140, 120), (172, 120)))),
@@ -56,7 +56,7 @@ MILLED = dieline(
 )
 
 
-def knifed(**dimensions: float) -> Machine:
+def with_knife(**dimensions: float) -> Machine:
     """Return the demo table with other dimensions of its knife."""
     knife = with_dimensions(DEMO.stations[0].tool, **dimensions)
     return replace(DEMO, stations=(replace(DEMO.stations[0], tool=knife), *DEMO.stations[1:]))
@@ -82,7 +82,9 @@ class Engine:
     def __str__(self) -> str:
         return self.name
 
-    def made(self, change: Callable[[list[Operation]], list[Operation]] = unchanged) -> bytes:
+    def program_bytes(
+        self, change: Callable[[list[Operation]], list[Operation]] = unchanged
+    ) -> bytes:
         """Return the bytes of the program; ``change`` modifies the planned operations."""
         operations = change(plan(self.line, self.machine, self.board))
         work = [compensate(replace(each, corner=self.corner)) for each in operations]
@@ -91,7 +93,7 @@ class Engine:
     @cached_property
     def text(self) -> bytes:
         """The bytes of the program without modifications."""
-        return self.made()
+        return self.program_bytes()
 
     def verdict_of(self, text: bytes) -> Verdict:
         """Return the verdict on a program, verified with the dieline, machine and board of the
@@ -108,7 +110,7 @@ ENGINES = {
         Engine("crease", FOLDS, DEMO, GREY, "linuxcnc"),
         Engine("double crease", FOLDS, DEMO, replace(GREY, double_crease=3.0), "grblhal"),
         Engine("knife", ROUNDED, DEMO, GREY, "linuxcnc"),
-        Engine("torn lines", TORN, DEMO, GREY, "grblhal"),
+        Engine("partial cuts", PARTIAL_CUTS, DEMO, GREY, "grblhal"),
         Engine(
             "bridges",
             dieline(BLANK),
@@ -116,11 +118,11 @@ ENGINES = {
             replace(GREY, bridge_width=0.8, bridge_spacing=150.0),
             "grblhal",
         ),
-        Engine("drag knife", ROUNDED, knifed(trail=4.0, oscillating=False), GREY, "linuxcnc"),
-        Engine("led knife", ROUNDED, knifed(lead_in=5.0, lead_out=5.0), GREY, "grblhal"),
+        Engine("drag knife", ROUNDED, with_knife(trail=4.0, oscillating=False), GREY, "linuxcnc"),
+        Engine("knife with leads", ROUNDED, with_knife(lead_in=5.0, lead_out=5.0), GREY, "grblhal"),
         Engine("router B", MILLED, ROUTER, THICK, "linuxcnc", "B"),
         Engine("router C", MILLED, ROUTER, THICK, "grblhal", "C"),
-        Engine("router D, giving way", MILLED, ROUTER, SOFT, "linuxcnc", "D"),
+        Engine("router D, deflected", MILLED, ROUTER, SOFT, "linuxcnc", "D"),
         Engine("router auto", MILLED, ROUTER, SOFT, "grblhal", "auto"),
     )
 }

@@ -246,7 +246,7 @@ M30
 
 def changed(text: bytes, old: str, new: str) -> bytes:
     """Return the program with ``old``, which must occur exactly once, replaced by ``new``."""
-    assert text.count(old.encode()) == 1, f"{old!r} stands {text.count(old.encode())} times"
+    assert text.count(old.encode()) == 1, f"{old!r} occurs {text.count(old.encode())} times"
     return text.replace(old.encode(), new.encode())
 
 

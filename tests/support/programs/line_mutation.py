@@ -23,7 +23,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import CreaseWheel, Cutter, Knife, VCutter
-from tests.support.programs.digit_mutation import Move, followed, sunk
+from tests.support.programs.digit_mutation import Move, poses_in_board, tip_moves
 
 _WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
 _COMMENT = re.compile(rb"\([^)\n]*\)|;[^\n]*")
@@ -33,19 +33,19 @@ def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
     """Yield every line mutation of a program: its kind, its first row, and the changed text."""
     lines = text.decode("ascii").splitlines()
 
-    def put(row: int, *new: str, over: int = 1) -> bytes:
-        return ("\n".join([*lines[:row], *new, *lines[row + over :]]) + "\n").encode()
+    def replaced(row: int, *new: str, count: int = 1) -> bytes:
+        return ("\n".join([*lines[:row], *new, *lines[row + count :]]) + "\n").encode()
 
     for row, line in enumerate(lines):
         if not line or line.startswith(("(", ";", "%")):
             continue
-        yield "line dropped", row, put(row)
-        yield "line said twice", row, put(row, line, line)
+        yield "line dropped", row, replaced(row)
+        yield "line repeated", row, replaced(row, line, line)
         if row + 1 < len(lines) and lines[row + 1] != line:
-            yield "lines swapped", row, put(row, lines[row + 1], line, over=2)
+            yield "lines swapped", row, replaced(row, lines[row + 1], line, count=2)
         for kind, new in _words(line):
             if new != line:
-                yield kind, row, put(row, new)
+                yield kind, row, replaced(row, new)
     switches = [
         (row, other)
         for row, line in enumerate(lines)
@@ -54,7 +54,11 @@ def mutants(text: bytes) -> Iterator[tuple[str, int, bytes]]:
     ]
     for row, other in switches:
         swapped = [lines[other], *lines[row + 1 : other], lines[row]]
-        yield "lifted after the next is lowered", row, put(row, *swapped, over=other - row + 1)
+        yield (
+            "lifted after the next is lowered",
+            row,
+            replaced(row, *swapped, count=other - row + 1),
+        )
 
 
 def _words(line: str) -> Iterator[tuple[str, str]]:
@@ -75,7 +79,7 @@ def _words(line: str) -> Iterator[tuple[str, str]]:
             if value == 21.0:
                 yield "inches for millimetres", changed("G", number, "G20")
             if value == 90.0:
-                yield "steps for places", changed("G", number, "G91")
+                yield "relative for absolute", changed("G", number, "G91")
         elif letter in "IJ":
             yield f"sign of {letter}", changed(letter, number, f"{letter}{-value:.4f}")
         elif letter == "C":
@@ -89,8 +93,8 @@ def _words(line: str) -> Iterator[tuple[str, str]]:
             yield "Z deeper by 0.05", changed("Z", number, f"Z{value - 0.05:.4f}")
             yield "Z higher by 0.05", changed("Z", number, f"Z{value + 0.05:.4f}")
         elif letter in "XY":
-            yield "place off by 0.02", changed(letter, number, f"{letter}{value + 0.02:.4f}")
-            yield "sign of a place", changed(letter, number, f"{letter}{-value:.4f}")
+            yield "coordinate off by 0.02", changed(letter, number, f"{letter}{value + 0.02:.4f}")
+            yield "sign of a coordinate", changed(letter, number, f"{letter}{-value:.4f}")
         elif letter == "F":
             yield "feed zero", changed("F", number, "F0")
             yield "feed doubled", changed("F", number, f"F{2.0 * value:g}")
@@ -142,7 +146,9 @@ def hazard(text: bytes, machine: Machine) -> str:
     return f"ends with {sorted(left)} on or unknown" if left else ""
 
 
-def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: Dieline) -> float:
+def displacement(
+    text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: Dieline
+) -> float:
     """Return how far a mutation displaces what the tools make in the board (mm).
 
     ``inf`` if a rapid is in the board or the mutant is not valid.  Every point of the old path
@@ -150,27 +156,31 @@ def moved(text: bytes, mutant: bytes, machine: Machine, board: Board, dieline: D
     station, and vice versa; depth and heading are coordinates of the points.  For a router, only
     the distance of its path from the parts is compared.
     """
-    before, after = followed(text, machine), followed(mutant, machine)
+    before, after = tip_moves(text, machine), tip_moves(mutant, machine)
     if before is None or after is None:
         return math.inf
-    old = _pieces(before, machine, board)
-    new = _pieces(after, machine, board)
+    old = _paths_in_board(before, machine, board)
+    new = _paths_in_board(after, machine, board)
     if new is None or old is None:
         return math.inf
-    mills = [1e3 * k for k, held in enumerate(machine.stations) if isinstance(held.tool, Cutter)]
+    mills = [
+        1e3 * k for k, mounted in enumerate(machine.stations) if isinstance(mounted.tool, Cutter)
+    ]
     farthest = 0.0
     if mills:
         milled_old, milled_new = (
-            [way for way in ways if way[0, 0] in mills] for ways in (old, new)
+            [path for path in paths if path[0, 0] in mills] for paths in (old, new)
         )
-        old, new = ([way for way in ways if way[0, 0] not in mills] for ways in (old, new))
+        old, new = ([path for path in paths if path[0, 0] not in mills] for paths in (old, new))
         tool = machine.stations[int(mills[0] / 1e3)].tool
         assert isinstance(tool, Cutter)
-        farthest = _eaten(milled_old, milled_new, tool.radius, -machine.into_mat, dieline)
-    return max(farthest, _beyond(new, old), _beyond(old, new))
+        farthest = _router_displacement(
+            milled_old, milled_new, tool.radius, -machine.into_mat, dieline
+        )
+    return max(farthest, _greatest_distance(new, old), _greatest_distance(old, new))
 
 
-def _eaten(
+def _router_displacement(
     before: list[F64], after: list[F64], radius: float, low: float, dieline: Dieline
 ) -> float:
     """Return how much nearer a router's path comes to the parts, or how much farther it stays (mm).
@@ -191,25 +201,27 @@ def _eaten(
     for ring in rings:
         for (ax, ay), (bx, by) in pairwise(ring):
             if ay != by:
-                share = (grid[:, 1] - ay) / (by - ay)
+                fraction = (grid[:, 1] - ay) / (by - ay)
                 crossings += ((ay > grid[:, 1]) != (by > grid[:, 1])) & (
-                    ax + share * (bx - ax) > grid[:, 0]
+                    ax + fraction * (bx - ax) > grid[:, 0]
                 )
     places = np.vstack([edge, grid[crossings % 2 == 1]])
-    through = [[way for way in ways if way[:, 3].max() <= low + 0.005] for ways in (before, after)]
-    deep = [np.minimum(_nearest(edge, ways), radius + 0.5) for ways in through]
-    shallow = [_nearest(places, ways) for ways in (before, after)]
+    through = [
+        [path for path in paths if path[:, 3].max() <= low + 0.005] for paths in (before, after)
+    ]
+    deep = [np.minimum(_path_distance(edge, paths), radius + 0.5) for paths in through]
+    shallow = [_path_distance(places, paths) for paths in (before, after)]
     nearer = np.where(shallow[1] < radius + 0.05, shallow[0] - shallow[1], 0.0)
     return max(float(np.abs(deep[1] - deep[0]).max()), float(nearer.max()))
 
 
-def _nearest(points: F64, ways: list[F64]) -> F64:
+def _path_distance(points: F64, paths: list[F64]) -> F64:
     """Return the distance of each point to the nearest path, (n,) mm; at most 1000."""
     nearest = np.full(len(points), 1e3)
-    if not ways:
+    if not paths:
         return nearest
-    start = np.vstack([way[:-1, 1:3] for way in ways])
-    step = np.vstack([np.diff(way[:, 1:3], axis=0) for way in ways])
+    start = np.vstack([path[:-1, 1:3] for path in paths])
+    step = np.vstack([np.diff(path[:, 1:3], axis=0) for path in paths])
     size = np.maximum((step**2).sum(axis=1), 1e-18)
     for rows in np.array_split(np.arange(len(start)), len(start) // 50 + 1):
         x, y = (points[:, None] - start[rows]).transpose(2, 0, 1)
@@ -222,20 +234,20 @@ def _nearest(points: F64, ways: list[F64]) -> F64:
 def chords(start: F64, end: F64, bulge: float) -> F64:
     """Return points along an edge about every half millimetre, (n, 2)."""
     size = float(np.hypot(*(end - start)))
-    share = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
-    way: F64 = start + (end - start) * share
+    fraction = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
+    path: F64 = start + (end - start) * fraction
     if bulge == 0.0:
-        return way
+        return path
     left = np.array([start[1] - end[1], end[0] - start[0]])
     centre = (start + end) / 2.0 + left * (1.0 - bulge**2) / (4.0 * bulge)
     out = start - centre
-    angle = 4.0 * math.atan(bulge) * share
+    angle = 4.0 * math.atan(bulge) * fraction
     turned = np.hstack([-out[1] * np.sin(angle), out[0] * np.sin(angle)])
     bent: F64 = centre + out * np.cos(angle) + turned
     return bent
 
 
-def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | None:
+def _paths_in_board(moves: list[Move], machine: Machine, board: Board) -> list[F64] | None:
     """Return the paths in the board, or None if a rapid is in it or a coordinate is unknown.
 
     Each path is (k, 6): station, x, y, z, and the two coordinates of the blade's far end, relative
@@ -243,10 +255,10 @@ def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | No
     """
     result = []
     for move in moves:
-        way = sunk(move, board.caliper)
-        if not len(way):
+        path = poses_in_board(move, board.caliper)
+        if not len(path):
             continue
-        if move.rapid or np.isnan(way).any():
+        if move.rapid or np.isnan(path).any():
             return None
         tool = machine.stations[move.station].tool
         reach, turns = 0.0, 1.0
@@ -256,24 +268,24 @@ def _pieces(moves: list[Move], machine: Machine, board: Board) -> list[F64] | No
             reach = 2.0 * tool.half_width
         elif isinstance(tool, CreaseWheel):
             # A wheel is symmetrical under 180°: half the contact length at twice the angle.
-            depth = board.caliper - way[:, 2].min()
+            depth = board.caliper - path[:, 2].min()
             reach, turns = 0.5 * math.sqrt(max(depth * (2.0 * tool.radius - depth), 0.0)), 2.0
         else:
             assert isinstance(tool, Cutter)
-        angle = np.radians(turns * way[:, 3])
+        angle = np.radians(turns * path[:, 3])
         far = reach * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        station = np.full((len(way), 1), 1e3 * move.station)
-        result.append(np.hstack([station, way[:, :3], far]))
+        station = np.full((len(path), 1), 1e3 * move.station)
+        result.append(np.hstack([station, path[:, :3], far]))
     return result
 
 
-def _beyond(ways: list[F64], others: list[F64]) -> float:
+def _greatest_distance(paths: list[F64], others: list[F64]) -> float:
     """Return the greatest distance of the points of some paths from all other paths (mm).
 
     Points directly above a deeper point of another path have the distance 0.
     """
     known = {other.tobytes() for other in others}
-    own = [way for way in ways if way.tobytes() not in known]
+    own = [path for path in paths if path.tobytes() not in known]
     if not own:
         return 0.0
     if not others:
@@ -288,9 +300,9 @@ def _beyond(ways: list[F64], others: list[F64]) -> float:
     step[upright], size[upright] = 0.0, 1.0
     low, high = np.minimum(start, start + step) - 1.0, np.maximum(start, start + step) + 1.0
     farthest = 0.0
-    for way in own:
-        pieces = [a + (b - a) * np.linspace(0.0, 1.0, 9)[:, None] for a, b in pairwise(way)]
-        points = np.vstack(pieces) if len(pieces) < 9 else way
+    for path in own:
+        pieces = [a + (b - a) * np.linspace(0.0, 1.0, 9)[:, None] for a, b in pairwise(path)]
+        points = np.vstack(pieces) if len(pieces) < 9 else path
         inside = (high >= points.min(axis=0)) & (low <= points.max(axis=0))
         near = np.flatnonzero((inside | (flat == 0.0)).all(axis=1))
         if not len(near):

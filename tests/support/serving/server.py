@@ -38,7 +38,7 @@ class LocalClient(httpx.Client):
 
 
 @contextmanager
-def served(settings: Settings) -> Iterator[LocalClient]:
+def run_server(settings: Settings) -> Iterator[LocalClient]:
     """Run a server in a thread; yield a client that is connected to it."""
     app = create_app(settings)
     server = uvicorn.Server(
@@ -85,7 +85,7 @@ def square(
     return text.dxf(*sides, *extra, units=units)
 
 
-def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, Any]:
+def upload_drawing(client: httpx.Client, content: bytes, **fields: str) -> dict[str, Any]:
     """Upload a drawing with further form fields; return the JSON of the response."""
     answer = client.post("/api/drawings", files={"file": ("square.dxf", content)}, data=fields)
     assert answer.status_code == 201, answer.text
@@ -93,7 +93,7 @@ def uploaded(client: httpx.Client, content: bytes, **fields: str) -> dict[str, A
     return body
 
 
-def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, Any]:
+def order_job(client: httpx.Client, drawing: str, **fields: object) -> dict[str, Any]:
     """Order a job for a drawing's id with further JSON fields; return the JSON of the response."""
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
     assert answer.status_code == 201, answer.text
@@ -101,7 +101,7 @@ def ordered(client: httpx.Client, drawing: str, **fields: object) -> dict[str, A
     return body
 
 
-def until(
+def wait_for_state(
     client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
 ) -> dict[str, Any]:
     """Wait until a job is in one of some states; return the JSON of the job.
@@ -110,24 +110,24 @@ def until(
     """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
-        found: dict[str, Any] = client.get(f"/api/jobs/{job}").json()
-        if found["state"] in states:
-            return found
-        assert found["state"] not in ENDS, found
-        if confirm and found["waiting_for"] == "confirmation":
+        status: dict[str, Any] = client.get(f"/api/jobs/{job}").json()
+        if status["state"] in states:
+            return status
+        assert status["state"] not in ENDS, status
+        if confirm and status["waiting_for"] == "confirmation":
             client.post(f"/api/jobs/{job}/confirm")
         time.sleep(0.02)
-    raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {found}")
+    raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {status}")
 
 
 class Running:
     """A server (``serve``) in a process of its own, which can be killed."""
 
     def __init__(self, database: Path, **more: object) -> None:
-        parts = {"samples": False, **more}
+        options = {"samples": False, **more}
         code = (
             "from knifetip.api.embedded import Parts, serve\n"
-            f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{parts!r}))"
+            f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{options!r}))"
         )
         # All servers of all tests share compiled bytecode, even if the environment disables it.
         environment = {**os.environ, "PYTHONPYCACHEPREFIX": f"{gettempdir()}/knifetip-bytecode"}
@@ -149,10 +149,10 @@ class Running:
         """Stop the process like Ctrl-C (SIGINT); return its exit code."""
         return self._end(signal.SIGINT)
 
-    def _end(self, how: signal.Signals) -> int:
+    def _end(self, signal_number: signal.Signals) -> int:
         self.client.close()
         if self.process.poll() is None:
-            self.process.send_signal(how)
+            self.process.send_signal(signal_number)
         code = self.process.wait(20.0)
         assert self.process.stdout is not None
         self.process.stdout.close()

@@ -27,12 +27,14 @@ class Known:
     """A drawing of the corpus with the line type for each layer and colour."""
 
     path: str
-    of: Callable[[str, int], LineType]  #: maps layer and colour index to the line type
+    line_type_of: Callable[[str, int], LineType]  #: maps layer and colour index to the line type
 
     def truth(self, drawing: Drawing) -> U8:
         """Return the correct LineType of each edge, (n,)."""
         pairs = zip(drawing.layer.tolist(), drawing.colour.tolist(), strict=True)
-        return np.array([self.of(drawing.layers[layer], colour) for layer, colour in pairs], "u1")
+        return np.array(
+            [self.line_type_of(drawing.layers[layer], colour) for layer, colour in pairs], "u1"
+        )
 
 
 def _layers(**kinds: LineType) -> Callable[[str, int], LineType]:
@@ -97,7 +99,7 @@ def without_style(drawing: Drawing) -> Drawing:
     )
 
 
-def shares(truth: U8, said: U8, weight: F64) -> tuple[float, float, float]:
+def classification_fractions(truth: U8, line_type: U8, weight: F64) -> tuple[float, float, float]:
     """Return the fractions of the total weight that are right, unclassified, and wrong.
 
     Parameters
@@ -107,8 +109,14 @@ def shares(truth: U8, said: U8, weight: F64) -> tuple[float, float, float]:
     weight : (n,)
         Weight of each edge, for example its length.
     """
-    asked = said == LineType.UNCLASSIFIED
-    right = said == truth
-    whole = weight.sum() or 1.0
-    of_right, of_asked = (float(weight[part].sum() / whole) for part in (right & ~asked, asked))
-    return of_right, of_asked, float(weight[~right & ~asked].sum() / whole)
+    unclassified = line_type == LineType.UNCLASSIFIED
+    right = line_type == truth
+    total = weight.sum() or 1.0
+    right_fraction, unclassified_fraction = (
+        float(weight[rows].sum() / total) for rows in (right & ~unclassified, unclassified)
+    )
+    return (
+        right_fraction,
+        unclassified_fraction,
+        float(weight[~right & ~unclassified].sum() / total),
+    )

@@ -42,9 +42,11 @@ class Named:
         drawing = pipeline.read(self.data(corpus), self.unit)
         dieline = pipeline.classify(drawing, load.profile(self.profile))
         if self.answer:
-            asked = dieline.line_type == LineType.UNCLASSIFIED
-            said = np.where(asked, LineType.of(self.answer), NO_OVERRIDE).astype(np.uint8)
-            dieline = pipeline.classify(drawing, load.profile(self.profile), said)
+            unclassified = dieline.line_type == LineType.UNCLASSIFIED
+            overrides = np.where(unclassified, LineType.of(self.answer), NO_OVERRIDE).astype(
+                np.uint8
+            )
+            dieline = pipeline.classify(drawing, load.profile(self.profile), overrides)
         assert len(dieline) == len(drawing) > 0
         assert np.isfinite(dieline.ends).all()
         return drawing, dieline, load.board(self.board)

@@ -16,7 +16,7 @@ _COLUMNS = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linety
 _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 
 
-def ours(data: bytes) -> bool:
+def fast_reader_accepts(data: bytes) -> bool:
     """Return whether the fast reader accepts a file, without falling back to ezdxf."""
     wrapped = patch.object(ezdxf_reader, "read_with_ezdxf", wraps=ezdxf_reader.read_with_ezdxf)
     with wrapped as reference_reader, suppress(KnifetipError):
@@ -29,14 +29,14 @@ def read_by_both(data: bytes) -> tuple[Drawing | KnifetipError, Drawing | Knifet
 
     A result is the drawing, or the error if the file is refused.
     """
-    found: list[Drawing | KnifetipError] = []
+    results: list[Drawing | KnifetipError] = []
     for read_fast in (reading.read_fast, lambda *_: None):
         with patch.object(reading, "read_fast", read_fast):
             try:
-                found.append(reading.read(data))
-            except KnifetipError as refused:
-                found.append(refused)
-    return found[0], found[1]
+                results.append(reading.read(data))
+            except KnifetipError as error:
+                results.append(error)
+    return results[0], results[1]
 
 
 def difference(a: Drawing | KnifetipError, b: Drawing | KnifetipError) -> str:

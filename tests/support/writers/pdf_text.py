@@ -27,18 +27,18 @@ def separation(ink: str, cmyk: str) -> str:
     )
 
 
-def objects(*given: bytes | str, trailer: str = "", head: str = "%PDF-1.7") -> bytes:
+def objects(*contents: bytes | str, trailer: str = "", head: str = "%PDF-1.7") -> bytes:
     """Return a file with objects numbered 1, 2, 3, …; object 1 is the catalogue."""
     out = bytearray(head.encode() + b"\n%\xe2\xe3\xcf\xd3\n")
     places = []
-    for number, one in enumerate(given, 1):
+    for number, one in enumerate(contents, 1):
         places.append(len(out))
         body = one.encode() if isinstance(one, str) else one
         out += f"{number} 0 obj\n".encode() + body + b"\nendobj\n"
     begin = len(out)
-    out += f"xref\n0 {len(given) + 1}\n0000000000 65535 f \n".encode()
+    out += f"xref\n0 {len(contents) + 1}\n0000000000 65535 f \n".encode()
     out += b"".join(f"{place:010} 00000 n \n".encode() for place in places)
-    out += f"trailer\n<</Size {len(given) + 1} /Root 1 0 R {trailer}>>\n".encode()
+    out += f"trailer\n<</Size {len(contents) + 1} /Root 1 0 R {trailer}>>\n".encode()
     return bytes(out + f"startxref\n{begin}\n%%EOF\n".encode())
 
 
@@ -76,11 +76,11 @@ def pdf(
     flate
         Compress the content.
     """
-    named = list(layers)
-    groups = " ".join(f"{6 + k} 0 R" for k in range(len(named)))
-    properties += " ".join(f"/L{k} {6 + k} 0 R" for k in range(len(named)))
+    names = list(layers)
+    groups = " ".join(f"{6 + k} 0 R" for k in range(len(names)))
+    properties += " ".join(f"/L{k} {6 + k} 0 R" for k in range(len(names)))
     spaces += " ".join(f"/{key} {separation(*spot)}" for key, spot in SPOTS.items())
-    optional = f"/OCProperties <</OCGs [{groups}] /D <<{default}>>>>" if named else ""
+    optional = f"/OCProperties <</OCGs [{groups}] /D <<{default}>>>>" if names else ""
     data = b"\n".join(one.encode() if isinstance(one, str) else one for one in content)
     return objects(
         f"<</Type /Catalog /Pages 2 0 R {optional} {root}>>",
@@ -90,13 +90,15 @@ def pdf(
         f"/Font <</F1 5 0 R {fonts}>> {resources}>> {page}>>",
         stream(data, flate=flate),
         "<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>",
-        *(f"<</Type /OCG /Name ({name})>>" for name in named),
+        *(f"<</Type /OCG /Name ({name})>>" for name in names),
         *more,
         trailer=trailer,
     )
 
 
-def bends(x: float, y: float, across: float, down: float, first: float, turn: float) -> str:
+def ellipse_curves(
+    x: float, y: float, across: float, down: float, first: float, turn: float
+) -> str:
     """Return path operators for an elliptic arc about (x, y), with eight curves per quarter turn.
 
     ``across`` and ``down`` are the half axes; ``first`` is the start angle and ``turn`` the sweep
@@ -105,7 +107,7 @@ def bends(x: float, y: float, across: float, down: float, first: float, turn: fl
     count = max(1, round(abs(turn) / (math.pi / 16.0)))
     step = turn / count
     reach = 4.0 / 3.0 * math.tan(step / 4.0)
-    said = []
+    curves = []
     for k in range(count):
         a, b = first + k * step, first + (k + 1) * step
         points = (
@@ -113,15 +115,19 @@ def bends(x: float, y: float, across: float, down: float, first: float, turn: fl
             (math.cos(b) + reach * math.sin(b), math.sin(b) - reach * math.cos(b)),
             (math.cos(b), math.sin(b)),
         )
-        said.append(" ".join(f"{x + across * u:.9f} {y + down * v:.9f}" for u, v in points) + " c")
-    return " ".join(said)
+        curves.append(
+            " ".join(f"{x + across * u:.9f} {y + down * v:.9f}" for u, v in points) + " c"
+        )
+    return " ".join(curves)
 
 
 def carton(*, layered: bool = True, flate: bool = False) -> bytes:
     """Return the carton of ``svg_text`` in spot colours, by default on layers."""
-    around = f"10 90 m 210 90 l 210 30 l {bends(190, 30, 20, 20, 0, -math.pi / 2)} 10 10 l s"
+    around = (
+        f"10 90 m 210 90 l 210 30 l {ellipse_curves(190, 30, 20, 20, 0, -math.pi / 2)} 10 10 l s"
+    )
     holes = "".join(
-        f"{x + across} 50 m {bends(x, 50, across, high, 0, math.tau)} s\n"
+        f"{x + across} 50 m {ellipse_curves(x, 50, across, high, 0, math.tau)} s\n"
         for x, across, high in ((35, 8, 8), (85, 12, 6))
     )
     folds = "".join(f"{x} 10 m {x} 90 l S\n" for x in (60, 110, 160))

@@ -205,7 +205,7 @@ def _curve(draw: Draw, new: bool) -> list[list[Tag]]:
 
 
 @st.composite
-def _words(draw: Draw, new: bool) -> list[list[Tag]]:
+def _text(draw: Draw, new: bool) -> list[list[Tag]]:
     text = draw(st.sampled_from(("250 mm", "%%c 12.5", "\\A1;{\\fArial|b0;Cut} 3^J", "a\\Pb", "")))
     common = draw(_common(new))
     kind = draw(st.sampled_from(("TEXT", "DIMENSION") + (("MTEXT",) if new else ())))
@@ -238,7 +238,7 @@ def _words(draw: Draw, new: bool) -> list[list[Tag]]:
 
 
 @st.composite
-def _stranger(draw: Draw, new: bool) -> list[list[Tag]]:
+def _unusual_entity(draw: Draw, new: bool) -> list[list[Tag]]:
     kind, marker = draw(st.sampled_from((("POINT", "AcDbPoint"), ("SOLID", "AcDbTrace"))))
     tags = [
         t for code in ((10,) if kind == "POINT" else (10, 11, 12, 13)) for t in _point(draw, code)
@@ -264,10 +264,12 @@ def _insert(draw: Draw, new: bool, names: tuple[str, ...] = BLOCKS) -> list[list
 
 def _entity(new: bool, plain: bool) -> st.SearchStrategy[list[list[Tag]]]:
     usual = (_line(new), _line(new), _round(new), _lwpolyline(new), _polyline(new))
-    return st.one_of(*usual, _words(new), _stranger(new), *(() if plain else (_curve(new),)))
+    return st.one_of(*usual, _text(new), _unusual_entity(new), *(() if plain else (_curve(new),)))
 
 
-def _written(spelling: Spelling, rows: list[list[Tag]], draw: Draw, next_handle: list[int]) -> str:
+def _entity_text(
+    spelling: Spelling, rows: list[list[Tag]], draw: Draw, next_handle: list[int]
+) -> str:
     """Return the text of an entity and of the records that belong to it, such as vertices."""
     text = []
     for row in rows:
@@ -331,12 +333,12 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
             (0, "BLOCK"), (5, f"{handle[0]:X}"), *marks, (2, name), (70, 0), (10, base[0])
         )
         blocks += tags((20, base[1]), (30, 0.0), (3, name), (1, ""))
-        blocks += "".join(_written(spelling, rows, draw, handle) for rows in inside)
+        blocks += "".join(_entity_text(spelling, rows, draw, handle) for rows in inside)
         marks = [(100, "AcDbEntity"), (8, "0"), (100, "AcDbBlockEnd")] if new else [(8, "0")]
         handle[0] += 1
         blocks += tags((0, "ENDBLK"), (5, f"{handle[0]:X}"), *marks)
     several = draw(st.lists(st.one_of(entity, entity, entity, _insert(new)), max_size=8))
-    entities = "".join(_written(spelling, rows, draw, handle) for rows in several)
+    entities = "".join(_entity_text(spelling, rows, draw, handle) for rows in several)
     sections = (("HEADER", header), ("TABLES", table), ("BLOCKS", blocks), ("ENTITIES", entities))
     text = "".join(
         tags((0, "SECTION"), (2, name)) + body + tags((0, "ENDSEC")) for name, body in sections

@@ -7,7 +7,7 @@ INKSCAPE = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
 
 
 def svg(
-    *inside: str, size: str = 'width="100mm" height="100mm"', box: str = "0 0 100 100"
+    *elements: str, size: str = 'width="100mm" height="100mm"', box: str = "0 0 100 100"
 ) -> bytes:
     """Return an SVG file with some elements; by default 100 by 100 mm with black strokes.
 
@@ -15,7 +15,7 @@ def svg(
     """
     view = f' viewBox="{box}"' if box else ""
     head = f'<svg {SVG} xmlns:xlink="http://www.w3.org/1999/xlink" {INKSCAPE} {size}{view}'
-    return (head + ' stroke="#000" fill="none">' + "".join(inside) + "</svg>").encode()
+    return (head + ' stroke="#000" fill="none">' + "".join(elements) + "</svg>").encode()
 
 
 def carton() -> bytes:

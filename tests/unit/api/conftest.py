@@ -8,7 +8,7 @@ import httpx
 import pytest
 
 from knifetip.api.service import Settings
-from tests.support.serving.server import served
+from tests.support.serving.server import run_server
 
 
 @pytest.fixture(scope="session")
@@ -20,5 +20,5 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     (page / "assets" / "main-4f2a.js").write_text("export const knife = 1\n")
     (folder / "secret.txt").write_text("not for you")
     settings = Settings(database=f"sqlite:///{folder}/shop.sqlite", name="test", page=page)
-    with served(settings) as client:
+    with run_server(settings) as client:
         yield client

@@ -16,7 +16,7 @@ import pytest
 from knifetip import errors
 from knifetip.api.app import status_of
 from knifetip.jobs.warm_up import WarmUp, WarmUpProgress
-from tests.support.serving.server import square, uploaded
+from tests.support.serving.server import square, upload_drawing
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -229,7 +229,7 @@ def test_no_body_makes_a_fault(client: httpx.Client, path: str) -> None:
 
 @pytest.mark.parametrize("where", ["", "/edges"])
 def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     fields = ["unit", "profile"] if not where else ["type", "edges", "handles", "layer", "colour"]
     for field, value in itertools.product(fields, HOSTILE):
         said: dict[str, object] = {field: value}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import httpx
 import pytest
 
-from tests.support.serving.server import square, uploaded
+from tests.support.serving.server import square, upload_drawing
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client) -> None:
     half = text.line(100.0, 0.0, 50.0, 0.0, (8, "CUT"))
-    id = uploaded(client, square(extra=(half,)))["id"]
+    id = upload_drawing(client, square(extra=(half,)))["id"]
     said = client.get(f"/api/drawings/{id}/cleaning").json()
     assert said["lengths"] == {
         "drawn": 450.0,
@@ -31,7 +31,7 @@ def test_a_side_drawn_twice_is_told_with_its_lengths(client: httpx.Client) -> No
 
 
 def test_without_a_unit_nobody_knows_how_long_a_speck_is(client: httpx.Client) -> None:
-    id = uploaded(client, square(units=None, side=4.0))["id"]
+    id = upload_drawing(client, square(units=None, side=4.0))["id"]
     answer = client.get(f"/api/drawings/{id}/cleaning")
     assert answer.status_code == 422
     assert "unit" in answer.json()["detail"]

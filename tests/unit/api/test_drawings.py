@@ -10,7 +10,7 @@ import pytest
 from knifetip.api.drawing_requests import drawing_name
 from knifetip.api.schemas.drawings import UnitFindingOut
 from knifetip.presentation.columns import unpack_columns
-from tests.support.serving.server import square, uploaded
+from tests.support.serving.server import square, upload_drawing
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -47,7 +47,7 @@ def test_the_import_report_can_be_asked_for_one_outcome_and_says_where_words_sta
     client: httpx.Client,
 ) -> None:
     note = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Rev. B"))
-    id = uploaded(client, square(extra=(note,)))["id"]
+    id = upload_drawing(client, square(extra=(note,)))["id"]
     (row,) = client.get(f"/api/drawings/{id}/import-report?outcome=dropped").json()["rows"]
     assert (row["kind"], row["text"], row["place"]) == ("TEXT", "Rev. B", [12.0, 34.0, 5.0])
     assert len(client.get(f"/api/drawings/{id}/import-report?outcome=kept").json()["rows"]) == 4
@@ -55,12 +55,12 @@ def test_the_import_report_can_be_asked_for_one_outcome_and_says_where_words_sta
 
 
 def test_the_file_comes_back_byte_for_byte(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     assert client.get(f"/api/drawings/{id}/file").content == square()
 
 
 def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client) -> None:
-    ids = [uploaded(client, square(side=side))["id"] for side in (10.0, 20.0, 30.0)]
+    ids = [upload_drawing(client, square(side=side))["id"] for side in (10.0, 20.0, 30.0)]
     first = client.get("/api/drawings", params={"limit": 2})
     assert [drawing["id"] for drawing in first.json()] == ids[:0:-1]
     assert first.json()[0]["width"] == 30.0
@@ -69,7 +69,7 @@ def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client)
 
 
 def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client) -> None:
-    said = uploaded(client, square(units=None, side=4.0))
+    said = upload_drawing(client, square(units=None, side=4.0))
     assert said["unit"] is None
     assert "unit" in [question["kind"] for question in said["questions"]]
     told = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
@@ -78,7 +78,9 @@ def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client) -> None
 
 
 def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client) -> None:
-    assert uploaded(client, square(units=None, side=4.0), unit="cm")["width"] == pytest.approx(40.0)
+    assert upload_drawing(client, square(units=None, side=4.0), unit="cm")[
+        "width"
+    ] == pytest.approx(40.0)
 
 
 def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
@@ -89,7 +91,7 @@ def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
         "ELLIPSE", (8, "CUT"), (10, 0), (20, 0), (11, 4), (21, 0), (40, 0.5), (41, 0), (42, 6.28)
     )
     data = text.dxf(ellipse, units=None, version="AC1015")
-    silent, given = uploaded(client, data), uploaded(client, data, unit="in")
+    silent, given = upload_drawing(client, data), upload_drawing(client, data, unit="in")
     assert silent["unit"] is None
     coarse = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "mm"}).json()
     told = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "in"}).json()
@@ -101,13 +103,13 @@ def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
 def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(
     client: httpx.Client,
 ) -> None:
-    finding = uploaded(client, square())["unit_finding"]
+    finding = upload_drawing(client, square())["unit_finding"]
     assert (finding["stated"], finding["ranking"][0], finding["warnings"]) == ("mm", "mm", [])
     first = finding["evidence"][0]
     assert set(first) == {"unit", "code", "arguments", "text", "hint", "weight"}
     assert first["arguments"]["unit"] == first["unit"]
     assert finding["evidence"][0]["weight"] > 1.0
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     told = client.patch(f"/api/drawings/{id}", json={"unit": "in"}).json()
     assert (told["unit"], told["width"]) == ("in", 2540.0)
     warning = told["unit_finding"]["warnings"][0]
@@ -135,7 +137,7 @@ def test_unit_evidence_that_was_stored_as_sentences_stays_readable() -> None:
 def test_an_override_answers_the_question_and_can_be_taken_back(
     client: httpx.Client, who: dict[str, Any]
 ) -> None:
-    id = uploaded(client, square(extra=(MYSTERY,)))["id"]
+    id = upload_drawing(client, square(extra=(MYSTERY,)))["id"]
     (question,) = client.get(f"/api/drawings/{id}").json()["questions"]
     assert (question["kind"], question["edges"]) == ("line-type", [4])
     said = override(client, id, {"type": "crease", **who}).json()
@@ -147,7 +149,7 @@ def test_an_override_answers_the_question_and_can_be_taken_back(
 
 
 def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     handles = [edge["handle"] for edge in edges(client, id)]
     override(
         client, id, {"type": "crease", "layer": "CUT"}, {"type": "ignored", "handles": handles[:1]}
@@ -156,7 +158,7 @@ def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client) -> N
 
 
 def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Client) -> None:
-    id = uploaded(client, square(units=None))["id"]
+    id = upload_drawing(client, square(units=None))["id"]
     override(client, id, {"type": "crease", "edges": [2]})
     client.patch(f"/api/drawings/{id}", json={"unit": "mm"})
     assert [edge["type"] for edge in edges(client, id)] == ["cut", "cut", "crease", "cut"]
@@ -178,7 +180,7 @@ def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Cli
 def test_an_override_about_nothing_is_refused(
     client: httpx.Client, who: dict[str, Any], words: str
 ) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     answer = override(client, id, {"type": "crease", **who})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
@@ -186,7 +188,7 @@ def test_an_override_about_nothing_is_refused(
 
 
 def test_columns_say_the_same_as_json(client: httpx.Client) -> None:
-    id = uploaded(client, square(extra=(MYSTERY,)))["id"]
+    id = upload_drawing(client, square(extra=(MYSTERY,)))["id"]
     answer = client.get(f"/api/drawings/{id}/edges", params={"format": "columns"})
     columns, meta = unpack_columns(answer.content)
     listed = edges(client, id)
@@ -215,7 +217,7 @@ def test_columns_say_the_same_as_json(client: httpx.Client) -> None:
 
 
 def test_a_drawing_is_deleted(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     assert client.delete(f"/api/drawings/{id}").status_code == 204
     assert client.get(f"/api/drawings/{id}").status_code == 404
 

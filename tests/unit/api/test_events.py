@@ -11,7 +11,7 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -54,7 +54,7 @@ def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Q
         yield heard
     finally:
         over.set()
-        uploaded(client, square())  # something to hear, so that the listener looks up
+        upload_drawing(client, square())  # something to hear, so that the listener looks up
         thread.join(10.0)
 
 
@@ -67,9 +67,9 @@ def of(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:
 
 def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client) -> None:
     with listening(client) as heard:
-        drawing = uploaded(client, square())["id"]
+        drawing = upload_drawing(client, square())["id"]
         assert of(heard, drawing).kind == "drawing"
-        job = ordered(client, drawing)["id"]
+        job = order_job(client, drawing)["id"]
         said = of(heard, job, "ready")
         assert said.kind == "job"
         assert said.number is not None
@@ -77,13 +77,13 @@ def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client) -
 
 
 def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     with listening(client) as heard:
-        before = ordered(client, drawing)["id"]
+        before = order_job(client, drawing)["id"]
         last = of(heard, before, "ready").number
     assert last is not None
-    missed = ordered(client, drawing)["id"]
-    until(client, missed, "ready")
+    missed = order_job(client, drawing)["id"]
+    wait_for_state(client, missed, "ready")
     client.post(f"/api/jobs/{missed}/release")
     with listening(client, last) as heard:
         said = of(heard, missed, "queued")
@@ -97,8 +97,8 @@ def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client) 
 
 
 def test_progress_is_heard_without_a_number(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
-    job = until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+    drawing = upload_drawing(client, square())["id"]
+    job = wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
     with listening(client) as heard:
         claim = {"gateway": "g", "machine": "demo-table", "wait": 0.0}
         epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
@@ -120,14 +120,14 @@ def test_progress_is_heard_without_a_number(client: httpx.Client) -> None:
 
 
 def test_a_number_that_was_never_ours_replays_nothing(client: httpx.Client) -> None:
-    uploaded(client, square())
+    upload_drawing(client, square())
     with listening(client, 10**12) as heard:
-        drawing = uploaded(client, square())["id"]
+        drawing = upload_drawing(client, square())["id"]
         assert heard.get(timeout=10.0).data["id"] == drawing
 
 
 def test_a_deleted_drawing_is_heard(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     with listening(client) as heard:
         client.delete(f"/api/drawings/{drawing}")
         said = heard.get(timeout=10.0)
@@ -135,9 +135,9 @@ def test_a_deleted_drawing_is_heard(client: httpx.Client) -> None:
 
 
 def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     first, second = (
-        until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+        wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
         for _ in range(2)
     )
     with listening(client) as heard:

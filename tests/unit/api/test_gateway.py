@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -32,8 +32,8 @@ def finish(client: httpx.Client, job: dict[str, Any], outcome: str = "done") -> 
 
 @pytest.fixture
 def queued(client: httpx.Client) -> dict[str, Any]:
-    drawing = uploaded(client, square())["id"]
-    return until(client, ordered(client, drawing, release=True)["id"], "queued")
+    drawing = upload_drawing(client, square())["id"]
+    return wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")
 
 
 @pytest.fixture
@@ -81,8 +81,8 @@ def test_a_claim_brings_the_program_that_was_verified(
 def test_a_second_gateway_gets_nothing_while_the_table_is_taken(
     client: httpx.Client, claimed: dict[str, Any]
 ) -> None:
-    drawing = uploaded(client, square())["id"]
-    other = until(client, ordered(client, drawing, release=True)["id"], "queued")
+    drawing = upload_drawing(client, square())["id"]
+    other = wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")
     assert claim(client, "another").status_code == 204
     finish(client, claimed, "interrupted")
     assert claim(client, "another").status_code == 204
@@ -228,9 +228,9 @@ def test_a_job_that_no_machine_has_taken_cannot_be_confirmed(
 def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
     client: httpx.Client, claimed: dict[str, Any]
 ) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     following, last = (
-        until(client, ordered(client, drawing, release=True)["id"], "queued")["id"]
+        wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
         for _ in range(2)
     )
 

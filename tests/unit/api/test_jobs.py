@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from knifetip.presentation.columns import unpack_columns
-from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -20,8 +20,8 @@ pytestmark = pytest.mark.xdist_group("server")
 @pytest.fixture(scope="module")
 def ready(client: httpx.Client) -> dict[str, Any]:
     """A job that is ready."""
-    job = ordered(client, uploaded(client, square())["id"])
-    return until(client, job["id"], "ready")
+    job = order_job(client, upload_drawing(client, square())["id"])
+    return wait_for_state(client, job["id"], "ready")
 
 
 def test_a_square_of_cuts_becomes_ready_with_a_verdict(
@@ -70,7 +70,7 @@ def test_the_verdict_has_a_row_for_every_edge(client: httpx.Client, ready: dict[
 
 def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.Client) -> None:
     mystery = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
-    drawing = uploaded(client, square(units=None, extra=(mystery,)))["id"]
+    drawing = upload_drawing(client, square(units=None, extra=(mystery,)))["id"]
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute"})
     assert answer.status_code == 409
     assert answer.headers["content-type"] == "application/problem+json"
@@ -81,15 +81,15 @@ def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.C
 
 def test_an_override_in_the_order_counts_for_the_job_alone(client: httpx.Client) -> None:
     mystery = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
-    drawing = uploaded(client, square(extra=(mystery,)))["id"]
-    job = ordered(client, drawing, overrides=[{"type": "crease", "layer": "MYSTERY"}])
-    until(client, job["id"], "ready")
+    drawing = upload_drawing(client, square(extra=(mystery,)))["id"]
+    job = order_job(client, drawing, overrides=[{"type": "crease", "layer": "MYSTERY"}])
+    wait_for_state(client, job["id"], "ready")
     assert len(client.get(f"/api/drawings/{drawing}").json()["questions"]) == 1
 
 
 def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: httpx.Client) -> None:
-    drawing = uploaded(client, square(side=5000.0))["id"]
-    job = until(client, ordered(client, drawing)["id"], "refused")
+    drawing = upload_drawing(client, square(side=5000.0))["id"]
+    job = wait_for_state(client, order_job(client, drawing)["id"], "refused")
     assert "5000.0 × 5000.0 mm" in job["reason"]
     assert job["hint"] != ""
     for part in ("program", "toolpath", "verdict"):
@@ -97,9 +97,9 @@ def test_a_drawing_larger_than_the_table_is_refused_with_its_measure(client: htt
 
 
 def test_a_job_is_released_and_cancelled(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
-    job = ordered(client, drawing)["id"]
-    until(client, job, "ready")
+    drawing = upload_drawing(client, square())["id"]
+    job = order_job(client, drawing)["id"]
+    wait_for_state(client, job, "ready")
     assert client.post(f"/api/jobs/{job}/release").json()["state"] == "queued"
     assert client.post(f"/api/jobs/{job}/cancel").json()["state"] == "cancelled"
     again = client.post(f"/api/jobs/{job}/cancel")
@@ -110,10 +110,10 @@ def test_a_job_is_released_and_cancelled(client: httpx.Client) -> None:
 def test_jobs_are_listed_by_state_and_page_by_page(
     client: httpx.Client, ready: dict[str, Any]
 ) -> None:
-    drawing = uploaded(client, square())["id"]
-    new = [ordered(client, drawing)["id"] for _ in range(3)]
+    drawing = upload_drawing(client, square())["id"]
+    new = [order_job(client, drawing)["id"] for _ in range(3)]
     for id in new:
-        until(client, id, "ready")
+        wait_for_state(client, id, "ready")
     first = client.get("/api/jobs", params={"state": "ready", "limit": 2})
     assert [job["id"] for job in first.json()] == new[:0:-1]
     path = first.headers["link"].split(">")[0].lstrip("<")
@@ -125,7 +125,7 @@ def test_jobs_are_listed_by_state_and_page_by_page(
 
 
 def test_the_same_key_orders_once(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
 
     def order(**more: object) -> httpx.Response:
         return client.post(
@@ -153,7 +153,7 @@ def test_the_same_key_orders_once(client: httpx.Client) -> None:
 def test_what_is_not_in_the_library_is_named(
     client: httpx.Client, field: str, value: str, words: str
 ) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", field: value})
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
@@ -163,10 +163,10 @@ def test_what_is_not_in_the_library_is_named(
 def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
     """Order a frame of 200 mm with a window of 50 mm on the table that mills."""
     window = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(WINDOW)]
-    drawing = uploaded(client, square(side=200.0, extra=tuple(window)))
+    drawing = upload_drawing(client, square(side=200.0, extra=tuple(window)))
     answer = client.post("/api/jobs", json={"drawing": drawing["id"], **MILLS, **fields})
     assert answer.status_code == 201, answer.text
-    return until(client, answer.json()["id"], "ready", "refused")
+    return wait_for_state(client, answer.json()["id"], "ready", "refused")
 
 
 MILLS = {"machine": "router-table", "board": "greyboard-3.0"}
@@ -212,7 +212,7 @@ def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx
 
 
 def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client) -> None:
-    drawing = uploaded(client, square())["id"]
+    drawing = upload_drawing(client, square())["id"]
     order = {"drawing": drawing, "board": "e-flute", "corners": {"type": "D"}}
     answer = client.post("/api/jobs", json=order)
     assert answer.status_code == 422
@@ -257,12 +257,12 @@ def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client
     notch = ((0.0, 0.0), (98.0, 0.0), (98.0, 60.0), (102.0, 60.0), (102.0, 0.0), (200.0, 0.0),
              (200.0, 200.0), (0.0, 200.0), (0.0, 0.0))  # fmt: skip
     lines = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(notch)]
-    drawing = uploaded(client, text.dxf(*lines, units=4))["id"]
+    drawing = upload_drawing(client, text.dxf(*lines, units=4))["id"]
     states = {}
     for word in ("trim", "refuse"):
         order = {"drawing": drawing, **MILLS, "corners": {"interference": word}}
         job = client.post("/api/jobs", json=order).json()
-        states[word] = until(client, job["id"], "ready", "refused")
+        states[word] = wait_for_state(client, job["id"], "ready", "refused")
     assert states["trim"]["state"] == "ready"
     # 4 × 60 less the segment of the disc that reaches into the mouth.
     half = math.asin(2 / 3)
@@ -305,8 +305,10 @@ def test_the_verdict_as_columns_has_the_map_and_the_outlines(
 
 def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client) -> None:
     lines = (text.line(0.0, 50.0, 100.0, 50.0, (8, "V-GROOVE")),)
-    drawing = uploaded(client, square(extra=lines))["id"]
-    job = until(client, ordered(client, drawing, board="greyboard-2.0")["id"], "ready", "refused")
+    drawing = upload_drawing(client, square(extra=lines))["id"]
+    job = wait_for_state(
+        client, order_job(client, drawing, board="greyboard-2.0")["id"], "ready", "refused"
+    )
     verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
     # 1.3 mm deep at 45° in 2.0 mm: 2.6 mm wide, and 0.7 mm of board below.
     assert verdict["edge_width"] == pytest.approx([0, 0, 0, 0, 2.6], abs=1e-3)

@@ -11,7 +11,7 @@ import pytest
 
 from knifetip.dxf.samples import samples
 from tests.support.command import Command
-from tests.support.serving.server import uploaded
+from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -46,7 +46,7 @@ def test_a_drawing_has_the_same_json_in_rest_and_on_the_command_line(
     content = DRAWINGS[name]
     file = tmp_path / "square.dxf"
     file.write_bytes(content)
-    id = uploaded(client, content)["id"]
+    id = upload_drawing(client, content)["id"]
     rest = client.get(f"/api/drawings/{id}").json()
     _, out, _ = knifetip("classify", file, "--json")
     printed = json.loads(out)

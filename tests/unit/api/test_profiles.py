@@ -7,7 +7,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.support.serving.server import ordered, square, until, uploaded
+from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
 from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -211,7 +211,7 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
     client: httpx.Client,
 ) -> None:
     keep(client, "changing")
-    drawing = uploaded(client, square(extra=INNER), profile="changing")
+    drawing = upload_drawing(client, square(extra=INNER), profile="changing")
     id = drawing["id"]
     assert (drawing["profile"], drawing["profile_state"]) == ("changing", "current")
     assert types(client, id)[4] == "crease"
@@ -260,7 +260,7 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
 def test_rules_that_are_none_change_nothing(
     client: httpx.Client, patch: dict[str, object], status: int, words: str
 ) -> None:
-    drawing = uploaded(client, square(extra=INNER))
+    drawing = upload_drawing(client, square(extra=INNER))
     answer = client.patch(f"/api/drawings/{drawing['id']}", json=patch)
     assert (answer.status_code, words in answer.json()["detail"]) == (status, True), answer.text
     assert client.get(f"/api/drawings/{drawing['id']}").json()["rules"] == ""
@@ -268,11 +268,11 @@ def test_rules_that_are_none_change_nothing(
 
 def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client) -> None:
     keep(client, "ordering", OURS + '\n[[rule]]\ntype = "ignored"\nlayer = "INNER"\n')
-    id = uploaded(client, square(extra=INNER), profile="ordering")["id"]
+    id = upload_drawing(client, square(extra=INNER), profile="ordering")["id"]
     # Nobody could make this, and nobody has to: the drawing was looked at before.
     keep(client, "ordering", OURS.replace("crease", "unclassified"), **{"If-Match": '"1"'})
-    job = ordered(client, id)
-    assert until(client, job["id"], "ready")["state"] == "ready"
+    job = order_job(client, id)
+    assert wait_for_state(client, job["id"], "ready")["state"] == "ready"
     verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
     # Only a wheel keeps away from the ends of its line.
     assert [setback > 1.0 for setback in verdict["edge_setback"]] == [False] * 4 + [True, False]
@@ -286,7 +286,7 @@ def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client) ->
 def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(OURS)
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     for name in (str(path), "../profiles/german", "german.toml"):
         answer = client.patch(f"/api/drawings/{id}", json={"profile": name})
         assert answer.status_code == 422, name
@@ -294,7 +294,7 @@ def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path:
 
 
 def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.Client) -> None:
-    id = uploaded(client, square(extra=INNER))["id"]
+    id = upload_drawing(client, square(extra=INNER))["id"]
     override = {"overrides": [{"type": "cut", "edges": [4]}]}
     before = client.patch(f"/api/drawings/{id}/edges", json=override).json()
     rules = [
@@ -313,7 +313,7 @@ def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.C
 
 
 def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     body = {"title": "x", "rules": [{"type": "cut", "colour": [0]}]}
     answer = client.post(f"/api/drawings/{id}/preview", json=body)
     assert answer.status_code == 422
@@ -322,7 +322,7 @@ def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client) -> Non
 
 def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Client) -> None:
     drawing = square(extra=INNER)
-    id = uploaded(client, drawing)["id"]
+    id = upload_drawing(client, drawing)["id"]
     assert client.post(f"/api/drawings/{id}/learned").json() == []
     override = {"overrides": [{"type": "perforation", "edges": [4]}]}
     client.patch(f"/api/drawings/{id}/edges", json=override)
@@ -334,7 +334,7 @@ def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Cl
     rule = {key: first["rule"][key] for key in ("type", "layer", "colour", "linetype")}
     body = {"title": "Learned", "extends": "default", "rules": [rule]}
     assert client.put("/api/profiles/learned", json=body).status_code == 201
-    other = uploaded(client, drawing, profile="learned")
+    other = upload_drawing(client, drawing, profile="learned")
     assert types(client, other["id"])[4] == "perforation"
 
 
@@ -342,7 +342,7 @@ def test_a_correction_against_the_profile_says_what_else_it_would_change(
     client: httpx.Client,
 ) -> None:
     folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (40.0, 60.0)]
-    id = uploaded(client, square(extra=tuple(folds)))["id"]
+    id = upload_drawing(client, square(extra=tuple(folds)))["id"]
     override = {"overrides": [{"type": "perforation", "edges": [4]}]}
     client.patch(f"/api/drawings/{id}/edges", json=override)
     (proposal,) = client.post(f"/api/drawings/{id}/learned").json()
@@ -353,7 +353,7 @@ def test_a_correction_against_the_profile_says_what_else_it_would_change(
 def test_the_report_adds_up_and_every_edge_has_an_outcome(client: httpx.Client) -> None:
     twice = text.line(20.0, 0.0, 80.0, 0.0, (8, "CUT"))
     note = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nhello\n"
-    said = uploaded(client, square(extra=(twice, note)))
+    said = upload_drawing(client, square(extra=(twice, note)))
     report = said["report"]
     assert report["drawn"] == pytest.approx(460.0)
     assert report["kept"] + report["merged"] + report["dropped"] == pytest.approx(report["drawn"])
@@ -366,7 +366,7 @@ def test_the_report_adds_up_and_every_edge_has_an_outcome(client: httpx.Client) 
 
 
 def test_a_unit_that_was_said_can_be_taken_back(client: httpx.Client) -> None:
-    said = uploaded(client, square())
+    said = upload_drawing(client, square())
     assert (said["unit"], said["unit_given"]) == ("mm", None)
     inches = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
     assert (inches["unit_given"], inches["width"]) == ("in", pytest.approx(2540.0))

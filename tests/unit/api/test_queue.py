@@ -17,7 +17,13 @@ import pytest
 from knifetip.api import queue
 from knifetip.api.queue import WorkQueue
 from knifetip.errors import ServerBusy
-from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
+from tests.support.serving.server import (
+    LocalClient,
+    order_job,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -113,8 +119,8 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
 
     monkeypatch.setattr(queue.WorkQueue, "_timed", slow)
     monkeypatch.setattr(client.service, "work", WorkQueue(1, 3))
-    job = ordered(client, uploaded(client, square())["id"], release=True)
-    until(client, job["id"], "queued")
+    job = order_job(client, upload_drawing(client, square())["id"], release=True)
+    wait_for_state(client, job["id"], "queued")
     claim = {"gateway": "g", "machine": "demo-table", "wait": 20.0}
     epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
     assert client.post(f"/api/jobs/{job['id']}/confirm").status_code == 200
@@ -151,8 +157,8 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
 def test_gateways_have_threads_that_nothing_else_takes(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    job = ordered(client, uploaded(client, square())["id"], release=True)
-    until(client, job["id"], "queued")
+    job = order_job(client, upload_drawing(client, square())["id"], release=True)
+    wait_for_state(client, job["id"], "queued")
     gate = threading.Event()
     monkeypatch.setattr(client.service.store.drawings, "recent", lambda *_: gate.wait(100.0) and [])
     with ThreadPoolExecutor(50) as pool:

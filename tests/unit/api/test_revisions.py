@@ -15,7 +15,13 @@ from knifetip.jobs import tasks
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import NO_OVERRIDE
 from tests.support.messages import stored
-from tests.support.serving.server import LocalClient, ordered, square, until, uploaded
+from tests.support.serving.server import (
+    LocalClient,
+    order_job,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -50,7 +56,7 @@ def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client) 
 
 @pytest.mark.parametrize("where", ["", "/edges", "/edges?format=columns"])
 def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, where: str) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     path = f"/api/drawings/{id}{where}"
     tag = client.get(path).headers["etag"]
     for known in (tag, f'"9", {tag}', f"W/{tag}"):
@@ -70,7 +76,7 @@ def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(
     toml = {"Content-Type": "application/toml"}
     kept = client.put("/api/profiles/etagged", content=profile, headers=toml)
     assert kept.status_code == 201, kept.text
-    drawing = uploaded(client, square(), profile="etagged")
+    drawing = upload_drawing(client, square(), profile="etagged")
     path = f"/api/drawings/{drawing['id']}"
     tag = client.get(path).headers["etag"]
     other = {**toml, "If-Match": kept.headers["etag"]}
@@ -89,7 +95,7 @@ def test_a_profile_that_changed_changes_the_answer_and_not_the_revision(
 def test_a_change_made_for_an_older_revision_is_refused(
     client: httpx.Client, where: str, change: dict[str, Any]
 ) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     path = f"/api/drawings/{id}{where}"
     first = client.patch(path, json=change, headers={"If-Match": '"1"'})
     assert first.status_code == 200
@@ -103,7 +109,7 @@ def test_a_change_made_for_an_older_revision_is_refused(
 
 
 def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     client.patch(f"/api/drawings/{id}/edges", json=CREASE)
     jobs = len(client.get("/api/jobs?limit=500").json())
     order = {"drawing": id, "board": "e-flute"}
@@ -116,7 +122,7 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
 
 @pytest.mark.parametrize("wrong", [0, -1, "x", 1.5, 2**40, [1]])
 def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     order = {"drawing": id, "board": "e-flute", "revision": wrong}
     assert client.post("/api/jobs", json=order).status_code == 422
 
@@ -124,7 +130,7 @@ def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object) -> 
 def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     run = client.service.pool.run
     between: list[int] = []
 
@@ -138,20 +144,20 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
         return run(task, *arguments, **named)
 
     monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
-    job = ordered(client, id, revision=1)
+    job = order_job(client, id, revision=1)
     assert between == [1]
     row = client.service.store.jobs.get(job["id"])
     kept = np.frombuffer(client.service.store.jobs.column(job["id"], "overrides"), np.uint8)
     assert row.unit_given == ""
     assert (kept == NO_OVERRIDE).all()
-    program = until(client, job["id"], "ready")
+    program = wait_for_state(client, job["id"], "ready")
     assert program["seconds"] > 0
 
 
 def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     run = client.service.pool.run
     others = [3]
 
@@ -179,7 +185,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
 
 
 def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client) -> None:
-    id = uploaded(client, square())["id"]
+    id = upload_drawing(client, square())["id"]
     deadline = time.monotonic() + 10.0
     with client.stream("GET", "/api/events") as stream:
         lines = stream.iter_lines()

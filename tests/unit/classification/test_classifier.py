@@ -11,7 +11,7 @@ from knifetip.classification.questions import list_questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from tests.support.cartons.random_drawings import random_drawing
-from tests.support.classification import drawn, plain, seen, words
+from tests.support.classification import classified, drawing_of, style, words
 
 BLANK = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 FOLDS = [(100, 0, 100, 200), (200, 0, 200, 200)]
@@ -24,8 +24,8 @@ def why(dieline: Dieline, row: int) -> str:
 
 
 def test_with_meaningless_layers_shape_decides_the_outline_and_asks_the_rest() -> None:
-    sheet = drawn((BLANK + FOLDS, plain()))
-    dieline = seen(sheet)
+    sheet = drawing_of((BLANK + FOLDS, style()))
+    dieline = classified(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
     assert dieline.alternatives[dieline.rule[4]][0] == LineType.CREASE
     assert 0.5 <= dieline.confidence[4] < 0.8
@@ -37,34 +37,34 @@ def test_with_meaningless_layers_shape_decides_the_outline_and_asks_the_rest() -
 
 @pytest.mark.parametrize(("cut", "crease"), [(1, 5), (7, 1), (1, 3), (7, 3)])
 def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> None:
-    dieline = seen(drawn((BLANK, plain(colour=cut)), (FOLDS, plain(colour=crease))))
+    dieline = classified(drawing_of((BLANK, style(colour=cut)), (FOLDS, style(colour=crease))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert "the outline closes, and 2 of 2 dividing lines are folds" in why(dieline, 4)
     assert dieline.confidence[4] < dieline.confidence[0]
 
 
 def test_colours_of_no_convention_are_asked() -> None:
-    dieline = seen(drawn((BLANK, plain(colour=30)), (FOLDS, plain(colour=40))))
+    dieline = classified(drawing_of((BLANK, style(colour=30)), (FOLDS, style(colour=40))))
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
 
 
 def test_an_unknown_layer_name_and_shape_decide_together() -> None:
-    dieline = seen(drawn((BLANK, plain("Découpe")), (FOLDS, plain("Plis (2)"))))
+    dieline = classified(drawing_of((BLANK, style("Découpe")), (FOLDS, style("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert 'the name of the layer of the edge contains "plis"' in why(dieline, 4)
     # Neither of them alone does.
-    assert words(seen(drawn((FOLDS, plain("Plis (2)"))))) == ["unclassified"] * 2
+    assert words(classified(drawing_of((FOLDS, style("Plis (2)"))))) == ["unclassified"] * 2
 
 
 def test_a_negated_name_is_asked() -> None:
-    dieline = seen(drawn((BLANK, plain("NoCut")), (FOLDS, plain("CREASE"))))
+    dieline = classified(drawing_of((BLANK, style("NoCut")), (FOLDS, style("CREASE"))))
     assert words(dieline) == ["unclassified"] * 4 + ["crease"] * 2
     assert dieline.alternatives[dieline.rule[0]][0] == LineType.CUT
 
 
 def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> None:
-    sheet = drawn((BLANK, plain("CREASE")), (FOLDS, plain("CUT")))
-    dieline = seen(sheet)
+    sheet = drawing_of((BLANK, style("CREASE")), (FOLDS, style("CUT")))
+    dieline = classified(sheet)
     assert words(dieline) == ["unclassified"] * 6
     assert "closed outline creases" in why(dieline, 0)
     put = list_questions(sheet, dieline)
@@ -72,14 +72,16 @@ def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> Non
 
 
 def test_a_profile_with_the_wrong_colours_is_detected() -> None:
-    sheet = drawn((BLANK, plain(colour=7)), (FOLDS, plain(colour=1)))
-    assert words(seen(sheet, "red-crease-black-cut")) == ["cut"] * 4 + ["crease"] * 2
-    wrong = seen(sheet, "red-cut-blue-crease")
+    sheet = drawing_of((BLANK, style(colour=7)), (FOLDS, style(colour=1)))
+    assert words(classified(sheet, "red-crease-black-cut")) == ["cut"] * 4 + ["crease"] * 2
+    wrong = classified(sheet, "red-cut-blue-crease")
     assert words(wrong)[4:] == ["unclassified"] * 2
 
 
 def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None:
-    dieline = seen(drawn((BLANK[1:], plain("CUT")), (BLANK[:1] + FOLDS, plain("CREASE"))))
+    dieline = classified(
+        drawing_of((BLANK[1:], style("CUT")), (BLANK[:1] + FOLDS, style("CREASE")))
+    )
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
     assert "where the board ends" in why(dieline, 3)
 
@@ -88,12 +90,14 @@ def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:
     """Dividers in the style of the outline are cuts if another style has the folds."""
     slit = [(150, 0, 150, 40)]
     across = [(100, 40, 200, 40)]
-    dieline = seen(drawn((BLANK + slit, plain(colour=1)), (FOLDS + across, plain(colour=5))))
+    dieline = classified(
+        drawing_of((BLANK + slit, style(colour=1)), (FOLDS + across, style(colour=5)))
+    )
     assert words(dieline) == ["cut"] * 5 + ["crease"] * 3
 
 
 def test_a_cut_outside_every_blank_that_closes_nothing_is_asked() -> None:
-    dieline = seen(drawn((BLANK + OUTSIDE, plain("CUT")), (FOLDS, plain("CREASE"))))
+    dieline = classified(drawing_of((BLANK + OUTSIDE, style("CUT")), (FOLDS, style("CREASE"))))
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] + ["crease"] * 2
     assert dieline.alternatives[dieline.rule[4]][-1] == LineType.IGNORED
 
@@ -102,22 +106,24 @@ def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer
     None
 ):
     """In red-cut-blue-crease yellow is for dimensions."""
-    yellow = drawn((BLANK, plain(colour=2)), (FOLDS, plain(colour=5)))
-    assert words(seen(yellow, "red-cut-blue-crease"))[:4] == ["unclassified"] * 4
+    yellow = drawing_of((BLANK, style(colour=2)), (FOLDS, style(colour=5)))
+    assert words(classified(yellow, "red-cut-blue-crease"))[:4] == ["unclassified"] * 4
     bleed = [(-3, -3, 303, -3), (303, -3, 303, 203), (303, 203, -3, 203), (-3, 203, -3, -3)]
-    named = seen(drawn((bleed, plain("BLEED")), (BLANK, plain("CUT")), (FOLDS, plain("CREASE"))))
+    named = classified(
+        drawing_of((bleed, style("BLEED")), (BLANK, style("CUT")), (FOLDS, style("CREASE")))
+    )
     assert words(named) == ["ignored"] * 4 + ["cut"] * 4 + ["crease"] * 2
 
 
 def test_rules_without_contradiction_keep_their_words_and_confidence() -> None:
-    dieline = seen(drawn((BLANK + SLIT, plain("CUT")), (FOLDS, plain("CREASE"))))
+    dieline = classified(drawing_of((BLANK + SLIT, style("CUT")), (FOLDS, style("CREASE"))))
     said = {str(rule) for rule in dieline.rules}
     assert said == {'profile default: layer "CUT"', 'profile default: layer "CREASE"'}
     assert set(dieline.confidence) == {0.95}
 
 
 def test_a_rule_for_a_block_or_a_true_colour_decides() -> None:
-    sheet = drawn((BLANK, plain()), (FOLDS, plain(colour=1)))
+    sheet = drawing_of((BLANK, style()), (FOLDS, style(colour=1)))
     fields = {
         "title": "Ours",
         "rule": [
@@ -141,7 +147,7 @@ def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_o
     edges = wrong = decided = 0
     for seed in range(5000, 5150):
         sheet, truth, _ = random_drawing(seed)
-        said = seen(sheet).line_type
+        said = classified(sheet).line_type
         edges += len(said)
         decided += int((said != LineType.UNCLASSIFIED).sum())
         wrong += int(((said != LineType.UNCLASSIFIED) & (said != truth)).sum())

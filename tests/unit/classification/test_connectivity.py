@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from knifetip.classification.questions import list_questions
-from tests.support.classification import drawn, plain, seen, words
+from tests.support.classification import classified, drawing_of, style, words
 
 BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 
 
 def test_a_cut_that_would_separate_a_flap_is_asked() -> None:
     """A glue flap of 30 mm on the left, its fold drawn on the layer of the cuts."""
-    sheet = drawn(([*BOX, (30, 0, 30, 200)], plain("CUT")), ([(150, 0, 150, 200)], plain("CREASE")))
-    dieline = seen(sheet)
+    sheet = drawing_of(
+        ([*BOX, (30, 0, 30, 200)], style("CUT")), ([(150, 0, 150, 200)], style("CREASE"))
+    )
+    dieline = classified(sheet)
     assert words(dieline) == ["cut"] * 4 + ["unclassified", "crease"]
     (question,) = list_questions(sheet, dieline)
     assert "a cut there would separate a panel from its blank" in question.text
@@ -19,19 +21,19 @@ def test_a_cut_that_would_separate_a_flap_is_asked() -> None:
 
 def test_a_slit_between_flaps_attached_by_creases_is_cut() -> None:
     flaps = [(100, 150, 100, 200), (200, 150, 200, 200)]
-    sheet = drawn((BOX + flaps, plain("CUT")), ([(0, 150, 300, 150)], plain("CREASE")))
-    assert words(seen(sheet)) == ["cut"] * 6 + ["crease"]
+    sheet = drawing_of((BOX + flaps, style("CUT")), ([(0, 150, 300, 150)], style("CREASE")))
+    assert words(classified(sheet)) == ["cut"] * 6 + ["crease"]
 
 
 def test_a_hole_on_a_crease_is_cut() -> None:
     hole = [(140, 90, 160, 90), (160, 90, 160, 110), (160, 110, 140, 110), (140, 110, 140, 90)]
     folds = [(150, 0, 150, 90), (150, 110, 150, 200)]
-    assert words(seen(drawn((BOX + hole, plain("CUT")), (folds, plain("CREASE"))))) == (
+    assert words(classified(drawing_of((BOX + hole, style("CUT")), (folds, style("CREASE"))))) == (
         ["cut"] * 8 + ["crease"] * 2
     )
 
 
 def test_two_blanks_that_share_a_cut_are_two_blanks() -> None:
     folds = [(75, 0, 75, 200), (225, 0, 225, 200)]
-    sheet = drawn(([*BOX, (150, 0, 150, 200)], plain("CUT")), (folds, plain("CREASE")))
-    assert words(seen(sheet)) == ["cut"] * 5 + ["crease"] * 2
+    sheet = drawing_of(([*BOX, (150, 0, 150, 200)], style("CUT")), (folds, style("CREASE")))
+    assert words(classified(sheet)) == ["cut"] * 5 + ["crease"] * 2

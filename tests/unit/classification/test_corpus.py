@@ -14,7 +14,7 @@ from knifetip.cleaning.clean import clean
 from knifetip.dxf.read import read
 from knifetip.library import load
 from knifetip.model.dieline import LineType
-from tests.support.truth.known_types import KNOWN, Known, shares, without_names
+from tests.support.truth.known_types import KNOWN, Known, classification_fractions, without_names
 
 pytestmark = pytest.mark.corpus
 
@@ -102,11 +102,11 @@ def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(
     truth = known.truth(drawing)
     for seen in (drawing, without_names(drawing)):
         said = classify(seen, load.profile("default"), load.conventions()).line_type
-        _, _, wrong = shares(truth, said, np.ones(len(said)))
+        _, _, wrong = classification_fractions(truth, said, np.ones(len(said)))
         assert wrong == 0.0
     # With their names, nearly all is right without a question.
     said = classify(drawing, load.profile("default"), load.conventions()).line_type
-    right, _, _ = shares(truth, said, drawing.lengths)
+    right, _, _ = classification_fractions(truth, said, drawing.lengths)
     assert right > 0.5
 
 

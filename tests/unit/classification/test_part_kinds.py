@@ -21,8 +21,8 @@ INNER, OUTER = diamond(100.0), diamond(100.0 + 3.0 * math.sqrt(2.0))
 
 
 def test_a_contour_3_mm_outside_a_blank_is_its_bleed() -> None:
-    seen = roles([*INNER, (0, -100, 0, 100), *OUTER])
-    assert seen == [Role.OUTLINE] * 4 + [Role.DIVIDER] + [Role.BLEED] * 4
+    classified = roles([*INNER, (0, -100, 0, 100), *OUTER])
+    assert classified == [Role.OUTLINE] * 4 + [Role.DIVIDER] + [Role.BLEED] * 4
 
 
 def test_a_ring_in_a_ring_has_no_bleed() -> None:
@@ -74,5 +74,5 @@ def test_a_cross_in_a_ring_beside_the_blank_is_a_mark() -> None:
 
 
 def test_a_narrow_slot_is_distinguished_from_a_window() -> None:
-    seen = roles([*BLANK, *box(20, 20, 60, 24), *box(20, 60, 60, 100)])
-    assert seen[6:] == [Role.SLOT] * 4 + [Role.HOLE] * 4
+    classified = roles([*BLANK, *box(20, 20, 60, 24), *box(20, 60, 60, 100)])
+    assert classified[6:] == [Role.SLOT] * 4 + [Role.HOLE] * 4

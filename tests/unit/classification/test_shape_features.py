@@ -17,16 +17,16 @@ def test_a_blank_has_an_outline_and_lines_that_divide_panels() -> None:
 
 
 def test_a_closed_line_in_a_panel_is_a_hole_whether_lines_or_arcs() -> None:
-    seen = roles(
+    classified = roles(
         [*BLANK, *box(20, 20, 40, 40), (130, 100, 170, 100), (170, 100, 130, 100)],
         [0.0] * 10 + [1.0, 1.0],
     )
-    assert seen[6:] == [Role.HOLE] * 4 + [Role.SLOT] * 2
+    assert classified[6:] == [Role.HOLE] * 4 + [Role.SLOT] * 2
 
 
 def test_a_line_that_ends_in_a_panel_is_a_slit_and_an_isolated_one_is_free() -> None:
-    seen = roles([*BLANK, (100, 50, 140, 50), (20, 50, 60, 50)])
-    assert seen[6:] == [Role.SLIT, Role.FREE]
+    classified = roles([*BLANK, (100, 50, 140, 50), (20, 50, 60, 50)])
+    assert classified[6:] == [Role.SLIT, Role.FREE]
 
 
 def test_a_line_outside_belongs_to_no_blank() -> None:
@@ -42,10 +42,10 @@ def test_a_crease_that_ends_a_little_short_divides_panels() -> None:
 def test_a_row_of_dashes_divides_panels() -> None:
     dashes = [(100.0, 9.0 * i, 100.0, 9.0 * i + 6.0) for i in range(22)]
     ends = np.array([*box(0, 0, 300, 198), *dashes], float).reshape(-1, 2, 2)
-    seen = extract_shape_features(ends, np.zeros(len(ends)))
-    assert set(seen.role[4:]) == {Role.DIVIDER}
-    assert seen.dashed[4:].all()
-    assert not seen.dashed[:4].any()
+    classified = extract_shape_features(ends, np.zeros(len(ends)))
+    assert set(classified.role[4:]) == {Role.DIVIDER}
+    assert classified.dashed[4:].all()
+    assert not classified.dashed[:4].any()
 
 
 def test_a_rectangle_round_a_blank_is_a_frame_and_its_boxes_belong_to_it() -> None:
@@ -61,8 +61,8 @@ def test_a_rectangle_with_a_plain_hole_is_no_frame() -> None:
 
 
 def test_a_double_frame_is_a_frame() -> None:
-    seen = roles([*BLANK, *box(-50, -60, 350, 250), *box(-60, -70, 360, 260)])
-    assert seen[6:] == [Role.FRAME] * 8
+    classified = roles([*BLANK, *box(-50, -60, 350, 250), *box(-60, -70, 360, 260)])
+    assert classified[6:] == [Role.FRAME] * 8
 
 
 def test_boxes_with_texts_beside_a_blank_are_a_title_block() -> None:
@@ -79,15 +79,17 @@ def test_creases_inside_an_open_outline_are_no_outline() -> None:
     """A tray whose outline lacks a piece: its creases close, and are no outline."""
     walls = [(-40, -40, 340, -40), (340, -40, 340, 240), (340, 240, -40, 240), (-40, 240, -40, 20)]
     creases = [*box(0, 0, 300, 200), (0, 0, 0, -40), (300, 0, 300, -40)]
-    seen = roles([*walls, *creases])
-    assert Role.OUTLINE not in seen
-    assert Role.OPEN in seen
+    classified = roles([*walls, *creases])
+    assert Role.OUTLINE not in classified
+    assert Role.OPEN in classified
 
 
 def test_two_lines_close_together_are_a_pair() -> None:
     lines = [*BLANK, (103, 0, 103, 200)]
-    seen = extract_shape_features(np.array(lines, float).reshape(-1, 2, 2), np.zeros(len(lines)))
-    assert seen.paired.tolist() == [False] * 4 + [True, False, True]
+    classified = extract_shape_features(
+        np.array(lines, float).reshape(-1, 2, 2), np.zeros(len(lines))
+    )
+    assert classified.paired.tolist() == [False] * 4 + [True, False, True]
 
 
 def test_edges_drawn_twice_have_the_roles_of_single_ones() -> None:
@@ -100,14 +102,16 @@ def test_a_rotated_blank_has_the_same_roles(turn: float) -> None:
     c, s = math.cos(turn), math.sin(turn)
     lines = [*BLANK, *box(20, 20, 40, 40), (100, 50, 140, 50)]
     turned = np.array(lines, float).reshape(-1, 2, 2) @ np.array([[c, s], [-s, c]])
-    seen = [Role(int(role)) for role in extract_shape_features(turned, np.zeros(len(lines))).role]
-    assert seen == roles(lines)
+    classified = [
+        Role(int(role)) for role in extract_shape_features(turned, np.zeros(len(lines))).role
+    ]
+    assert classified == roles(lines)
 
 
 def test_without_a_unit_tolerances_are_relative_to_the_drawing() -> None:
     metres = np.array(BLANK, float).reshape(-1, 2, 2) / 1000.0
-    seen = extract_shape_features(metres, np.zeros(len(BLANK)), unit_known=False)
-    assert [Role(int(role)) for role in seen.role] == roles(BLANK)
+    classified = extract_shape_features(metres, np.zeros(len(BLANK)), unit_known=False)
+    assert [Role(int(role)) for role in classified.role] == roles(BLANK)
 
 
 def test_very_short_edges_have_the_role_of_the_previous_edge() -> None:

@@ -71,7 +71,7 @@ def as_pdf(drawing: Drawing) -> bytes:
         to = f"{b[0]:.9f} {b[1]:.9f} l"
         if bulge != 0.0:
             radius, first = math.dist(a, (x, y)), math.atan2(a[1] - y, a[0] - x)
-            to = pdf_text.bends(x, y, radius, radius, first, 4.0 * math.atan(bulge))
+            to = pdf_text.ellipse_curves(x, y, radius, radius, first, 4.0 * math.atan(bulge))
         parts.append(f"/OC /L{layer} BDC {a[0]:.9f} {a[1]:.9f} m {to} S EMC")
     size = 1000.0 * pdf_text.MM, 1000.0 * pdf_text.MM
     scale = f"{pdf_text.MM!r} 0 0 {pdf_text.MM!r} 0 0 cm"

@@ -21,7 +21,15 @@ from knifetip.pdf.read import read
 from knifetip.svg.read import read as read_svg
 from tests.support.drawings import report_reasons
 from tests.support.writers import svg_text
-from tests.support.writers.pdf_text import MM, bends, carton, objects, pdf, separation, stream
+from tests.support.writers.pdf_text import (
+    MM,
+    carton,
+    ellipse_curves,
+    objects,
+    pdf,
+    separation,
+    stream,
+)
 
 
 def reasons(drawing: Drawing) -> dict[str, str]:
@@ -223,7 +231,7 @@ def test_a_curve_is_approximated_within_a_hundredth(control: list[tuple[float, f
 def test_rotating_or_mirroring_a_page_transforms_its_edges(
     turn: float, mirror: bool, size: float
 ) -> None:
-    path = f"10 0 m {bends(0, 0, 10, 10, 0, 2.0)} 30 40 l S"
+    path = f"10 0 m {ellipse_curves(0, 0, 10, 10, 0, 2.0)} 30 40 l S"
     angle = math.radians(turn)
     spin = size * np.array(
         [[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]]

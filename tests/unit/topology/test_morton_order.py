@@ -21,7 +21,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.topology.faces import trace_faces
 from knifetip.topology.morton_order import spatial_order
 from knifetip.topology.planar_graph import build_graph
-from tests.support.truth.known_types import KNOWN, Known, shares
+from tests.support.truth.known_types import KNOWN, Known, classification_fractions
 
 TOUCH, REACH = GAP, 1.0
 
@@ -74,12 +74,12 @@ def test_ends_at_one_point_are_at_one_place_though_another_is_nearer() -> None:
 def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known) -> None:
     drawing = pipeline.read((corpus / known.path).read_bytes())
     truth = known.truth(drawing)
-    said = classify(drawing, load.profile("default"), load.conventions()).line_type
-    right, _, _ = shares(truth, said, drawing.lengths)
+    line_type = classify(drawing, load.profile("default"), load.conventions()).line_type
+    right, _, _ = classification_fractions(truth, line_type, drawing.lengths)
     order = np.random.default_rng(7).permutation(len(drawing))
     other = in_order(drawing, order)
-    said = classify(other, load.profile("default"), load.conventions()).line_type
-    right_too, _, wrong = shares(truth[order], said, other.lengths)
+    line_type = classify(other, load.profile("default"), load.conventions()).line_type
+    right_too, _, wrong = classification_fractions(truth[order], line_type, other.lengths)
     assert wrong == 0.0
     assert right_too >= right - 1e-3
 

@@ -14,7 +14,14 @@ from knifetip.model.drawing import Annotation
 from knifetip.model.unit import MILLIMETRES, UnitFinding, UnitHint
 from knifetip.units import weights
 from knifetip.units.evidence import find_unit
-from tests.support.cartons.known_size import INCH, Carton, drawing_of, drawn, slotted, tuck_end
+from tests.support.cartons.known_size import (
+    INCH,
+    Carton,
+    carton_drawing,
+    drawing_of,
+    slotted,
+    tuck_end,
+)
 
 #: 0201, 300 × 200 × 150 mm, B flute; and 12 × 8 × 6 in of the same style.
 METRIC = Carton("slotted", 300, 200, 150, 3.0, slotted(300, 200, 150, 3.0, 1.0), False)
@@ -47,16 +54,16 @@ def test_shares_of_a_table_add_up_to_at_most_one(table: dict[float, float]) -> N
 
 def test_true_header_is_kept() -> None:
     for unit in ("mm", "m", "in"):
-        finding = find_unit(drawn(METRIC, unit, unit))
+        finding = find_unit(carton_drawing(METRIC, unit, unit))
         assert (finding.unit, finding.conclusive, finding.warnings) == (unit, True, ())
 
 
 def test_carton_in_mm_without_a_header_is_in_mm() -> None:
-    assert find_unit(drawn(METRIC, "mm", "")).unit == "mm"
+    assert find_unit(carton_drawing(METRIC, "mm", "")).unit == "mm"
 
 
 def test_metre_header_on_millimetres_is_overruled() -> None:
-    drawing = drawn(METRIC, "mm", "m")
+    drawing = carton_drawing(METRIC, "mm", "m")
     finding = find_unit(drawing)
     assert finding.unit == "mm"
     assert finding.ranking[0] == "mm"
@@ -64,25 +71,25 @@ def test_metre_header_on_millimetres_is_overruled() -> None:
 
 
 def test_inch_header_on_millimetres_is_overruled() -> None:
-    assert find_unit(drawn(METRIC, "mm", "in")).unit == "mm"
+    assert find_unit(carton_drawing(METRIC, "mm", "in")).unit == "mm"
 
 
 def test_unstated_inches_are_found_by_sixteenths() -> None:
-    finding = find_unit(drawn(IMPERIAL, "in", "", places=4))
+    finding = find_unit(carton_drawing(IMPERIAL, "in", "", decimals=4))
     assert finding.unit == "in"
     assert weight(finding, "in", "grid") - weight(finding, "mm", "grid") > 4.0
 
 
 def test_metric_carton_written_in_inches_is_found_by_whole_millimetres() -> None:
-    finding = find_unit(drawn(METRIC, "in", "", places=4))
+    finding = find_unit(carton_drawing(METRIC, "in", "", decimals=4))
     assert finding.ranking[0] == "in"
     assert finding.unit == "in"
 
 
 def test_points_and_pixels_are_found() -> None:
-    assert find_unit(drawn(METRIC, "pt", "", places=3)).ranking[0] == "pt"
-    assert find_unit(drawn(METRIC, "px", "mm", places=3)).ranking[0] == "px"
-    assert find_unit(drawn(METRIC, "px", "mm", places=3)).unit != "mm"
+    assert find_unit(carton_drawing(METRIC, "pt", "", decimals=3)).ranking[0] == "pt"
+    assert find_unit(carton_drawing(METRIC, "px", "mm", decimals=3)).ranking[0] == "px"
+    assert find_unit(carton_drawing(METRIC, "px", "mm", decimals=3)).unit != "mm"
 
 
 def test_carton_in_centimetres_under_a_mm_header_is_not_read_as_a_tiny_one() -> None:
@@ -94,7 +101,7 @@ def test_carton_in_centimetres_under_a_mm_header_is_not_read_as_a_tiny_one() -> 
 def test_finding_does_not_depend_on_the_unit_the_drawing_was_read_in() -> None:
     from knifetip.units.rescale import rescale
 
-    drawing = drawn(METRIC, "mm", "m", words="dimensions")
+    drawing = carton_drawing(METRIC, "mm", "m", annotation="dimensions")
     first = find_unit(drawing)
     for unit in MILLIMETRES:
         again = find_unit(rescale(drawing, unit))
@@ -103,7 +110,7 @@ def test_finding_does_not_depend_on_the_unit_the_drawing_was_read_in() -> None:
 
 
 @pytest.mark.parametrize(
-    ("unit", "words"),
+    ("unit", "annotation"),
     [
         # 300 mm is 11.811 file units.
         ("in", "dimensions"),
@@ -116,8 +123,8 @@ def test_finding_does_not_depend_on_the_unit_the_drawing_was_read_in() -> None:
         ("pt", "dimensions"),
     ],
 )
-def test_texts_are_evidence_for_the_unit(unit: str, words: str) -> None:
-    finding = find_unit(drawn(METRIC, unit, "", words=words))
+def test_texts_are_evidence_for_the_unit(unit: str, annotation: str) -> None:
+    finding = find_unit(carton_drawing(METRIC, unit, "", annotation=annotation))
     assert finding.unit == unit
     rest = max(weight(finding, other, "words") for other in MILLIMETRES if other != unit)
     assert weight(finding, unit, "words") > rest + 2.0
@@ -131,9 +138,13 @@ def test_dimension_with_a_unit_is_evidence_for_it() -> None:
 
 
 def test_decimal_comma_and_fractions_are_lengths() -> None:
-    metric = drawing_of(drawn(METRIC, "in", "").ends, "", (text_of("300,0"), text_of("200,0")))
+    metric = drawing_of(
+        carton_drawing(METRIC, "in", "").ends, "", (text_of("300,0"), text_of("200,0"))
+    )
     assert weight(find_unit(metric), "in", "words") > weight(find_unit(metric), "mm", "words") + 3.0
-    fraction = drawing_of(drawn(IMPERIAL, "mm", "").ends, "", (text_of('12"'), text_of("8 in")))
+    fraction = drawing_of(
+        carton_drawing(IMPERIAL, "mm", "").ends, "", (text_of('12"'), text_of("8 in"))
+    )
     assert (
         weight(find_unit(fraction), "mm", "words")
         > weight(find_unit(fraction), "in", "words") + 3.0
@@ -141,8 +152,8 @@ def test_decimal_comma_and_fractions_are_lengths() -> None:
 
 
 def test_numbers_that_are_not_lengths_are_no_evidence() -> None:
-    words = tuple(text_of(text) for text in ("7777", "Rev. 7", "2024-05-12", "FEFCO 0201"))
-    finding = find_unit(drawing_of(drawn(METRIC, "mm", "").ends, "", words))
+    texts = tuple(text_of(text) for text in ("7777", "Rev. 7", "2024-05-12", "FEFCO 0201"))
+    finding = find_unit(drawing_of(carton_drawing(METRIC, "mm", "").ends, "", texts))
     # 7 may be a length by chance, with little weight.
     assert all(one.weight < 2.0 for one in finding.evidence if one.kind == "words")
     assert finding.ranking[0] == "mm"
@@ -150,7 +161,7 @@ def test_numbers_that_are_not_lengths_are_no_evidence() -> None:
 
 def test_stated_unit_on_the_sheet_is_evidence() -> None:
     finding = find_unit(
-        drawing_of(drawn(METRIC, "mm", "").ends, "", (text_of("All dimensions in cm"),))
+        drawing_of(carton_drawing(METRIC, "mm", "").ends, "", (text_of("All dimensions in cm"),))
     )
     assert weight(finding, "cm", "words") == weights.STATEMENT
 
@@ -158,7 +169,7 @@ def test_stated_unit_on_the_sheet_is_evidence() -> None:
 def test_hints_of_the_header_have_little_weight() -> None:
     from dataclasses import replace
 
-    drawing = drawn(METRIC, "mm", "mm")
+    drawing = carton_drawing(METRIC, "mm", "mm")
     hinted = replace(drawing, hints=(UnitHint("imperial", Message("unit.header-imperial")),))
     assert find_unit(hinted).unit == "mm"
     assert weight(find_unit(hinted), "in", "header") - weight(
@@ -210,9 +221,9 @@ def test_two_cartons_of_one_scale_give_no_warning() -> None:
 
 
 def test_dimensions_of_two_scales_are_a_warning() -> None:
-    words = [text_of(str(size), size) for size in (300.0, 200.0, 150.0)]
-    words += [text_of(str(size * 5), size) for size in (40.0, 37.0)]
-    finding = find_unit(drawing_of(drawn(METRIC, "mm", "").ends, "mm", tuple(words)))
+    texts = [text_of(str(size), size) for size in (300.0, 200.0, 150.0)]
+    texts += [text_of(str(size * 5), size) for size in (40.0, 37.0)]
+    finding = find_unit(drawing_of(carton_drawing(METRIC, "mm", "").ends, "mm", tuple(texts)))
     (warning,) = finding.warnings
     assert warning.code == "unit.dimensions-smaller"
     assert (warning.arguments["count"], warning.arguments["others"]) == (2, 3)
@@ -222,7 +233,7 @@ def test_dimensions_of_two_scales_are_a_warning() -> None:
 def test_decision_against_the_header_is_a_warning() -> None:
     from knifetip.units.rescale import rescale
 
-    warnings = find_unit(rescale(drawn(METRIC, "mm", "m"), "mm")).warnings
+    warnings = find_unit(rescale(carton_drawing(METRIC, "mm", "m"), "mm")).warnings
     assert warnings[0].code == "unit.read-against-header"
     assert (warnings[0].arguments["stated"], warnings[0].arguments["unit"]) == ("m", "mm")
 
@@ -230,9 +241,9 @@ def test_decision_against_the_header_is_a_warning() -> None:
 def test_given_unit_against_the_evidence_is_a_warning() -> None:
     from knifetip.units.rescale import rescale
 
-    warnings = find_unit(rescale(drawn(METRIC, "mm", "mm"), "in")).warnings
+    warnings = find_unit(rescale(carton_drawing(METRIC, "mm", "mm"), "in")).warnings
     assert [warning.code for warning in warnings] == ["unit.read-against-header"]
-    silent = find_unit(rescale(drawn(METRIC, "mm", ""), "in")).warnings
+    silent = find_unit(rescale(carton_drawing(METRIC, "mm", ""), "in")).warnings
     assert [warning.code for warning in silent] == ["unit.read-against-evidence"]
     assert silent[0].arguments["best"] == "mm"
 

@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES
 from knifetip.units.evidence import find_unit
-from tests.support.cartons.known_size import PLACES, carton, drawn
+from tests.support.cartons.known_size import DECIMALS, carton, carton_drawing
 
 WORDS = (
     "", "", "", "dimensions", "texts", "title", "dimensions mm", "texts mm", "title mm",
@@ -33,21 +33,23 @@ def outcomes(header: str, seed: int) -> Counter[tuple[str, str]]:
                 stated = ""
             else:
                 stated = chance.choice([other for other in DRAWN_IN if other != unit])
-            words = chance.choice(WORDS)
-            drawing = drawn(
+            annotation = chance.choice(WORDS)
+            drawing = carton_drawing(
                 one,
                 unit,
                 stated,
-                places=chance.choice(PLACES[unit]),
-                words=words,
+                decimals=chance.choice(DECIMALS[unit]),
+                annotation=annotation,
                 chance=chance,
                 turn=chance.choice([0.0, 0.0, 0.0, 0.3]),
             )
             found = find_unit(drawing).unit
             outcome = "asked" if not found else "right" if found == unit else "wrong"
-            count["words" if words else "no words", outcome] += 1
+            count["words" if annotation else "no words", outcome] += 1
             if outcome == "wrong":
-                pytest.fail(f"{one} drawn in {unit}, header {stated!r}, {words!r}: read in {found}")
+                pytest.fail(
+                    f"{one} drawn in {unit}, header {stated!r}, {annotation!r}: read in {found}"
+                )
     return count
 
 

@@ -23,15 +23,15 @@ def refused(text: bytes) -> bool:
 def test_every_digit_that_moves_the_working_tip_by_over_a_hundredth_is_refused(
     text: bytes, seed: int
 ) -> None:
-    everything, caught, missed = digit_mutation.shares(
+    everything, caught, missed = digit_mutation.count_refusals(
         text, MACHINE, BOARD, refused, count=250, seed=seed
     )
-    told = [
-        f"{kind}: {digit_mutation.told(text, place, mutant)}"
+    accepted = [
+        f"{kind}: {digit_mutation.changed_line(text, place, mutant)}"
         for kind, place, mutant in missed
         if kind in ("moved", "line", "output")
     ]
-    assert told == []
+    assert accepted == []
     # The tests mean something only if there was much to catch.
     assert everything["moved"] > 60
     assert caught["moved"] == everything["moved"]

@@ -13,18 +13,18 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8
 from knifetip.model.drawing import Drawing
-from tests.support.cartons.houses import SOLID, House, Style
+from tests.support.cartons.companies import SOLID, Company, Style
 from tests.support.cartons.kinds import KINDS
 from tests.support.cartons.plan import Plan, Stroke
-from tests.support.cartons.surroundings import AROUND, FLAWS
+from tests.support.cartons.surroundings import FLAWS, SURROUNDINGS
 from tests.support.writers import dxf_text, svg_text
 
 
-def _dxf(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
-    k = house.scale
+def _dxf(company: Company, plan: Plan, strokes: list[Stroke]) -> bytes:
+    k = company.scale
     out = []
     for s in strokes:
-        layer, colour, linetype = house.style(s)
+        layer, colour, linetype = company.style(s)
         tags: list[tuple[int, object]] = [(8, layer), (6, linetype)]
         if isinstance(colour, str):
             tags.append((420, int(colour[1:], 16)))
@@ -42,14 +42,14 @@ def _dxf(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
             dxf_text.entity("ARC", *tags, (10, cx), (20, cy), (40, radius), (50, begin), (51, end))
         )
     for text, x, y, height, part in plan.texts:
-        layer, colour, _ = house.styles.get(part) or house.styles["dimension"]
+        layer, colour, _ = company.styles.get(part) or company.styles["dimension"]
         shown = colour if isinstance(colour, int) else 7
         tags = [(8, layer), (62, shown), (10, x * k), (20, y * k), (40, height * k), (1, text)]
         out.append(dxf_text.entity("TEXT", *tags))
-    names = dict.fromkeys(style[0] for style in house.styles.values())
+    names = dict.fromkeys(style[0] for style in company.styles.values())
     layers = tuple(dxf_text.layer(name) for name in names)
-    version = "AC1018" if any(isinstance(s[1], str) for s in house.styles.values()) else "AC1009"
-    return dxf_text.dxf(*out, layers=layers, units=house.header, version=version)
+    version = "AC1018" if any(isinstance(s[1], str) for s in company.styles.values()) else "AC1009"
+    return dxf_text.dxf(*out, layers=layers, units=company.header, version=version)
 
 
 def _circle(ends: F64, bulge: float) -> tuple[float, float, float]:
@@ -70,18 +70,18 @@ def _d(stroke: Stroke, k: float, x0: float, y1: float) -> str:
     return f"M{ax:.4f} {ay:.4f}A{radius:.5f} {radius:.5f} 0 0 {way} {bx:.4f} {by:.4f}"
 
 
-def _svg(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
+def _svg(company: Company, plan: Plan, strokes: list[Stroke]) -> bytes:
     x0, y0, x1, y1 = Plan(strokes).bounds
-    k = house.scale
+    k = company.scale
     groups: dict[Style, list[Stroke]] = {}
     for s in strokes:
-        groups.setdefault(house.style(s), []).append(s)
+        groups.setdefault(company.style(s), []).append(s)
     inside, rules = [], []
     for number, ((layer, colour, linetype), mine) in enumerate(groups.items()):
         paths = "".join(f'<path d="{_d(s, k, x0, y1)}" class="st{number}"/>' for s in mine)
         dash = ";stroke-dasharray:6 3" if linetype != SOLID else ""
         rules.append(f".st{number}{{fill:none;stroke:{colour};stroke-width:0.5{dash}}}")
-        if house.format == "inkscape":
+        if company.format == "inkscape":
             inside.append(
                 f'<g inkscape:groupmode="layer" inkscape:label="{layer}" id="layer{number}">'
                 f"{paths}</g>"
@@ -97,14 +97,14 @@ def _svg(house: House, plan: Plan, strokes: list[Stroke]) -> bytes:
     )
     wide, high = (x1 - x0) * k, (y1 - y0) * k
     size = f'width="{x1 - x0:.4f}mm" height="{y1 - y0:.4f}mm"'
-    if house.format == "svg px":
+    if company.format == "svg px":
         size = ""
     return svg_text.svg(
         f"<style>{''.join(rules)}</style>", *inside, words, size=size, box=f"0 0 {wide} {high}"
     )
 
 
-def drawn(house: House, seed: int) -> tuple[bytes, list[Stroke], str]:
+def company_file(company: Company, seed: int) -> tuple[bytes, list[Stroke], str]:
     """Return the bytes of a file with a random carton, drawn in the conventions of a company.
 
     Returns
@@ -118,16 +118,16 @@ def drawn(house: House, seed: int) -> tuple[bytes, list[Stroke], str]:
     rng = np.random.default_rng(seed)
     make = KINDS[seed % len(KINDS)]
     plan = make(rng)
-    for what in AROUND:
-        if what in house.around:
-            AROUND[what](plan)
-    strokes = house.drawable(plan)
+    for what in SURROUNDINGS:
+        if what in company.surroundings:
+            SURROUNDINGS[what](plan)
+    strokes = company.drawable(plan)
     for what in FLAWS:
-        if what in house.flaws:
+        if what in company.flaws:
             strokes = FLAWS[what](strokes, rng)
     strokes = [strokes[row] for row in rng.permutation(len(strokes)).tolist()]
-    write = _dxf if house.format == "dxf" else _svg
-    return write(house, plan, strokes), strokes, make.__name__
+    write = _dxf if company.format == "dxf" else _svg
+    return write(company, plan, strokes), strokes, make.__name__
 
 
 def truth(drawing: Drawing, strokes: list[Stroke]) -> tuple[U8, list[str]]:
