@@ -1,7 +1,7 @@
-"""make bench: every room on a stated workload, beside its peers, in one run.
+"""Run all benchmarks and their peers once (``make bench``).
 
 Prints a table and writes build/bench.json: a list of {bench, subject, n, seconds, peers}.
-Warm medians; compare the ratios of one run, never seconds of two.
+Times are medians without the first run; compare only times of the same run.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from tests.benchmarks import rooms
+from tests.benchmarks import workloads
 
 Timed = Callable[[], object]
 
 
 def median(work: Timed, runs: int) -> float:
-    """Return the median of some runs, the first of which is not counted."""
+    """Return the median time of some runs in seconds, after one run that is not measured."""
     work()
-    # What others have left behind is not this one's to clear away.
+    # Do not measure the collection of garbage that earlier benchmarks have left.
     gc.collect()
     times = []
     for _ in range(runs):
@@ -36,10 +36,10 @@ def median(work: Timed, runs: int) -> float:
 
 
 def main() -> None:
-    """Measure, print, and write the figures down."""
+    """Measure all benchmarks; print a table and write build/bench.json."""
     rows: list[dict[str, Any]] = []
     console = Console(width=140)
-    for bench in rooms.BENCHES:
+    for bench in workloads.BENCHES:
         subject, n, work, peers, runs = bench()
         rows.append(
             {

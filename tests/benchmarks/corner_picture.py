@@ -1,6 +1,6 @@
-"""The picture of B, C and D round one corner: `python -m tests.benchmarks.corner_picture`.
+"""Draw corner types B, C and D around one corner: `python -m tests.benchmarks.corner_picture`.
 
-Draws what ``offset.transition`` makes, with arcs as arcs, into backend/docs/corners.svg.
+Writes the paths of ``offset.transition``, with true arcs, to backend/docs/corners.svg.
 """
 
 from __future__ import annotations
@@ -21,11 +21,12 @@ WORDS = {
 }
 
 
-def drawn() -> str:
-    """Return the picture as SVG."""
+def svg_text() -> str:
+    """Return the picture as SVG text."""
     turn = np.radians(TURN)
     before = np.array([[1.0, 0.0]])
-    after = np.array([[np.cos(turn), -np.sin(turn)]])  # to the right: the tool stands left
+    # A turn to the right, with the tool on the left.
+    after = np.array([[np.cos(turn), -np.sin(turn)]])
     panels = []
     for column, corner in enumerate(Corner):
         way = transitions(corner, before, after, np.zeros((1, 2)), RADIUS, 1, 0.5)
@@ -57,4 +58,4 @@ def drawn() -> str:
 
 
 if __name__ == "__main__":
-    Path("backend/docs/corners.svg").write_text(drawn())
+    Path("backend/docs/corners.svg").write_text(svg_text())

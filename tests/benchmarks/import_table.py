@@ -1,10 +1,10 @@
-"""What becomes of every drawing of the corpus, and how often classification is wrong.
+"""Write the table of import and classification results of the corpus to backend/docs/import.md.
 
-    .venv/bin/python -m tests.benchmarks.import_table      writes backend/docs/import.md
+    .venv/bin/python -m tests.benchmarks.import_table
 
-Every file, with what was kept of it and how it was classified; the drawings whose truth is known,
-also without their layers' names and without any style; cartons in the conventions of other companies; and
-drawings of our own with known truth, by decile of confidence and by who drew them.
+The page has every file, with its import report and classification; drawings with known line types,
+also without layer names and without any style; cartons in the conventions of other companies; and
+generated drawings with known line types, by decile of confidence and by scheme of styles.
 """
 
 from __future__ import annotations
@@ -145,54 +145,54 @@ SCHEMES = {
 
 
 def files() -> Iterator[str]:
-    """Yield the table of all files, line by line."""
+    """Yield the lines of the table of all files in the corpus."""
     rules = load.profile("default")
     for path in sorted(CORPUS.rglob("*")):
         if path.suffix.lower() not in (".dxf", ".cf2", ".svg"):
             continue
         name = path.relative_to(CORPUS).as_posix()
-        begun = time.perf_counter()
+        start = time.perf_counter()
         try:
             drawing = pipeline.read(path.read_bytes())
         except KnifetipError as reason:
             yield f"| {name} | refused: {_cell(reason.text)} | | | | | | | | | |"
             continue
         dieline = pipeline.classify(drawing, rules)
-        seconds = time.perf_counter() - begun
+        seconds = time.perf_counter() - start
         asked = pipeline.questions(drawing, dieline)
         outcomes = Counter(drawing.import_report.outcome.tolist())
         counts = " | ".join(str(outcomes[outcome]) for outcome in ImportOutcome)
         try:
             kinds = clean(dieline).dieline.line_type
             idle = (LineType.IGNORED, LineType.UNCLASSIFIED)
-            worked = str(int((~np.isin(kinds, idle)).sum()))
+            machined = str(int((~np.isin(kinds, idle)).sum()))
         except KnifetipError as reason:
-            worked = _cell(reason.text)
+            machined = _cell(reason.text)
         yield (
             f"| {name} | {len(drawing.import_report)} | {counts} "
-            f"| {len(drawing)} | {worked} | {drawing.unit or 'asked'} "
-            f"| {classes(dieline)} | {len(asked)} | {seconds:.3f} |"
+            f"| {len(drawing)} | {machined} | {drawing.unit or 'asked'} "
+            f"| {count_by_type(dieline)} | {len(asked)} | {seconds:.3f} |"
         )
 
 
-def classes(dieline: Dieline) -> str:
-    """Return how many edges have each type: ``cut 12, crease 4, asked 3``."""
+def count_by_type(dieline: Dieline) -> str:
+    """Return the number of edges of each line type as text: ``cut 12, crease 4, asked 3``."""
     count = np.bincount(dieline.line_type, minlength=len(LineType))
     counts = [f"{kind.word} {count[kind]}" for kind in LineType if kind and count[kind]]
     return ", ".join([*counts, *([f"asked {count[0]}"] if count[0] else [])])
 
 
 def known() -> Iterator[str]:
-    """Yield the table of drawings whose truth is known, and its sums."""
+    """Yield the lines of the table of drawings whose line types are known, and of its totals."""
     rules, conventions = load.profile("default"), load.conventions()
     sums: dict[str, list[tuple[U8, U8, F64]]] = defaultdict(list)
     for one in KNOWN:
-        whole = pipeline.read((CORPUS / one.path).read_bytes())
-        kinds_of = one.truth(whole)
+        complete = pipeline.read((CORPUS / one.path).read_bytes())
+        kinds_of = one.truth(complete)
         variants = {
-            "is": whole,
-            "no names": without_names(whole),
-            "one style": without_style(whole),
+            "is": complete,
+            "no names": without_names(complete),
+            "one style": without_style(complete),
         }
         for variant, drawing in variants.items():
             dieline = classify(drawing, rules, conventions)
@@ -216,7 +216,7 @@ def _truth_row(
 
 
 def companies() -> Iterator[str]:
-    """Yield the table of cartons in the conventions of other companies."""
+    """Yield the lines of the table of cartons in the conventions of other companies."""
     yield BY_COMPANY.format(kinds=len(KINDS), companies=len(COMPANIES), languages=LANGUAGES).rstrip(
         "\n"
     )
@@ -234,7 +234,17 @@ def companies() -> Iterator[str]:
 
 
 def _company_figures(company: Company) -> tuple[F64, F64, int, Counter[str]]:
-    """Return edges and mm that are right, asked about and wrong, questions, and units."""
+    """Classify one carton of each kind in the conventions of a company.
+
+    Returns
+    -------
+    edges, lengths : (3,)
+        Number and length (mm) of the edges that are right, unclassified and wrong.
+    questions : int
+        Number of questions.
+    units : Counter
+        Number of drawings by result for the unit: "found", "asked" or "wrong".
+    """
     rules = load.profile("default")
     edges, lengths, asked = np.zeros(3), np.zeros(3), 0
     units: Counter[str] = Counter()
@@ -265,8 +275,8 @@ def _company_row(name: str, edges: F64, lengths: F64, asked: float, units: Count
     return f"| {name} | {' | '.join(fractions)} | {asked:.1f} | {counts} |"
 
 
-def own() -> Iterator[str]:
-    """Yield the tables of our own cartons."""
+def generated() -> Iterator[str]:
+    """Yield the lines of the tables of generated cartons."""
     rules, conventions = load.profile("default"), load.conventions()
     decile = np.zeros((10, 2), int)
     variants: dict[str, I64] = defaultdict(lambda: np.zeros(6, int))
@@ -345,9 +355,9 @@ def _cell(text: str) -> str:
 
 
 def main() -> None:
-    """Write the page."""
+    """Write backend/docs/import.md."""
     parts = [HEAD.rstrip("\n"), *files(), TRUTH.rstrip("\n"), *known(), NOTES.rstrip("\n")]
-    parts += [*companies(), *own()]
+    parts += [*companies(), *generated()]
     PAGE.write_text("\n".join(parts) + "\n", "utf-8")
 
 

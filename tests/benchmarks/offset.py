@@ -1,12 +1,12 @@
-"""The equidistant beside its peers: batches of lines, batches with arcs, and one long contour.
+"""Compare the offset with its peers: batches of lines, batches with arcs, and one long contour.
 
-Peers are given the same contours, arcs as eight chords, and round their corners with about as many
-chords to a quarter as shapely's default of sixteen.  Those that are not installed are left out.
+Peers get the same contours, with eight chords per arc, and round corners with about as many chords
+per quarter turn as shapely's default, sixteen.  Peers that are not installed are omitted.
 
-The CavalierContours that PyPI has is built without optimisation and called once a contour.  Its C++
-built with -O3 cannot be installed from there; measured once beside shapely in one run, it took
-145 ms against 295 on the batch of lines and 25 against 221 on that with arcs.  So three times its
-speed is ``NATIVE`` times three that of shapely here, which the subjects state.
+CavalierContours on PyPI is built without optimisation and called once per contour.  Its C++ code,
+built with -O3, is not available on PyPI; measured once, it took 145 ms for the batch of lines, for
+which shapely took 295 ms, and 25 ms for the batch with arcs, for which shapely took 221 ms.  Its
+time is therefore estimated as that of shapely divided by ``NATIVE``; the subjects state this.
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ from knifetip.offset.offset_paths import offset_paths
 
 Bench: TypeAlias = tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]
 
-#: Chords to a quarter of a circle, and how far those of radius 1 stand off it.
+#: Chords per quarter circle, and their largest distance from a circle of radius 1.
 QUARTER = 16
-STANDS_OFF = 1.0 - np.cos(np.pi / QUARTER / 4.0)
-#: How many times as fast as shapely CavalierContours was, built with -O3: lines, arcs.
+CHORD_DISTANCE = 1.0 - np.cos(np.pi / QUARTER / 4.0)
+#: Speed of CavalierContours, built with -O3, as a multiple of shapely's: lines, arcs.
 NATIVE = (295.0 / 145.0, 221.0 / 25.0)
-#: pyclipper and pyclipr count in whole numbers.
+#: pyclipper and pyclipr use integer coordinates.
 SCALE = 1e5
 
 
-def _peer(name: str) -> ModuleType | None:
+def _import_optional(name: str) -> ModuleType | None:
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -43,11 +43,19 @@ def _peer(name: str) -> ModuleType | None:
 
 
 def stars(count: int, corners: int, low: float, high: float, arcs: bool = False) -> Paths:
-    """Return star-shaped contours with convex and concave corners, every second segment an arc."""
+    """Return star-shaped contours with convex and concave corners.
+
+    Parameters
+    ----------
+    low, high
+        Smallest and largest distance of a corner from the centre (mm).
+    arcs
+        Make every second segment an arc.
+    """
     random = np.random.default_rng(1)
     angle = np.arange(corners) * 2.0 * np.pi / corners
-    away = random.uniform(low, high, (count, corners))
-    xy = np.stack([np.cos(angle) * away, np.sin(angle) * away], axis=-1)
+    radius = random.uniform(low, high, (count, corners))
+    xy = np.stack([np.cos(angle) * radius, np.sin(angle) * radius], axis=-1)
     bulge = np.zeros((count, corners))
     if arcs:
         bulge[:, ::2] = random.uniform(-0.3, 0.3, (count, (corners + 1) // 2))
@@ -68,39 +76,39 @@ def _flattened(paths: Paths) -> list[F64]:
 
 
 def _peers(paths: Paths, distance: float) -> dict[str, Callable[[], object]]:
-    """Return what offsets the same contours outwards."""
+    """Return functions that offset the contours outwards with other libraries, by library name."""
     rings = _flattened(paths)
     shapes = np.array([shapely.Polygon(ring) for ring in rings])
     peers: dict[str, Callable[[], object]] = {
         "shapely": lambda: shapely.buffer(shapes, distance, quad_segs=QUARTER)
     }
-    if (clipper := _peer("pyclipper")) is not None:
-        whole = [(ring * SCALE).astype(np.int64).tolist() for ring in rings]
+    if (clipper := _import_optional("pyclipper")) is not None:
+        rounded = [(ring * SCALE).astype(np.int64).tolist() for ring in rings]
 
         def pyclipper() -> object:
-            made = []
-            for ring in whole:
-                offset = clipper.PyclipperOffset(2.0, STANDS_OFF * distance * SCALE)
+            results = []
+            for ring in rounded:
+                offset = clipper.PyclipperOffset(2.0, CHORD_DISTANCE * distance * SCALE)
                 offset.AddPath(ring, clipper.JT_ROUND, clipper.ET_CLOSEDPOLYGON)
-                made.append(offset.Execute(distance * SCALE))
-            return made
+                results.append(offset.Execute(distance * SCALE))
+            return results
 
         peers["pyclipper"] = pyclipper
-    if (clipper2 := _peer("pyclipr")) is not None:
+    if (clipper2 := _import_optional("pyclipr")) is not None:
 
         def pyclipr() -> object:
-            made = []
+            results = []
             for ring in rings:
                 offset = clipper2.ClipperOffset()
                 offset.scaleFactor = int(SCALE)
-                # Its tolerance is in scaled units.
-                offset.arcTolerance = STANDS_OFF * distance * SCALE
+                # The tolerance of pyclipr is in scaled units.
+                offset.arcTolerance = CHORD_DISTANCE * distance * SCALE
                 offset.addPath(ring, clipper2.JoinType.Round, clipper2.EndType.Polygon)
-                made.append(offset.execute(distance))
-            return made
+                results.append(offset.execute(distance))
+            return results
 
         peers["pyclipr"] = pyclipr
-    if (cavalier := _peer("cavaliercontours")) is not None:
+    if (cavalier := _import_optional("cavaliercontours")) is not None:
         columns = [
             (paths.start[a:b, 0].copy(), paths.start[a:b, 1].copy(), paths.bulge[a:b].copy())
             for a, b in zip(paths.first[:-1], paths.first[1:], strict=True)
@@ -127,23 +135,23 @@ def _bench(subject: str, paths: Paths, distance: float, runs: int) -> Bench:
 
 
 def offset_lines() -> Bench:
-    """Ten thousand contours of lines."""
+    """Offset ten thousand contours of lines."""
     subject = f"10,000 contours of 20 lines, B (CavalierContours -O3: shapely / {NATIVE[0]:.1f})"
     return _bench(subject, stars(10_000, 20, 20.0, 40.0), 1.0, 5)
 
 
 def offset_arcs() -> Bench:
-    """Two thousand contours of which every second segment is an arc."""
+    """Offset two thousand contours in which every second segment is an arc."""
     subject = f"2,000 contours of 24, 12 arcs, B (CavalierContours -O3: shapely / {NATIVE[1]:.1f})"
     return _bench(subject, stars(2_000, 24, 20.0, 40.0, arcs=True), 1.0, 5)
 
 
 def offset_one() -> Bench:
-    """One contour whose concave corners are real: neighbours too short for the tool."""
+    """Offset one contour with concave corners between segments too short for the tool."""
     return _bench("1 contour of 1,000 lines, notched, B", stars(1, 1_000, 400.0, 410.0), 3.0, 15)
 
 
 def offset_million() -> Bench:
-    """One contour of a million segments."""
+    """Offset one contour of a million segments."""
     paths = stars(1, 1_000_000, 400_000.0, 400_002.0)
     return "1 contour of 1,000,000 lines, B", 1_000_000, lambda: offset_paths(paths, 1.0, -1), {}, 1

@@ -1,10 +1,10 @@
-"""The patent's claim, measured: sharp corners in B, C and D on LinuxCNC's own planner.
+"""Measure the claim of the patent: sharp corners of type B, C and D on the planner of LinuxCNC.
 
     python -m tests.benchmarks.patent_table  ->  backend/docs/d-type-table.md and .log
 
-The same polygons, milled from outside, once with each type.  LinuxCNC runs headless and its
-``sampler`` notes both joints in every servo period (1 ms of the machine's time), so the figures do
-not depend on how busy this computer is.  Needs linuxcnc-uspace and the files that
+The same polygons are milled from outside with each type.  LinuxCNC runs without a display, and its
+``sampler`` records both joints in every servo period (1 ms of machine time), so the figures do not
+depend on the load of the computer.  Requires linuxcnc-uspace and the files that
 ``controllers/linuxcnc_machine.py`` names; takes about five minutes.
 """
 
@@ -33,12 +33,12 @@ SIDE = 30.0  #: mm
 K = 0.5
 RADII = (1.0, 3.0, 6.0)  #: mm
 FEEDS = (6000.0, 12000.0, 24000.0)  #: mm/min
-LASTS = 1.0  #: a run lasts about so long, in whole laps (s)
-ACCELERATION = 8000.0  #: of X and Y on that machine (mm/s²)
-#: The disc touches the corner while its centre is within r of it and this much more (mm).
+RUN_SECONDS = 1.0  #: approximate duration of a run, rounded to whole laps (s)
+ACCELERATION = 8000.0  #: acceleration of X and Y (mm/s²)
+#: The disc touches a corner while its centre is nearer to it than r plus this distance (mm).
 TOUCH = 0.02
-#: A centre that moves less in a servo period stands (mm).
-STANDS = 1e-6
+#: The centre is at rest if it moves less than this in a servo period (mm).
+REST_STEP = 1e-6
 
 SAMPLER = """
 loadrt sampler depth=8000 cfg=ff
@@ -56,10 +56,10 @@ HEADER = """\
 
 @dataclass(frozen=True)
 class Shape:
-    """A polygon, travelled to the left, whose corners turn by angles that alternate."""
+    """A polygon with sides of length ``SIDE``, travelled counter-clockwise."""
 
     name: str
-    turns: tuple[float, ...]  #: degrees, all the way round
+    turns: tuple[float, ...]  #: turn angle at each corner (degrees)
 
     @property
     def corners(self) -> F64:
@@ -78,29 +78,31 @@ SHAPES = (
 
 @dataclass(frozen=True)
 class Row:
-    """What one run showed."""
+    """The measurements of one run."""
 
     shape: Shape
     radius: float
     feed: float
     corner: Corner
     laps: int
-    way: float  #: of the centre, one lap (mm)
-    cycle: float  #: one lap (ms)
-    touch: float  #: at each corner, on the mean (ms)
-    slowest: float  #: near the corners (mm/s)
+    path_length: float  #: length of the centre's path in one lap (mm)
+    cycle: float  #: duration of one lap (ms)
+    touch: float  #: mean time of contact with a corner (ms)
+    slowest: float  #: lowest speed near the corners (mm/s)
 
     def line(self) -> str:
-        """The row as it stands in the log."""
+        """Return the measurements as a line of the log."""
         return (
             f"{self.shape.name} {'/'.join(f'{t:g}' for t in self.shape.turns[:2])}"
-            f" {self.radius:g} {self.feed:g} {self.corner.name} {self.laps} {self.way:.4f}"
+            f" {self.radius:g} {self.feed:g} {self.corner.name} {self.laps} {self.path_length:.4f}"
             f" {self.cycle:.1f} {self.touch:.2f} {self.slowest:.1f}"
         )
 
 
 def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
-    """Return the way of the centre round a polygon, begun in the middle of its first side."""
+    """Return the path of the cutter's centre around a polygon, from the middle of its first
+    side.
+    """
     corners = shape.corners
     middle = corners[:1] + np.array([SIDE / 2.0, 0.0])
     start = np.concatenate([middle, corners[1:], corners[:1]])
@@ -111,75 +113,77 @@ def centre(shape: Shape, radius: float, corner: Corner) -> Paths:
     return beside.paths
 
 
-def program(way: Paths, feed: float, laps: int) -> bytes:
-    """Return a program that goes round some times, and stands still before and after."""
-    x, y = way.start[0] + PLACE
+def program(path: Paths, feed: float, laps: int) -> bytes:
+    """Return a program that follows a closed path ``laps`` times, with a dwell before and after."""
+    x, y = path.start[0] + PLACE
     lines = ["G21 G90 G91.1 G17 G40 G49 G94 G54", "G64 P0.005 Q0.005"]
     lines += [f"G0 X{x:.4f} Y{y:.4f}", "G4 P0.05", f"F{feed:g}"]
-    middles = arc.centre(way.start, way.end, way.bulge)
-    for a, b, bend, middle in [*zip(way.start, way.end, way.bulge, middles, strict=True)] * laps:
+    middles = arc.centre(path.start, path.end, path.bulge)
+    for a, b, bend, middle in [*zip(path.start, path.end, path.bulge, middles, strict=True)] * laps:
         (x, y), (i, j) = b + PLACE, middle - a
         word = "G1" if bend == 0.0 else "G3" if bend > 0.0 else "G2"
         lines.append(f"{word} X{x:.4f} Y{y:.4f}" + (f" I{i:.4f} J{j:.4f}" if bend else ""))
     return "\n".join([*lines, "G4 P0.05", "M2", ""]).encode()
 
 
-#: Where the polygons lie on the table (mm).
+#: Position of the polygons on the table (mm).
 PLACE = np.array([100.0, 100.0])
 
 
 class Samples:
-    """What the sampler writes, from where it was last read."""
+    """The file of the sampler, read from the position where the last call stopped."""
 
     def __init__(self, file: Path) -> None:
         self.file = file
         self.read = 0
 
     def new(self) -> F64:
-        """Return the positions since the last call, (n, 2) mm, one to a servo period."""
+        """Return the positions recorded since the last call, one per servo period, (n, 2) mm."""
         with self.file.open("rb") as text:
             text.seek(self.read)
             data = text.read()
-        whole = data[: data.rfind(b"\n") + 1]
-        self.read += len(whole)
-        assert b"overrun" not in whole, "the sampler lost periods"
-        rows = np.array([line.split() for line in whole.splitlines()], float).reshape(-1, 3)
+        complete = data[: data.rfind(b"\n") + 1]
+        self.read += len(complete)
+        assert b"overrun" not in complete, "the sampler lost periods"
+        rows = np.array([line.split() for line in complete.splitlines()], float).reshape(-1, 3)
         assert (np.diff(rows[:, 0]) == 1.0).all(), "the sampler lost periods"
         return rows[:, 1:]
 
 
-def measured(
+def measure(
     machine: linuxcnc_machine.Machine, samples: Samples, shape: Shape, radius: float,
     feed: float, corner: Corner,
 ) -> Row:  # fmt: skip
-    """Run one polygon and return what the samples say."""
-    way = centre(shape, radius, corner)
-    length = float(way.lengths[0])
-    laps = max(1, round(LASTS * feed / 60.0 / length))
+    """Run the program of one polygon with a corner type; return the measurements."""
+    path = centre(shape, radius, corner)
+    length = float(path.lengths[0])
+    laps = max(1, round(RUN_SECONDS * feed / 60.0 / length))
     samples.new()
-    machine.run(program(way, feed, laps))
-    time.sleep(0.1)  # what the sampler has not written yet
-    seen = samples.new()
-    step = np.hypot(*np.diff(seen, axis=0).T)
-    moving = np.flatnonzero(step > STANDS)
-    # The last run of moves: the rapid to the start is parted from it by the dwell.
+    machine.run(program(path, feed, laps))
+    time.sleep(0.1)  # wait until the sampler has written all samples
+    positions = samples.new()
+    step = np.hypot(*np.diff(positions, axis=0).T)
+    moving = np.flatnonzero(step > REST_STEP)
+    # The last sequence of moves: a dwell separates it from the rapid to the start.
     begin = moving[np.flatnonzero(np.diff(moving, prepend=-1000) > 20)[-1]]
-    cut, speed = seen[begin : moving[-1] + 2], 1000.0 * step[begin : moving[-1] + 1]
-    away = np.hypot(*(cut[:, None] - (shape.corners + PLACE)).transpose(2, 0, 1)).min(axis=1)
-    assert away.min() > radius - 0.006, (
-        f"the planner cut {radius - away.min():.4f} mm into a corner"
+    cut, speed = positions[begin : moving[-1] + 2], 1000.0 * step[begin : moving[-1] + 1]
+    corner_distance = np.hypot(*(cut[:, None] - (shape.corners + PLACE)).transpose(2, 0, 1)).min(
+        axis=1
     )
-    near = away[1:] < 1.5 * radius
+    assert corner_distance.min() > radius - 0.006, (
+        f"the planner cut {radius - corner_distance.min():.4f} mm into a corner"
+    )
+    near = corner_distance[1:] < 1.5 * radius
     return Row(
         shape, radius, feed, corner, laps, length,
         cycle=len(speed) / laps,
-        touch=float((away[1:] <= radius + TOUCH).sum()) / (laps * len(shape.corners)),
+        touch=float((corner_distance[1:] <= radius + TOUCH).sum()) / (laps * len(shape.corners)),
         slowest=float(speed[near].min()),
     )  # fmt: skip
 
 
 def table(rows: list[Row], version: str) -> str:
-    """Return the page of the docs."""
+    """Return the text of backend/docs/d-type-table.md; ``version`` is that of LinuxCNC."""
     runs = {(r.shape.name, r.radius, r.feed, r.corner): r for r in rows}
     cases = product(SHAPES, RADII, FEEDS)
     lines = []
@@ -198,7 +202,7 @@ def table(rows: list[Row], version: str) -> str:
         off.append(np.abs(np.subtract([c.cycle - b.cycle, d.cycle - b.cycle], expected)) / count)
         cells = [f"{'/'.join(f'{t:g}' for t in dict.fromkeys(shape.turns))}°", f"{radius:g}",
                  f"{feed / 1000:g}"]  # fmt: skip
-        cells += [f"{run.way:.2f}" for run in (b, c, d)]
+        cells += [f"{run.path_length:.2f}" for run in (b, c, d)]
         cells += [f"{run.cycle:.0f}" for run in (b, c, d)]
         cells += [f"{run.touch:.1f}" for run in (b, c, d)]
         cells += [f"{run.slowest:.0f}" for run in (b, c, d)]
@@ -253,16 +257,16 @@ r 1 mm, the model 89), and blends the stops of C slightly.
 
 
 def check(rows: list[Row]) -> None:
-    """Refuse to write figures down that contradict the lengths of the patent's table."""
+    """Assert that the measured path lengths agree with the table of the patent."""
     for row in rows:
         turn = np.radians(row.shape.turns)
         around = corner_lengths(turn, row.radius, np.full(len(turn), K))[:, row.corner].sum()
-        assert abs(row.way - SIDE * len(turn) - around) < 1e-6
+        assert abs(row.path_length - SIDE * len(turn) - around) < 1e-6
 
 
 def main() -> None:
-    """Measure, and write the table and its log."""
-    reason = linuxcnc_machine.absent()
+    """Measure all shapes, radii, feeds and corner types; write the table and its log."""
+    reason = linuxcnc_machine.missing_requirement()
     if reason:
         raise SystemExit(reason)
     version = subprocess.run(
@@ -278,9 +282,9 @@ def main() -> None:
             hal.write(SAMPLER)
         linuxcnc_machine.PARTS = parts
         with linuxcnc_machine.running("T4 P4 Z0 D6 ;router\n") as machine:
-            samples = Samples(machine.room / "samples.txt")
+            samples = Samples(machine.directory / "samples.txt")
             for shape, radius, feed, corner in product(SHAPES, RADII, FEEDS, Corner):
-                rows.append(measured(machine, samples, shape, radius, feed, corner))
+                rows.append(measure(machine, samples, shape, radius, feed, corner))
                 print(rows[-1].line(), flush=True)
     check(rows)
     head = HEADER.format(version=version, side=SIDE, k=K)

@@ -1,9 +1,9 @@
-"""Reading and classifying a whole sheet: ours beside ezdxf's reader and GDAL's (pyogrio).
+"""Read and classify a whole sheet, compared with the readers of ezdxf and GDAL (pyogrio).
 
-100,000 entities of a DXF R2010, as ezdxf writes it.  One sheet is at random, on 6 layers: LINE,
-ARC, CIRCLE, LWPOLYLINE, TEXT and INSERTs of 8 blocks; half of its ends meet nothing, so that there
-is more to look for in it than in any carton.  The other holds cartons side by side, with a text
-and a register mark each.  ezdxf and pyogrio read from a file, and so does ours.
+The sheets have 100,000 entities of DXF R2010, written by ezdxf.  One is random, on 6 layers: LINE,
+ARC, CIRCLE, LWPOLYLINE, TEXT and INSERTs of 8 blocks; half of its ends meet no other edge, which
+takes more time than any carton.  The other has cartons side by side, each with a text and a
+register mark.  All readers read from a file.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ def _entity(space: BaseLayout, chance: random.Random, x: float, y: float) -> Non
 
 
 @cache
-def sheet(entities: int = ENTITIES) -> bytes:
-    """Draw the sheet."""
+def random_sheet(entities: int = ENTITIES) -> bytes:
+    """Return a DXF file with random entities."""
     chance = random.Random(4)
     document = ezdxf.new("R2010", units=4)
     for colour, name in enumerate(_LAYERS, start=1):
@@ -98,8 +98,8 @@ def sheet(entities: int = ENTITIES) -> bytes:
 
 
 @cache
-def nested(entities: int = ENTITIES) -> bytes:
-    """Draw cartons side by side."""
+def carton_sheet(entities: int = ENTITIES) -> bytes:
+    """Return a DXF file with cartons side by side."""
     rng = np.random.default_rng(4)
     document = ezdxf.new("R2010", units=4)
     for colour, name in enumerate(_LAYERS, start=1):
@@ -137,7 +137,7 @@ def nested(entities: int = ENTITIES) -> bytes:
 
 
 @cache
-def _file(draw: Callable[[], bytes] = sheet) -> Path:
+def _file(draw: Callable[[], bytes] = random_sheet) -> Path:
     folder = tempfile.mkdtemp()
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     path = Path(folder) / "sheet.dxf"
@@ -153,7 +153,7 @@ def _peers(path: Path) -> dict[str, Callable[[], object]]:
 
 
 def read_sheet() -> Bench:
-    """Read a sheet with layers and blocks."""
+    """Read a DXF file with layers and blocks."""
     path = _file()
     size = path.stat().st_size / 2**20
     subject = f"DXF R2010, layers and blocks, {size:.0f} MB, {peak():.1f} × the file in memory"
@@ -176,16 +176,16 @@ def _classified(draw: Callable[[], bytes], subject: str) -> Bench:
 
 
 def classify_sheet() -> Bench:
-    """From a file to classified edges."""
-    return _classified(sheet, "the same sheet, read and classified")
+    """Read and classify a DXF file with random entities."""
+    return _classified(random_sheet, "the same sheet, read and classified")
 
 
 def classify_nested() -> Bench:
-    """From a file of cartons to classified edges."""
-    return _classified(nested, "cartons side by side, read and classified")
+    """Read and classify a DXF file of cartons."""
+    return _classified(carton_sheet, "cartons side by side, read and classified")
 
 
-#: Linux forgets the peak so far where a process writes 5 to its ``clear_refs``.
+#: Linux resets the peak of a process that writes 5 to its ``clear_refs``.
 _PEAK = """
 import sys
 from pathlib import Path
@@ -207,10 +207,10 @@ print(memory("VmHWM") - before)
 
 
 def peak() -> float:
-    """Return the most memory that reading the sheet takes at once, as a multiple of the file."""
+    """Return the peak memory of reading the sheet, as a multiple of the file's size."""
     path = _file()
     small = path.with_name("small.dxf")
-    small.write_bytes(sheet(100))
+    small.write_bytes(random_sheet(100))
     done = subprocess.run(
         [sys.executable, "-c", _PEAK, str(path), str(small)],
         check=True,

@@ -1,9 +1,9 @@
-"""Turns and order: the bench of ``order``, and the tables of backend/docs/turning.md.
+"""Benchmark of the order of tracks, and the tables of backend/docs/turning.md.
 
-    python -m tests.benchmarks.turning        writes the page anew
+    python -m tests.benchmarks.turning        writes the page
 
-The seconds on it come from ``duration``, which the tests hold against the simulated table; only the
-last column of the second table is this computer's.
+Seconds on the page are computed by ``duration``, which the tests compare with the simulated table;
+only the last column of the last table is time on this computer.
 """
 
 from __future__ import annotations
@@ -39,24 +39,27 @@ MACHINE = load.machine("demo-table")
 HOME = np.zeros(3)
 _AXES = (MACHINE.x, MACHINE.y, MACHINE.c)
 PACE = np.array([[axis.velocity for axis in _AXES], [axis.acceleration for axis in _AXES]])
-#: Axes that need no time to start, and a C that needs none at all: time is distance.
+#: Axes without acceleration time, and a C axis that takes no time: time equals distance.
 DISTANCE = np.array([[1.0, 1.0, 1e9], [1e9, 1e9, 1e12]])
 
 
-def strokes(count: int, way: Reversal) -> tuple[F64, F64]:
-    """Strokes of 20 mm at every heading on a square metre, run from either end."""
+def strokes(count: int, reversal: Reversal) -> tuple[F64, F64]:
+    """Return entry and exit poses (x, y, azimuth) of random strokes of 20 mm, (2, n, 3) each.
+
+    The first axis is the direction of travel: as drawn, and reversed if ``reversal`` permits it.
+    """
     random = np.random.default_rng(1)
     start, azimuth = random.uniform(0, 1000, (count, 2)), random.uniform(0, 360, count)
     ahead = np.column_stack([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     begin = np.column_stack([start, azimuth])
     finish = np.column_stack([start + 20.0 * ahead, azimuth])
-    if way == Reversal.ONE:
+    if reversal == Reversal.ONE:
         return np.stack([begin, begin]), np.stack([finish, finish])
     return np.stack([begin, finish]), np.stack([finish, begin])
 
 
 def order_shortest() -> tuple[str, int, Callable[[], object], dict[str, Callable[[], object]], int]:
-    """Order reversible tracks, greedily and then shorter."""
+    """Order reversible tracks: a greedy order, then its improvement."""
     entry, leave = strokes(1000, Reversal.EITHER)
     return (
         "reversible tracks, 2-opt + Or-opt + swaps",
@@ -67,27 +70,29 @@ def order_shortest() -> tuple[str, int, Callable[[], object], dict[str, Callable
     )
 
 
-def _saved(named: Named) -> Iterator[str]:
-    """Yield the row of a drawing: turns, seconds with full retracts and with the least lift."""
+def _time_rows(named: Named) -> Iterator[str]:
+    """Yield the table row of a drawing: turns, and seconds with full retracts and with least
+    lifts.
+    """
     _, drawn, board = named.classified(CORPUS)
     placed = replace(drawn, ends=drawn.ends + np.array(placement(drawn, MACHINE)))
     toolpaths = [compensate(operation) for operation in plan(placed, MACHINE, board)]
     path = sequence(toolpaths, MACHINE)
     full, least = duration(with_full_retracts(path, MACHINE), MACHINE), duration(path, MACHINE)
     yield (
-        f"| {named} | {_turns(path)} | {full:.1f} | {least:.1f} | "
+        f"| {named} | {_count_turns(path)} | {full:.1f} | {least:.1f} | "
         f"{full - least:.1f} | {100.0 * (full - least) / full:.0f} % |"
     )
 
 
-def _turns(path: Toolpath) -> int:
-    """Return how many rapids run below travel height."""
+def _count_turns(path: Toolpath) -> int:
+    """Return the number of rapids below travel height."""
     low = (path.pose[:-1, 2] < MACHINE.travel_z) & (path.pose[1:, 2] < MACHINE.travel_z)
     return int(((path.motion == Motion.RAPID) & low).sum())
 
 
-def _grooves() -> Iterator[str]:
-    """Yield the row of a pre-cut board whose grooves run out on both sides."""
+def _groove_rows() -> Iterator[str]:
+    """Yield the table rows of a pre-cut board whose grooves run out on both sides."""
     lines = np.array([[(80.0, y), (520.0, y)] for y in np.arange(50.0, 350.0, 30.0)])
     corners = closed((100, 20), (500, 20), (500, 380), (100, 380))
     outline = Paths(corners[:, 0], corners[:, 1], np.zeros(4), np.array([0, 4]))
@@ -106,20 +111,20 @@ def _metres(into: F64, out: F64) -> float:
     return float(np.hypot(*(into - before)[:, :2].T).sum()) / 1000.0
 
 
-def _orders() -> Iterator[str]:
-    """Yield how long the links of 1,000 strokes are, greedily and shortest."""
-    for way, period, ends in (
+def _order_rows() -> Iterator[str]:
+    """Yield the table rows of the total length of air moves between 1,000 strokes."""
+    for reversal, period, ends in (
         (Reversal.EITHER, 180.0, "either end"),
         (Reversal.ONE, 360.0, "one end"),
     ):
-        entry, leave = strokes(1000, way)
-        for what, pace, unit in (("time", PACE, "s"), ("distance", DISTANCE, "m")):
-            short_order(entry, leave, HOME, pace, period, way)
+        entry, leave = strokes(1000, reversal)
+        for quantity, pace, unit in (("time", PACE, "s"), ("distance", DISTANCE, "m")):
+            short_order(entry, leave, HOME, pace, period, reversal)
             begin = time.perf_counter()
-            found = short_order(entry, leave, HOME, pace, period, way)
-            took = time.perf_counter() - begin
+            shortest = short_order(entry, leave, HOME, pace, period, reversal)
+            seconds = time.perf_counter() - begin
             totals = []
-            for order, flip in (greedy_order(entry, leave, HOME, way), found):
+            for order, flip in (greedy_order(entry, leave, HOME, reversal), shortest):
                 side = flip.astype(np.int64)
                 into, out = entry[side, order], leave[side, order]
                 totals.append(
@@ -129,18 +134,18 @@ def _orders() -> Iterator[str]:
                 )
             first, best = totals
             yield (
-                f"| {ends} | {what} | {first:.1f} {unit} | {best:.1f} {unit} | "
-                f"{100.0 * (first - best) / first:.0f} % | {took:.2f} s |"
+                f"| {ends} | {quantity} | {first:.1f} {unit} | {best:.1f} {unit} | "
+                f"{100.0 * (first - best) / first:.0f} % | {seconds:.2f} s |"
             )
 
 
 def main() -> None:
-    """Write the page."""
+    """Write backend/docs/turning.md."""
     rows: list[str] = []
     for named in SAMPLES + (NAMED if CORPUS.is_dir() else ()):
-        rows.extend(_saved(named))
+        rows.extend(_time_rows(named))
     text = TEXT.format(
-        saved="\n".join(rows), grooves="\n".join(_grooves()), orders="\n".join(_orders())
+        saved="\n".join(rows), grooves="\n".join(_groove_rows()), orders="\n".join(_order_rows())
     )
     PAGE.write_text(text)
     print(text)

@@ -1,4 +1,4 @@
-"""A real server, a real table (simulated) and a real browser for the tests of the page."""
+"""A real server, a simulated table and a real browser for tests of the page."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ SCREENSHOTS = ROOT / "build" / "screenshots"
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 #: WebGL without a graphics card.
 SOFTWARE_GL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
-#: How much faster than life the table of these tests moves.
+#: Speed of the simulated table as a multiple of a real one.
 SPEED = 4.0
 
 
 class Running(NamedTuple):
-    """A server and where it is."""
+    """A running server with its URL and its log."""
 
     url: str
     log: Path
@@ -36,17 +36,17 @@ class Running(NamedTuple):
 
 @pytest.fixture(scope="session")
 def chromium() -> str:
-    """The path of a Chromium; skips where there is none."""
+    """Return the path of a Chromium; skip the test if there is none."""
     named = os.environ.get("KNIFETIP_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
     if not named:
         pytest.skip("there is no Chromium here (install it, or set KNIFETIP_CHROMIUM)")
     return named
 
 
-# Playwright keeps an event loop running: it must be gone before another module's async tests.
+# Playwright keeps an event loop running, which must end before async tests of other modules.
 @pytest.fixture(scope="module")
 def browser(chromium: str) -> Iterator[Browser]:
-    """A browser that draws in software."""
+    """Start a browser with software rendering."""
     with sync_playwright() as playwright:
         # Chromium's sandbox does not work for root, who runs the tests in most containers.
         sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
@@ -59,7 +59,7 @@ def browser(chromium: str) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def built() -> None:
-    """The page, built from the sources that are here."""
+    """Build the page from the sources."""
     made = subprocess.run(
         [sys.executable, str(ROOT / "frontend" / "build.py")],
         capture_output=True,
@@ -71,12 +71,12 @@ def built() -> None:
 
 @pytest.fixture(scope="session")
 def server(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
-    """The whole service on a free port, with a database of its own."""
+    """Run the whole service on a free port, with a database of its own."""
     folder = tmp_path_factory.mktemp("served")
     with socket.socket() as door:
         door.bind(("127.0.0.1", 0))
         port = door.getsockname()[1]
-    # Else each of its processes compiles by itself what was changed, while a test waits for it.
+    # Otherwise each process compiles changed kernels by itself while a test waits.
     subprocess.run([sys.executable, "-m", "knifetip.jobs.warm_up"], check=True)
     running = Running(f"http://127.0.0.1:{port}", folder / "server.log")
     command = [sys.executable, "-m", "knifetip.cli", "serve", "--host", "127.0.0.1"]
@@ -111,7 +111,7 @@ def _wait(running: Running, process: subprocess.Popen[bytes]) -> None:
 
 @pytest.fixture
 def page(browser: Browser, server: Running) -> Iterator[Page]:
-    """The page, opened; whatever it says on the console as an error fails the test."""
+    """Open the page; fail if it writes an error to the console during the test."""
     context = browser.new_context(viewport={"width": 1440, "height": 900})
     opened = context.new_page()
     opened.set_default_timeout(30_000)
@@ -119,7 +119,7 @@ def page(browser: Browser, server: Running) -> Iterator[Page]:
     complaints: list[str] = []
 
     def hear(message: ConsoleMessage) -> None:
-        # An answer of 4xx is an answer: what the page makes of it is what the test looks at.
+        # A response with status 4xx is no error of the page; the tests check how the page shows it.
         if message.type == "error" and "Failed to load resource" not in message.text:
             complaints.append(message.text)
 
@@ -133,6 +133,6 @@ def page(browser: Browser, server: Running) -> Iterator[Page]:
 
 @pytest.fixture(scope="session")
 def screenshots() -> Path:
-    """The folder that pictures go to."""
+    """Return the folder for screenshots."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     return SCREENSHOTS

@@ -1,4 +1,4 @@
-"""From a dropped DXF to a cut board, as somebody at the screen does it."""
+"""From a dropped DXF file to a finished job, with the actions of an operator at the screen."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
 
-#: No unit, a layer that no profile knows, and a layer that every profile does.
+#: A file without a unit, with one layer that is in no profile and one that is in every profile.
 ODD = """0
 SECTION
 2
@@ -64,7 +64,7 @@ EOF
 
 
 def drop(page: Page, name: str, content: bytes) -> None:
-    """Let a file fall on the page, as from a folder of the desktop."""
+    """Drop a file on the page, as from a folder of the desktop."""
     carried = page.evaluate_handle(
         """([name, text]) => {
             const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
@@ -78,7 +78,7 @@ def drop(page: Page, name: str, content: bytes) -> None:
     expect(page.get_by_test_id("drop-zone")).to_be_visible()
     page.dispatch_event("body", "drop", {"dataTransfer": carried})
     expect(page.get_by_test_id("drop-zone")).to_be_hidden()
-    # The first reading of a fresh server waits for its processes to start.
+    # Reading the first file takes longer: the server starts its processes.
     expect(page.get_by_role("heading", name=name)).to_be_visible(timeout=60_000)
 
 
@@ -90,7 +90,7 @@ def compile_on(page: Page, board: str) -> None:
 
 
 def middle(page: Page) -> FloatRect:
-    """Return the middle of the picture, which no panel lies over."""
+    """Return the middle of the canvas, which no panel covers."""
     box = page.get_by_test_id("canvas").bounding_box()
     assert box is not None
     return FloatRect(
@@ -102,7 +102,9 @@ def middle(page: Page) -> FloatRect:
 
 
 def ink(page: Page) -> int:
-    """Return how many pixels of the middle of the picture are brighter than its ground."""
+    """Return the number of pixels in the middle of the canvas that are brighter than the
+    background.
+    """
     shot = page.screenshot(clip=middle(page))
     count: int = page.evaluate(
         """async (text) => {
@@ -162,7 +164,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     page.screenshot(path=screenshots / f"{stem}-2-verified.png")
 
     page.get_by_test_id("send").click()
-    # Nothing moves before somebody at the table has confirmed what lies on it.
+    # The machine does not move before the operator has confirmed the sheet.
     expect(page.get_by_test_id("job-state")).to_have_text("Waiting for operator")
     card = page.get_by_test_id("confirmation")
     expect(card).to_contain_text("Waiting for the operator")
@@ -202,7 +204,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("hold").click()
     expect(state).to_have_text("Paused")
 
-    # Another job meanwhile: it waits for its machine, and states why.
+    # A second job waits for the machine and states the reason.
     page.get_by_test_id("copies").fill("1")
     before = str(page.get_by_test_id("program").get_attribute("href"))
     page.get_by_test_id("compile").click()
@@ -210,7 +212,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("send").click()
     expect(page.get_by_test_id("waiting")).to_contain_text("is occupied by job")
 
-    # The first is cancelled: not before it has been asked.
+    # The first job is cancelled only after a question to the operator.
     page.get_by_test_id("queue-row").filter(has_text="2 copies").first.click()
     expect(state).to_have_text("Paused")
     page.get_by_test_id("cancel").click()
@@ -225,7 +227,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("confirm-yes").click()
     expect(state).to_have_text("Cancelled")
 
-    # Now the next one waits for its confirmation, in the queue, too.
+    # Now the second job waits for its confirmation, also in the queue.
     queued = page.get_by_test_id("queue").get_by_test_id("confirmation")
     expect(queued).to_contain_text("Greyboard 2.0 mm")
     page.screenshot(path=screenshots / "copies-3-queue.png")
@@ -236,7 +238,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
 
 
 def colours(page: Page) -> set[tuple[int, int, int]]:
-    """Return the colours that more than a few pixels of the picture have."""
+    """Return the colours that more than a few pixels of the canvas have."""
     found: list[list[int]] = page.evaluate(
         """async (text) => {
             const image = new Image();
@@ -259,7 +261,7 @@ def colours(page: Page) -> set[tuple[int, int, int]]:
     return {(red, green, blue) for red, green, blue in found}
 
 
-#: The ends of the scale of figures, and the colour of a V-groove.
+#: Colours of the two ends of the scale, and of a V-groove.
 NOTHING, LIMIT, GROOVE = (0x3F, 0x6D, 0xD7), (0xFA, 0xF1, 0x64), (0xB7, 0x94, 0xFF)
 
 
@@ -275,12 +277,12 @@ def test_the_verdict_colours_the_edges_and_bands_show_what_is_taken(
     page.get_by_test_id("layer-head").click()
     assert GROOVE in colours(page)
 
-    # Within the tolerance by far: all are at the lower end of the scale.
+    # All deviations are much smaller than the tolerance: the lower end of the scale.
     page.get_by_test_id("colour-deviation").click()
     expect(page.get_by_test_id("colour-scale")).to_contain_text("0.005")
     assert colours(page) >= {NOTHING}
     assert colours(page).isdisjoint({LIMIT, GROOVE})
-    # The V-cutter runs 3 mm past the ends of a groove inside the board: at the upper end.
+    # The V-cutter runs 3 mm past the ends of a groove inside the board: the upper end.
     page.get_by_test_id("colour-overcut").click()
     expect(page.get_by_test_id("colour-scale")).to_contain_text("3 mm")
     assert colours(page) >= {NOTHING, LIMIT}
@@ -288,7 +290,7 @@ def test_the_verdict_colours_the_edges_and_bands_show_what_is_taken(
 
     page.get_by_test_id("colour-types").click()
     page.get_by_test_id("layer-swept").click()
-    # 1.3 mm deep, at 45° to either side.
+    # A groove 1.3 mm deep with flanks at 45°.
     expect(page.get_by_test_id("path-legend")).to_contain_text(re.compile(r"2\.60\smm wide"))
     page.screenshot(path=screenshots / "rigid-box-blank-7-swept.png")
 
@@ -319,8 +321,8 @@ def test_hover_names_the_edge_and_a_click_changes_its_type(page: Page, screensho
     box = canvas.bounding_box()
     assert box is not None
     tip = page.get_by_test_id("edge-tooltip")
-    # Down the middle of the picture there is a groove, at a height that the layout decides.
-    # An edge is found from 7 pixels away, so every fifth pixel comes near to each.
+    # There is a groove on the vertical centre line of the canvas; its height depends on the layout.
+    # An edge is hit within 7 pixels, so every fifth pixel is tried.
     for step in range(0, int(box["height"]), 5):
         page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
         if tip.count() and "V-groove" in tip.inner_text():
@@ -351,7 +353,7 @@ PART = (
     (148.0, 120.0), (0.0, 120.0), (0.0, 0.0),
 )  # fmt: skip
 WINDOW = ((30.0, 30.0), (90.0, 30.0), (90.0, 80.0), (30.0, 80.0), (30.0, 30.0))
-#: What no cutter gets to.
+#: Area that the cutter cannot reach.
 UNCUT = (0xFF, 0x4F, 0xA3)
 
 
@@ -388,7 +390,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("corner-D")).to_have_attribute("aria-pressed", "true")
     page.get_by_test_id("pick-corner").click()
     before = page.get_by_test_id("program").get_attribute("href")
-    # Along the middle of the picture goes no cut: look for the part's left side from its left.
+    # No cut is in the middle of the canvas: search the left side of the part from the left.
     box = page.get_by_test_id("canvas").bounding_box()
     assert box is not None
     tip = page.get_by_test_id("edge-tooltip")
@@ -405,7 +407,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=60_000)
     page.get_by_test_id("layer-uncut").click()
     page.get_by_test_id("layer-swept").click()
-    # The largest place first, then a corner of the window.
+    # The largest area first, then a corner of the window.
     page.get_by_test_id("unreached").click()
     page.get_by_test_id("unreached").click()
     page.wait_for_timeout(600)
@@ -429,7 +431,7 @@ def test_the_inspector_has_the_section_of_a_groove(page: Page, screenshots: Path
         page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
         if tip.count() and "V-groove" in tip.inner_text():
             break
-    # 1.3 mm deep at 45° in 2 mm.
+    # A groove 1.3 mm deep with flanks at 45° in a board of 2 mm.
     expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
     expect(tip).to_contain_text(re.compile(r"Board left under groove\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")

@@ -1,4 +1,4 @@
-"""Two tabs on one drawing, a busy server, and a browser on another machine that signs in."""
+"""Two tabs with one drawing, a busy server, and sign-in from a browser on another machine."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def api(page: Page) -> Iterator[httpx.Client]:
 
 @pytest.fixture
 def drawing(api: httpx.Client) -> str:
-    """The id of a drawing that was read."""
+    """Return the id of an uploaded drawing."""
     answer = api.post("/api/drawings", files={"file": ("folds.dxf", CARTON)})
     assert answer.status_code == 201, answer.text
     return str(answer.json()["id"])
@@ -71,10 +71,10 @@ def test_a_tab_shows_within_two_seconds_what_another_one_changed(
         expect(tab.get_by_test_id("legend-crease")).to_be_hidden()
         notice = tab.get_by_test_id("report").filter(has_text="The drawing was changed elsewhere")
         expect(notice).to_contain_text("3 edges now have another line type")
-    # Two seconds, and what a busy machine needs to look.
+    # Two seconds, plus time for polling on a busy machine.
     assert time.monotonic() - began < 8.0
     page.screenshot(path=screenshots / "changed-elsewhere.png")
-    # A change made in one tab is shown in the other, and is no news in its own.
+    # A change made in one tab is announced in the other tab only.
     page.get_by_test_id("report").get_by_label("Close this message").click()
     page.keyboard.press("Control+a")
     page.get_by_test_id("type-half-cut").click()
@@ -138,10 +138,10 @@ def test_a_file_that_a_busy_server_refuses_is_sent_again(page: Page) -> None:
 
 
 def own_address() -> str:
-    """Return an address of this machine that is no loopback one; skips where there is none."""
+    """Return an address of this machine other than loopback; skip the test if there is none."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
         try:
-            # No packet is sent: this only looks up by which address one would go.
+            # No packet is sent: connecting a UDP socket only selects the local address.
             asked.connect(("192.0.2.1", 9))
             address = str(asked.getsockname()[0])
         except OSError:
@@ -170,7 +170,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
         assert f"/?key={key}" in (tmp_path / "log").read_text().replace("\n", "")
         with rest(base) as stranger:
             assert stranger.get("/api/jobs").status_code == 401
-            # The gateway beside the server needs no key: it comes over the loopback address.
+            # The gateway of the server needs no key: it uses the loopback address.
             deadline = time.monotonic() + 30.0
             headers = {"Authorization": f"Bearer {key}"}
             while (
@@ -185,7 +185,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
             page.set_default_timeout(30_000)
             page.goto(f"{base}/?key={key}" if way == "link" else base)
             if way == "form":
-                # It asks once more first, in case that a link on another site led here.
+                # The browser reloads once more, because a link on another site may have led here.
                 page.wait_for_url("**again=1")
                 page.get_by_label("Key").fill(key)
                 page.get_by_role("button", name="Sign in").click()
@@ -195,7 +195,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
             expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
             assert key not in page.url
             assert key not in str(context.cookies())
-            # A page elsewhere that links here: the cookie is held back, and then sent.
+            # After a link on another site the cookie is not sent at first, and then it is.
             page.goto("data:text/html,<a href='" + base + "/'>knifetip</a>")
             page.get_by_role("link").click()
             expect(page.get_by_test_id("file-input")).to_be_attached()

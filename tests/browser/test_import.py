@@ -1,4 +1,4 @@
-"""From a drawing that says too little to a customer's profile that says it all, click by click."""
+"""From an ambiguous drawing to a customer's profile that classifies it, click by click."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
 
-#: 4 × 3 of a unit that nobody says, with three lines on a layer that says nothing.
+#: A part of 4 × 3 in an unknown unit, with three lines on a layer whose name has no meaning.
 CORNERS = ((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0))
 INNER = (
     text.line(0.5, 1.0, 3.5, 1.0, (8, "INNER"), (62, 1)),
@@ -32,12 +32,12 @@ def words(said: str, x: float, y: float) -> str:
 
 
 def carton(*more: str) -> bytes:
-    """A part of 400 × 300 mm."""
+    """Return a DXF file with a part of 400 × 300 mm and further entities."""
     sides = [(100.0 * x, 100.0 * y) for x, y in CORNERS]
     return text.dxf(*(text.line(*a, *b, (8, "CUT")) for a, b in pairwise(sides)), *more)
 
 
-#: A title, an edge that lies on another, a line that is there twice, and one that is a speck.
+#: A part with two texts, an overlapping edge, a line drawn twice, and debris.
 MESSY = carton(
     text.line(50.0, 0.0, 250.0, 0.0, (8, "CUT")),
     words("Rev. B", 350.0, 280.0),
@@ -49,7 +49,7 @@ MESSY = carton(
 
 
 def as_sent() -> bytes:
-    """The sample of a carton as it comes from somebody who drew, wrote and copied on it."""
+    """Return the sample carton with a frame, texts and repeated edges, like files of customers."""
     frame = ((-12.0, -30.0), (297.0, -30.0), (297.0, 263.0), (-12.0, 263.0), (-12.0, -30.0))
     added = (
         *(text.line(*a, *b, (8, "FRAME")) for a, b in pairwise(frame)),
@@ -71,12 +71,12 @@ def choose(page: Page, *files: tuple[str, bytes]) -> None:
     page.get_by_test_id("file-input").set_input_files(
         [FilePayload(name=name, mimeType="image/vnd.dxf", buffer=data) for name, data in files]
     )
-    # The first reading of a fresh server waits for its processes to start.
+    # Reading the first file takes longer: the server starts its processes.
     expect(page.get_by_role("heading", name=files[-1][0])).to_be_visible(timeout=60_000)
 
 
 def again(page: Page, name: str, content: bytes) -> None:
-    """Bring in another drawing while one is open."""
+    """Close the open drawing and upload another one."""
     page.get_by_test_id("close-drawing").click()
     choose(page, (name, content))
 
@@ -86,7 +86,7 @@ def questions(page: Page) -> Locator:
 
 
 def picture(page: Page) -> bytes:
-    """Return how the picture looks once it has been drawn."""
+    """Return a screenshot of the canvas after it has been redrawn."""
     page.evaluate("() => new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
     return page.get_by_test_id("canvas").screenshot()
 
@@ -99,7 +99,7 @@ def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
     expect(page.get_by_test_id("unit-m")).to_contain_text("4000.0 × 3000.0")
     expect(page.get_by_test_id("drawing-size")).to_contain_text("unit unknown")
     expect(page.get_by_test_id("scale-bar")).to_contain_text("file units")
-    # Of the likeliest unit the reasons are there at once, of the others on demand.
+    # The evidence for the likeliest unit is shown at once, for the others on demand.
     likely = page.locator("[data-likely=true][data-testid^=unit-]")
     expect(likely).to_contain_text("most likely")
     expect(likely).to_contain_text("the file states no unit")
@@ -123,7 +123,7 @@ def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
     choose(page, ("silent.dxf", SILENT))
     page.get_by_test_id("unit-in").click()
     expect(questions(page)).to_have_count(2)
-    # What an answer would do is seen before it is given.
+    # Hovering over an answer shows its effect.
     page.mouse.move(5, 5)
     still = picture(page)
     answer = questions(page).first.get_by_test_id("answer-crease")
@@ -131,7 +131,7 @@ def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
     assert picture(page) != still
     answer.click()
     expect(questions(page)).to_have_count(1)
-    # By the keyboard alone, and the next question has the focus.
+    # With the keyboard only; then the next question has the focus.
     page.keyboard.press("Control+z")
     expect(questions(page)).to_have_count(2)
     expect(answer).to_be_enabled()
@@ -171,7 +171,7 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     questions(page).first.get_by_test_id("answer-half-cut").click()
     expect(page.get_by_test_id("questions")).to_be_hidden()
 
-    # What was learned is counted and shown before it is kept.
+    # The effect of learned rules is counted and shown before they are saved.
     lesson = page.get_by_test_id("lesson").filter(has_text="crease")
     expect(lesson).to_contain_text('layer "INNER", colour 1')
     expect(lesson).to_contain_text("2 edges")
@@ -187,7 +187,7 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     page.get_by_test_id("keep-lesson").click()
     expect(page.get_by_test_id("lesson")).to_have_count(0)
 
-    # The customer's next drawing is read by it, and nothing is asked any more.
+    # The next drawing of the customer is classified by the profile without a question.
     again(
         page,
         "next.dxf",
@@ -200,7 +200,7 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     page.keyboard.press("Control+z")
     expect(page.get_by_test_id("legend-half-cut")).to_be_hidden()
 
-    # Back in the first drawing, its steps are forgotten: what is kept stays kept.
+    # In the first drawing the undo steps are gone; the saved profile remains.
     page.get_by_test_id("close-drawing").click()
     page.get_by_test_id("drawing-row").filter(has_text="silent.dxf").first.click()
     expect(page.get_by_test_id("profile-select")).to_have_value("Acme & Söhne")
@@ -232,7 +232,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     expect(page.get_by_test_id("profile-outcome")).to_contain_text("2 edges change")
     page.screenshot(path=screenshots / "import-3-profile.png")
 
-    # Each step is taken back in the editor, and nothing of the drawing.
+    # Undo in the editor affects the profile only, not the drawing.
     page.get_by_test_id("undo").click()
     expect(page.get_by_test_id("profile-outcome")).to_contain_text("2 edges change")
     page.get_by_test_id("undo").click()
@@ -240,7 +240,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     page.get_by_test_id("redo").click()
     page.get_by_test_id("redo").click()
     expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
-    # Edits that are not kept wait where they are.
+    # Unsaved edits remain in the editor.
     page.get_by_role("button", name="Back").click()
     page.get_by_test_id("edit-profile").click()
     expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
@@ -254,7 +254,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     (rule,) = tomllib.loads(written.decode())["rule"]
     assert (rule["layer"], rule["type"]) == (["INN*"], "combi")
 
-    # Changed by another hand, it comes in again under its name.
+    # The file, changed in a text editor, is imported again under its name.
     page.get_by_test_id("import-profile").set_input_files(
         {
             "name": "bolt.toml",
@@ -273,7 +273,7 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     page.keyboard.press("Control+Shift+z")
     expect(page.get_by_test_id("legend-combi")).to_contain_text("2")
 
-    # A file that is no profile says so.
+    # A file that is no profile is refused with a message.
     page.get_by_test_id("edit-profile").click()
     page.get_by_test_id("import-profile").set_input_files(
         {
@@ -287,20 +287,20 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
 
 def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screenshots: Path) -> None:
     choose(page, ("first.dxf", SILENT), ("messy.dxf", MESSY))
-    # Around 1,400 mm and a crease of 400; 200 mm of the outline twice, the crease too.
+    # Outline 1,400 mm and crease 400 mm; 200 mm of the outline and the crease are drawn twice.
     expect(page.get_by_test_id("report-drawn")).to_have_text(re.compile(r"^2000"))
     told = page.get_by_test_id("report-groups")
     selection = page.get_by_test_id("selection")
-    # Edges: a click chooses them in the picture.
+    # A click on a group of edges selects them on the canvas.
     told.get_by_text("lies completely on other edges").click()
     expect(selection).to_contain_text(re.compile(r"1 edge selected · 200\smm"))
     expect(page.get_by_test_id("inspector")).to_contain_text("merged")
-    # An entity that was drawn twice leads to the one that is there.
+    # A click on a duplicate entity selects the kept one.
     told.get_by_text("is drawn twice").click()
     page.get_by_test_id("entity").click()
     expect(selection).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
     told.get_by_text("is drawn twice").click()
-    # Words have no edge: their place is marked.
+    # Texts have no edge: their position is marked.
     told.get_by_text("Texts are not cut").click()
     expect(page.get_by_test_id("entity")).to_have_count(2)
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
@@ -312,11 +312,11 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
     page.screenshot(path=screenshots / "import-4-report.png")
     page.keyboard.press("Escape")
     expect(page.get_by_test_id("picture")).not_to_have_attribute("data-pin", "20,20,20,20")
-    # One outcome at a time.
+    # The report is filtered by outcome.
     page.get_by_text("Merged", exact=True).last.click()
     expect(page.get_by_test_id("report-dropped")).to_have_count(0)
     expect(page.get_by_test_id("report-merged")).to_have_count(2)
-    # The other file was read too.
+    # The other file of the same upload was read.
     page.get_by_test_id("close-drawing").click()
     expect(page.get_by_test_id("drawing-row").filter(has_text="first.dxf").first).to_be_visible()
 
@@ -389,7 +389,7 @@ def test_what_was_read_anew_is_taken_back_to_the_rules_as_they_were(page: Page) 
     page.get_by_role("option", name="Cole").click()
     expect(page.get_by_test_id("legend-crease")).to_contain_text("1")
 
-    # Somebody else changes the profile: the drawing keeps the rules that it was read by.
+    # Another client changes the profile: the drawing keeps the rules it was classified by.
     assert page.evaluate(put, [rule.replace("crease", "half-cut"), '"1"']) == 200
     page.reload()
     page.get_by_test_id("apply-again").click()

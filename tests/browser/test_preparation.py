@@ -1,4 +1,4 @@
-"""The banner that shows how far a server is prepared after an installation."""
+"""The banner that shows the progress of a server's preparation after installation."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
         route.fulfill(json=status.model_dump())
 
     banner = page.get_by_test_id("preparation")
-    # The server of these tests has compiled all of its parts.
+    # The server of these tests has compiled all kernels.
     expect(page.get_by_test_id("welcome")).to_be_visible()
     expect(banner).to_be_hidden()
 
@@ -42,12 +42,12 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
     compiled = 180
     expect(banner).to_contain_text("180 of 240 program parts")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "75")
-    # Files can be opened meanwhile.
+    # Files can be opened during the preparation.
     expect(page.get_by_test_id("choose-file-large")).to_be_enabled()
 
     compiled = PARTS
     expect(banner).to_be_hidden()
-    # A prepared server remains prepared: the page stops asking.
+    # A prepared server remains prepared, so the page stops polling.
     asked = len(answers)
     page.wait_for_timeout(2500)
     assert len(answers) == asked

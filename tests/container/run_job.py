@@ -1,10 +1,10 @@
-"""run_job: drives a running service from outside, from a drawing to a finished job.
+"""Run one job on a running service, from a drawing to the finished job.
 
     python tests/container/run_job.py http://localhost:8080 [--key KEY]
 
 Waits until the service is ready, uploads a drawing, orders a job on the simulated table, releases
-it and waits until it is done. Prints the seconds of each step; exits with 1 where one fails. It
-needs no package, so that it runs where only the image is.
+it and waits until it is done. Prints the seconds of each step; exits with 1 if a step fails. Uses
+the standard library only, because only the container image may be installed.
 """
 
 from __future__ import annotations
@@ -19,40 +19,40 @@ import uuid
 from typing import Any
 
 BOUNDARY = uuid.uuid4().hex
-#: A square of 60 mm to be cut, with a crease through its middle.
+#: A square of 60 mm (cuts) with a crease through its middle.
 LINES = (
     *(("CUT", 0, 0, 60, 0), ("CUT", 60, 0, 60, 60), ("CUT", 60, 60, 0, 60), ("CUT", 0, 60, 0, 0)),
     ("CREASE", 30, 0, 30, 60),
 )
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
-#: What a job on a machine with manual feed waits for, until someone at the machine confirms.
+#: Field ``waiting_for`` of a job that waits for the operator's confirmation of the sheet.
 CONFIRMED_BY_HAND = {"confirmation", "sheet"}
 
 
 class Service:
-    """REST calls to one server."""
+    """A REST client of one server."""
 
     def __init__(self, url: str, key: str) -> None:
         self.url = url
         self.headers = {"Authorization": f"Bearer {key}"} if key else {}
-        # A proxy of the environment does not lead to a container on this machine.
+        # A proxy set in the environment cannot reach a container on this machine.
         self.opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
 
     def call(self, path: str, body: bytes | None = None, kind: str = "application/json") -> Any:
-        """Return the JSON that the service answers with; POST where there is a body."""
+        """Send a request (POST if there is a body) and return the JSON of the response."""
         headers = {**self.headers, **({} if body is None else {"Content-Type": kind})}
         request = urllib.request.Request(self.url + path, body, headers)
         with self.opener.open(request, timeout=120) as answer:
             return json.load(answer)
 
     def wait_until_ready(self, seconds: float) -> None:
-        """Return as soon as /readyz answers with 200."""
+        """Return when /readyz responds with 200; raise the last failure after ``seconds``."""
         deadline = time.monotonic() + seconds
         while not self.is_ready(time.monotonic() > deadline):
             time.sleep(0.1)
 
     def is_ready(self, last: bool) -> bool:
-        """Return whether /readyz answers with 200; the last failure is raised."""
+        """Return whether /readyz responds with 200; if ``last``, raise the failure instead."""
         try:
             self.call("/readyz")
         except OSError:
@@ -62,7 +62,7 @@ class Service:
         return True
 
     def upload(self, name: str, content: bytes) -> Any:
-        """Upload a drawing."""
+        """Upload a drawing; return the JSON of the response."""
         head = (
             f"--{BOUNDARY}\r\nContent-Disposition: form-data; "
             f'name="file"; filename="{name}"\r\n\r\n'
@@ -71,12 +71,12 @@ class Service:
         return self.call("/api/drawings", body, f"multipart/form-data; boundary={BOUNDARY}")
 
     def order(self, drawing: str) -> Any:
-        """Order a job and release it."""
+        """Order a job for a drawing's id and release it; return the JSON of the response."""
         job = {"drawing": drawing, "machine": "demo-table", "board": "e-flute", "release": True}
         return self.call("/api/jobs", json.dumps(job).encode())
 
     def wait_for_end(self, job: str, seconds: float) -> Any:
-        """Return the job when it has ended, or after this time; confirm it at the table."""
+        """Confirm the job when it waits for it; return the job when it has ended or time is up."""
         deadline = time.monotonic() + seconds
         while True:
             found = self.call(f"/api/jobs/{job}")
@@ -88,7 +88,7 @@ class Service:
 
 
 def drawing() -> bytes:
-    """Return the DXF of LINES, in millimetres."""
+    """Return ``LINES`` as a DXF file in millimetres."""
     tags = ["0 SECTION 2 HEADER 9 $ACADVER 1 AC1015 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES"]
     for layer, x0, y0, x1, y1 in LINES:
         tags.append(f"0 LINE 8 {layer} 10 {x0} 20 {y0} 11 {x1} 21 {y1}")
@@ -96,7 +96,7 @@ def drawing() -> bytes:
 
 
 def run(service: Service) -> bool:
-    """Return whether a job ran to its end; prints what each step took."""
+    """Run a job; print the duration of each step; return whether the job is done."""
     began = time.monotonic()
 
     def report(step: str) -> None:
@@ -116,7 +116,7 @@ def run(service: Service) -> bool:
 
 
 def main() -> int:
-    """Run one job on the service that the command line names."""
+    """Run a job on the service given on the command line; return the exit code."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument("url")
     parser.add_argument("--key", default="")

@@ -1,7 +1,7 @@
-"""What grbl 1.1 and grblHAL accept, as strictly as they do: a reader of our own for the tests.
+"""Check programs as strictly as grbl 1.1 and grblHAL do, with an interpreter written for the tests.
 
-It knows no more than the tests need, and says AssertionError, naming the line, at anything that
-a controller would answer with ``error:``.
+It supports only what the tests need, and raises an AssertionError with the line for everything to
+which a controller would respond with ``error:``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ AXES = "XYZC"
 
 @dataclass
 class Line:
-    """One line as the controller understood it."""
+    """The effect of one program line on the controller."""
 
     number: int
     motion: str = ""
@@ -34,7 +34,9 @@ class Line:
 
 
 def read_grbl(program: bytes) -> list[Line]:
-    """Return the lines of a program; refuse what grbl would refuse."""
+    """Return the interpreted lines of a program; raise an AssertionError if grbl would refuse
+    one.
+    """
     assert program.endswith(b"\n")
     position = np.zeros(4)
     feed, inverse, oscillates, ended = 0.0, False, False, False
@@ -44,7 +46,7 @@ def read_grbl(program: bytes) -> list[Line]:
         here = f"line {number}: {raw!r}"
         assert len(raw) <= LINE, here
         assert not set(raw) & set("!~?"), f"{here} would act on the controller at once"
-        assert not ended, f"{here} stands after the end"
+        assert not ended, f"{here} is after the end"
         line = Line(number, start=position.copy(), end=position.copy())
         read.append(line)
         if raw.startswith("("):
@@ -67,7 +69,7 @@ def read_grbl(program: bytes) -> list[Line]:
             feed = values.pop("F")
             assert feed > 0, here
         elif inverse and motion and motion != ["G0"]:
-            raise AssertionError(f"{here} has no F, which G93 wants on every line")
+            raise AssertionError(f"{here} has no F, which G93 requires in every line")
         if "M64" in commands or "M65" in commands:
             assert len(commands) == 1, here
             (outputs.add if "M64" in commands else outputs.discard)(int(values.pop("P")))
@@ -102,7 +104,7 @@ def read_grbl(program: bytes) -> list[Line]:
 
 def _check_arc(line: Line, offset: np.ndarray, here: str) -> None:
     line.centre = line.start[:2] + offset
-    # In 32 bits, as the controller does it: error 33.
+    # In single precision, like the controller: error 33.
     far = np.float32(line.end[:2] - line.start[:2]) - offset
     radius, other = np.hypot(*offset), np.hypot(*far)
     assert radius > 0, here

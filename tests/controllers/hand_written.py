@@ -1,4 +1,4 @@
-"""Jobs for the demo table, worked by hand, not by the engines: every number can be checked."""
+"""Jobs for the demo table with toolpaths computed by hand, without the engines."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ V_CUTTER = TipTool(
 TOOLS = {1: KNIFE, 2: WHEEL, 3: V_CUTTER}
 
 
-class Hand:
-    """Writes a toolpath move by move, from the machine's zero at the height for rapids."""
+class ToolpathBuilder:
+    """Builds a toolpath move by move, from the machine's zero at travel height."""
 
     def __init__(self) -> None:
         self.poses: list[tuple[float, float, float, float]] = [(0.0, 0.0, 20.0, 0.0)]
@@ -43,9 +43,9 @@ class Hand:
         c: float | None = None,
         bulge: float = 0.0,
         feed: float = 12000.0,
-    ) -> Hand:
-        asked = zip((x, y, z, c), self.poses[-1], strict=True)
-        x, y, z, c = (old if new is None else new for new, old in asked)
+    ) -> ToolpathBuilder:
+        pairs = zip((x, y, z, c), self.poses[-1], strict=True)
+        x, y, z, c = (old if new is None else new for new, old in pairs)
         self.poses.append((x, y, z, c))
         self.rows.append((station, motion, bulge, 0.0 if motion == Motion.RAPID else feed))
         return self
@@ -58,16 +58,16 @@ class Hand:
         return process(self.toolpath(), TABLE, "linuxcnc", notes=["placement X20 Y20"]).text
 
 
-def knife(hand: Hand) -> Hand:
-    """A 100 × 60 blank from (120, 70) with two round corners of r 10 and two sharp ones."""
-    hand.to(1, Motion.RAPID, 120, 70, 20, 0).to(1, Motion.RAPID, z=4)
-    hand.to(1, Motion.PLUNGE, z=-0.3)
-    hand.to(1, Motion.FEED, 210, 70).to(1, Motion.FEED, 220, 80, c=90, bulge=QUARTER)
-    hand.to(1, Motion.FEED, 220, 120).to(1, Motion.FEED, 210, 130, c=180, bulge=QUARTER)
-    hand.to(1, Motion.FEED, 120, 130)
-    hand.to(1, Motion.SWIVEL, c=270, feed=72000.0)
-    hand.to(1, Motion.FEED, 120, 70).to(1, Motion.LIFT, z=4)
-    return hand.to(1, Motion.RAPID, z=20)
+def add_cuts(builder: ToolpathBuilder) -> ToolpathBuilder:
+    """Add the cuts of a 100 × 60 blank at (120, 70) with two round corners of radius 10."""
+    builder.to(1, Motion.RAPID, 120, 70, 20, 0).to(1, Motion.RAPID, z=4)
+    builder.to(1, Motion.PLUNGE, z=-0.3)
+    builder.to(1, Motion.FEED, 210, 70).to(1, Motion.FEED, 220, 80, c=90, bulge=QUARTER)
+    builder.to(1, Motion.FEED, 220, 120).to(1, Motion.FEED, 210, 130, c=180, bulge=QUARTER)
+    builder.to(1, Motion.FEED, 120, 130)
+    builder.to(1, Motion.SWIVEL, c=270, feed=72000.0)
+    builder.to(1, Motion.FEED, 120, 70).to(1, Motion.LIFT, z=4)
+    return builder.to(1, Motion.RAPID, z=20)
 
 
 BLANK = (
@@ -84,38 +84,39 @@ BLANK = (
 )
 
 
-def wheel(hand: Hand) -> Hand:
-    """Two creases across the blank, set back by 3.9 mm, the second one downwards."""
-    hand.to(2, Motion.RAPID, 150, 73.9, 20, 90).to(2, Motion.RAPID, z=4)
-    hand.to(2, Motion.PLUNGE, z=1.6).to(2, Motion.FEED, y=126.1).to(2, Motion.LIFT, z=20)
-    # The same from both sides: C may stay at 90 on the way back.
-    hand.to(2, Motion.RAPID, 160, 126.1).to(2, Motion.PLUNGE, z=1.6)
-    return hand.to(2, Motion.FEED, y=73.9).to(2, Motion.LIFT, z=20)
+def add_creases(builder: ToolpathBuilder) -> ToolpathBuilder:
+    """Add two creases across the blank, set back by 3.9 mm, the second one downwards."""
+    builder.to(2, Motion.RAPID, 150, 73.9, 20, 90).to(2, Motion.RAPID, z=4)
+    builder.to(2, Motion.PLUNGE, z=1.6).to(2, Motion.FEED, y=126.1).to(2, Motion.LIFT, z=20)
+    # A wheel works in both directions: C may stay at 90 on the way back.
+    builder.to(2, Motion.RAPID, 160, 126.1).to(2, Motion.PLUNGE, z=1.6)
+    return builder.to(2, Motion.FEED, y=73.9).to(2, Motion.LIFT, z=20)
 
 
 CREASES = ([((130, 50), (130, 110)), ((140, 110), (140, 50))], [0, 0], [LineType.CREASE] * 2)
 
 
-def groove(hand: Hand) -> Hand:
-    """A groove 1.2 deep from (200, 90) to (200, 110), due north: C = 90, then 270.
+def add_groove(builder: ToolpathBuilder) -> ToolpathBuilder:
+    """Add a groove 1.2 deep from (200, 90) to (200, 110), due north: C = 90, then 270.
 
-    Right of north is east: the head stands 6 east and 1.5 north of the tip, then 6 west and 1.5
-    south. From 2 mm above the board down to z = 0.8 it comes 3.2 sideways, at 45 degrees.
+    On the first pass the head is 6 mm east and 1.5 mm north of the tip, on the second pass 6 mm
+    west and 1.5 mm south.  From 2 mm above the board down to z = 0.8 it moves 3.2 mm sideways
+    (45°).
     """
-    hand.to(3, Motion.RAPID, 209.2, 91.5, 20, 90).to(3, Motion.RAPID, z=4)
-    hand.to(3, Motion.PLUNGE, 206, z=0.8).to(3, Motion.FEED, y=111.5)
-    hand.to(3, Motion.LIFT, 209.2, z=4).to(3, Motion.RAPID, z=20)
-    hand.to(3, Motion.RAPID, 190.8, 108.5, c=270).to(3, Motion.RAPID, z=4)
-    hand.to(3, Motion.PLUNGE, 194, z=0.8).to(3, Motion.FEED, y=88.5)
-    return hand.to(3, Motion.LIFT, 190.8, z=4).to(3, Motion.RAPID, z=20)
+    builder.to(3, Motion.RAPID, 209.2, 91.5, 20, 90).to(3, Motion.RAPID, z=4)
+    builder.to(3, Motion.PLUNGE, 206, z=0.8).to(3, Motion.FEED, y=111.5)
+    builder.to(3, Motion.LIFT, 209.2, z=4).to(3, Motion.RAPID, z=20)
+    builder.to(3, Motion.RAPID, 190.8, 108.5, c=270).to(3, Motion.RAPID, z=4)
+    builder.to(3, Motion.PLUNGE, 194, z=0.8).to(3, Motion.FEED, y=88.5)
+    return builder.to(3, Motion.LIFT, 190.8, z=4).to(3, Motion.RAPID, z=20)
 
 
 GROOVE = ([((180, 70), (180, 90))], [0], [LineType.V_GROOVE])
 
 JOBS = {
-    "knife": (knife, BLANK),
-    "wheel": (wheel, CREASES),
-    "v-cutter": (groove, GROOVE),
+    "knife": (add_cuts, BLANK),
+    "wheel": (add_creases, CREASES),
+    "v-cutter": (add_groove, GROOVE),
 }
 
 
@@ -125,8 +126,8 @@ Edges = tuple[
 ]
 
 
-def together(*parts: Edges) -> Edges:
-    """Return the edges of several parts in one list."""
+def concatenate_edges(*parts: Edges) -> Edges:
+    """Return the edges of several parts as one list of ends, bulges and line types."""
     return (
         [row for part in parts for row in part[0]],
         [row for part in parts for row in part[1]],

@@ -1,7 +1,7 @@
-"""A whole LinuxCNC without a table: real planner, joints in the loop, spoken to over TCP.
+"""Run a complete LinuxCNC without hardware: real planner, simulated joints, commands over TCP.
 
-It needs no real-time kernel, but it refuses root, so root starts it as ``nobody``.  One runs at a
-time: LinuxCNC's lock file has a fixed place.
+It needs no real-time kernel.  It refuses to run as root, so root starts it as user ``nobody``.
+Only one can run at a time, because LinuxCNC's lock file has a fixed path.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ PARTS = Path(os.environ.get("KNIFETIP_LINUXCNC", ROOT.parent / "shared" / "linux
 LOCK = Path(tempfile.gettempdir()) / "linuxcnc.lock"
 
 
-def absent() -> str:
-    """Why the machine cannot be started here; empty where it can."""
+def missing_requirement() -> str:
+    """Return why LinuxCNC cannot be started here, "" if it can."""
     if not PARTS.is_dir():
         return f"the headless machine's files are not at {PARTS} (set KNIFETIP_LINUXCNC)"
-    wanted = ["linuxcnc", "gcc", *(["runuser"] if os.geteuid() == 0 else [])]
-    missing = [name for name in wanted if shutil.which(name) is None]
+    required = ["linuxcnc", "gcc", *(["runuser"] if os.geteuid() == 0 else [])]
+    missing = [name for name in required if shutil.which(name) is None]
     if missing:
         return f"{' and '.join(missing)} not installed (apt-get install linuxcnc-uspace gcc)"
     if LOCK.exists():
@@ -38,10 +38,10 @@ def absent() -> str:
 
 
 class Machine:
-    """A conversation with a running machine."""
+    """A connection to a running LinuxCNC, which switches it on and homes it."""
 
-    def __init__(self, port: int, room: Path) -> None:
-        self.room = room
+    def __init__(self, port: int, directory: Path) -> None:
+        self.directory = directory
         self.socket = socket.create_connection(("127.0.0.1", port), 5.0)
         self.lines = self.socket.makefile("r", newline="\n")
         self.send("hello EMC x 1.0")
@@ -53,7 +53,7 @@ class Machine:
         for joint in range(4):
             if self.get("joint_homed").split()[joint] != "YES":
                 self.send(f"set home {joint}")
-        self.until(lambda: self.get("joint_homed").split()[:4] == ["YES"] * 4, 20.0)
+        self.wait_until(lambda: self.get("joint_homed").split()[:4] == ["YES"] * 4, 20.0)
 
     def send(self, command: str) -> None:
         self.socket.sendall(f"{command}\r\n".encode())
@@ -64,71 +64,77 @@ class Machine:
         assert not line.strip().endswith("NAK"), line
         return line.strip()
 
-    def get(self, what: str) -> str:
-        """The answer to a question, without its name."""
-        self.send(f"get {what}")
-        while not (line := self.read()).startswith(what.upper()):
+    def get(self, variable: str) -> str:
+        """Return the value of a variable of linuxcncrsh."""
+        self.send(f"get {variable}")
+        while not (line := self.read()).startswith(variable.upper()):
             pass
-        return line.removeprefix(what.upper()).strip()
+        return line.removeprefix(variable.upper()).strip()
 
-    def until(self, reached: Callable[[], bool], seconds: float) -> None:
+    def wait_until(self, condition: Callable[[], bool], seconds: float) -> None:
         end = time.monotonic() + seconds
-        while not reached():
+        while not condition():
             assert time.monotonic() < end, "LinuxCNC did not get there in time"
             time.sleep(0.05)
 
     def position(self) -> np.ndarray:
-        """X Y Z C of the joints."""
+        """Return X, Y, Z and C of the joints, (4,)."""
         return np.array(self.get("joint_pos").split()[:4], float)
 
     def run(self, program: bytes, seconds: float = 60.0) -> np.ndarray:
-        """Run a program to its end; return the joints' positions on the way, the last one last."""
-        path = self.room / "program.ngc"
+        """Run a program to its end; return the sampled positions of the joints, (n, 4)."""
+        path = self.directory / "program.ngc"
         path.write_bytes(program)
         path.chmod(0o644)
         for command in ("set mode auto", f"set open {path}", "set run"):
             self.send(command)
-        start, moved, seen = time.monotonic(), False, [self.position()]
-        # Just after the start the status may still be idle.
+        start, started, positions = time.monotonic(), False, [self.position()]
+        # Immediately after the start the status may still be idle.
         while time.monotonic() < start + seconds:
             running = "IDLE" not in self.get("program_status")
-            seen.append(self.position())
+            positions.append(self.position())
             assert (error := self.get("error")) == "OK", error
-            moved = moved or running
-            if not running and (moved or time.monotonic() > start + 3.0):
-                return np.array(seen)
+            started = started or running
+            if not running and (started or time.monotonic() > start + 3.0):
+                return np.array(positions)
             time.sleep(0.005)
         raise AssertionError(f"the program did not end within {seconds} s")
 
 
 @contextmanager
 def running(tool_table: str) -> Iterator[Machine]:
-    """A homed machine with this tool table, stopped at the end."""
+    """Start a homed LinuxCNC with a tool table; stop it at the end."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     with tempfile.TemporaryDirectory(prefix="linuxcnc-") as folder:
-        room = Path(folder)
+        directory = Path(folder)
         for part in ("carton.hal", "carton.ini", "loopback_bind.c"):
-            shutil.copyfile(PARTS / part, room / part)
-        ini = (room / "carton.ini").read_text()
+            shutil.copyfile(PARTS / part, directory / part)
+        ini = (directory / "carton.ini").read_text()
         assert "--port 5007" in ini
         ini = ini.replace("--port 5007", f"--port {port}").replace("/path/to/programs", folder)
-        (room / "carton.ini").write_text(ini)
-        (room / "tool.tbl").write_text(tool_table)
-        (room / "sim.var").write_text("")
-        shim = room / "loopback_bind.so"
-        compiler = ["gcc", "-shared", "-fPIC", "-o", str(shim), str(room / "loopback_bind.c")]
+        (directory / "carton.ini").write_text(ini)
+        (directory / "tool.tbl").write_text(tool_table)
+        (directory / "sim.var").write_text("")
+        shim = directory / "loopback_bind.so"
+        compiler = ["gcc", "-shared", "-fPIC", "-o", str(shim), str(directory / "loopback_bind.c")]
         subprocess.run([*compiler, "-ldl"], check=True, timeout=60)
-        command = ["env", f"HOME={folder}", f"LD_PRELOAD={shim}", "linuxcnc", f"{room}/carton.ini"]
+        command = [
+            "env",
+            f"HOME={folder}",
+            f"LD_PRELOAD={shim}",
+            "linuxcnc",
+            f"{directory}/carton.ini",
+        ]
         if os.geteuid() == 0:
-            for path in (room, *room.iterdir()):
+            for path in (directory, *directory.iterdir()):
                 shutil.chown(path, "nobody")
             command = ["runuser", "-u", "nobody", "--", *command]
-        with (room / "log.txt").open("wb") as log:
+        with (directory / "log.txt").open("wb") as log:
             process = subprocess.Popen(
                 command,
-                cwd=room,
+                cwd=directory,
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=log,
@@ -136,24 +142,26 @@ def running(tool_table: str) -> Iterator[Machine]:
             )
         machine = None
         try:
-            machine = _connected(process, port, room)
+            machine = _connect(process, port, directory)
             yield machine
         finally:
             _stop(process, machine, port)
 
 
-def _connected(process: subprocess.Popen[bytes], port: int, room: Path) -> Machine:
+def _connect(process: subprocess.Popen[bytes], port: int, directory: Path) -> Machine:
     for _ in range(200):
-        assert process.poll() is None, (room / "log.txt").read_text()
+        assert process.poll() is None, (directory / "log.txt").read_text()
         try:
-            return Machine(port, room)
+            return Machine(port, directory)
         except ConnectionRefusedError:
             time.sleep(0.1)
-    raise AssertionError(f"LinuxCNC does not listen: {(room / 'log.txt').read_text()}")
+    raise AssertionError(f"LinuxCNC does not listen: {(directory / 'log.txt').read_text()}")
 
 
 def _stop(process: subprocess.Popen[bytes], machine: Machine | None, port: int) -> None:
-    """Ask it to shut down, which it does itself; TERM on its script would do nothing."""
+    """Shut LinuxCNC down by its own command, because its script ignores SIGTERM; kill it if it
+    hangs.
+    """
     try:
         if machine is None:
             with socket.create_connection(("127.0.0.1", port), 2.0) as last:

@@ -1,10 +1,10 @@
-"""A second verifier: LinuxCNC's own interpreter reads the program, and this moves the tip by it.
+"""A second verifier, which reads programs with LinuxCNC's own interpreter rs274.
 
     program bytes  ->  rs274  ->  canonical moves  ->  path of each tool's tip  ->  Report
 
-It shares nothing with the product: the moves are what LinuxCNC understood, the tools are literals
-that the test states, and distances are taken to the dieline's own lines and arcs.  rs274 prints
-positions with 4 decimals and without the tool's offset, which it reads as inches.
+It shares no code with the product: moves are those that LinuxCNC interprets, tools are literals in
+the tests, and distances are measured to the lines and arcs of the dieline.  rs274 prints positions
+with 4 decimals and without the tool offset, which it reads as inches.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ JOINTS = 4
 """
 
 TRAVERSE, LINE, ARC = 0, 1, 2
-#: Chords of sampled arcs stay this near to them (mm).
+#: Largest distance of sampled arcs from their chords (mm).
 BOW = 0.0002
-#: Numbers are printed with 4 decimals.
+#: rs274 prints numbers with 4 decimals.
 UNIT = 1e-4
 
 _KNIFE_THROUGH = (LineType.CUT, LineType.PERFORATION, LineType.COMBI)
@@ -57,35 +57,35 @@ _WORK = {
 
 @dataclass(frozen=True)
 class TipTool:
-    """A tool as the test knows it (mm and degrees)."""
+    """The dimensions of a tool, stated by the test (mm and degrees)."""
 
     kind: str  #: "knife", "wheel" or "v-cutter"
-    caliper: float  #: of the board: the tool is in it below this height
+    caliper: float  #: caliper of the board; a tip below this height is in the board
     datum: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-    output: int = -1  #: of its piston
+    output: int = -1  #: number of the output of its piston, -1 for none
     oscillating: bool = False
     back: float = 0.0
     half_width: float = 0.0
     tilt: float = 0.0
     trail: float = 0.0
-    overrun: float = 0.0  #: how far past the end of an edge the tip may go
-    reach: float = 0.0  #: how far from the tip's path, along the edge, the edge counts as worked
+    overrun: float = 0.0  #: permitted distance of the tip past the end of an edge
+    reach: float = 0.0  #: distance along an edge within which a tip makes the edge
 
 
 @dataclass(frozen=True)
 class Moves:
-    """n moves as LinuxCNC understood them."""
+    """Columns of n moves, as LinuxCNC interprets them."""
 
     kind: NDArray[np.int64]  #: (n,) TRAVERSE, LINE or ARC
     start: F64  #: (n, 4) X Y Z C
     end: F64  #: (n, 4)
-    centre: F64  #: (n, 2), NaN where it is no arc
+    centre: F64  #: (n, 2), NaN for moves that are no arcs
     turns: NDArray[np.int64]  #: (n,) > 0 counter-clockwise
-    station: NDArray[np.int64]  #: (n,) the tool in the spindle
-    offset: F64  #: (n, 3) tool offset in force, X Y Z
-    outputs: NDArray[np.int64]  #: (n,) one bit to each digital output
+    station: NDArray[np.int64]  #: (n,) number of the selected tool
+    offset: F64  #: (n, 3) active tool offset, X Y Z
+    outputs: NDArray[np.int64]  #: (n,) one bit per digital output
     oscillates: NDArray[np.bool_]  #: (n,)
-    feed: F64  #: (n,) as rs274 prints it, mm or degrees per minute
+    feed: F64  #: (n,) mm or degrees per minute, as printed by rs274
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -93,7 +93,7 @@ class Moves:
 
 @dataclass(frozen=True)
 class Reading:
-    """What rs274 said of a program."""
+    """The result of interpreting a program with rs274."""
 
     accepted: bool
     stderr: str
@@ -102,43 +102,43 @@ class Reading:
 
 @dataclass
 class Report:
-    """The second verifier's report (mm and degrees)."""
+    """The measurements of the second verifier (mm and degrees)."""
 
     accepted: bool
     stderr: str
-    worst_deviation: float = np.inf  #: of the tip from the edges, past their ends excepted
-    worst_gap: float = np.inf  #: of an edge from the tip's path, beyond the tool's reach
-    worst_overrun: float = np.inf  #: past the end of an edge
-    worst_heading: float = np.inf  #: of C from the tip's travel, beyond what rounding explains
+    worst_deviation: float = np.inf  #: distance of the tip from the edges, except past their ends
+    worst_gap: float = np.inf  #: distance of an edge from the tip's path, less the tool's reach
+    worst_overrun: float = np.inf  #: distance of the tip past the end of an edge
+    worst_heading: float = np.inf  #: angle between C and the tip's direction, less rounding
     worked: float = 0.0  #: length of the tip's path at working depth
     problems: list[str] = field(default_factory=list)
 
 
 def read_program(program: bytes, tools: Mapping[int, TipTool] | None = None) -> Reading:
-    """Return what LinuxCNC understands of a program, with the tools' datums in its tool table."""
+    """Return the result of rs274 for a program, with the datums of ``tools`` in its tool table."""
     assert RS274 is not None, ABSENT
     table = "".join(
         f"T{number} P{number} X{tool.datum[0]} Y{tool.datum[1]} Z{tool.datum[2]} C{tool.datum[3]}\n"
         for number, tool in (tools or {}).items()
     )
     with tempfile.TemporaryDirectory() as folder:
-        room = Path(folder)
-        (room / "program.ngc").write_bytes(program)
-        (room / "rs274.ini").write_text(INI)
-        (room / "tool.tbl").write_text(table)
-        (room / "fresh.var").write_text("")
-        done = subprocess.run(
+        directory = Path(folder)
+        (directory / "program.ngc").write_bytes(program)
+        (directory / "rs274.ini").write_text(INI)
+        (directory / "tool.tbl").write_text(table)
+        (directory / "fresh.var").write_text("")
+        completed = subprocess.run(
             [RS274, "-g", "-v", "fresh.var", "-t", "tool.tbl", "-i", "rs274.ini", "program.ngc"],
-            cwd=room,
-            # Its tools are in a file in HOME: two interpreters would write the same one.
+            cwd=directory,
+            # rs274 writes a file in HOME, which must not be shared by two processes.
             env=os.environ | {"HOME": folder},
             capture_output=True,
             text=True,
             timeout=120,
             check=False,
         )
-    ended = "PROGRAM_END" in done.stdout
-    return Reading(done.returncode == 0 and ended, done.stderr, _moves(done.stdout))
+    ended = "PROGRAM_END" in completed.stdout
+    return Reading(completed.returncode == 0 and ended, completed.stderr, _moves(completed.stdout))
 
 
 def _moves(canon: str) -> Moves:
@@ -164,7 +164,7 @@ def _moves(canon: str) -> Moves:
         elif word == "SELECT_TOOL":
             selected = int(inside)
         elif word == "CHANGE_TOOL":
-            # What stands here is the place in the table, not the number.
+            # The argument is the index in the tool table, not the tool number.
             station = selected
         elif word == "USE_TOOL_LENGTH_OFFSET":
             offset = np.array(inside.split(",")[0].split(), float) / 25.4
@@ -194,14 +194,14 @@ def _moves(canon: str) -> Moves:
 
 @dataclass(frozen=True)
 class TipPath:
-    """m short pieces of one station's tip in the board, each from ``start`` to ``end``."""
+    """The path of one station's tip in the board as m short pieces from ``start`` to ``end``."""
 
-    start: F64  #: (m, 3) x y z of the tip; a V-cutter's is carried along its blade to its depth
+    start: F64  #: (m, 3) x y z of the tip; for a V-cutter projected along its blade to the depth
     end: F64  #: (m, 3)
     heading: F64  #: (m,) C in the middle of the piece
     move: NDArray[np.int64]  #: (m,) row in Moves
-    bottom: NDArray[np.bool_]  #: (m,) at the depth of its engagement, where the edge is worked
-    depth: F64  #: (m,) z of its engagement
+    bottom: NDArray[np.bool_]  #: (m,) whether the piece is at the depth of its engagement
+    depth: F64  #: (m,) lowest z of its engagement
 
 
 def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
@@ -209,7 +209,7 @@ def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
     mine = (moves.station == station) & (moves.kind != TRAVERSE)
     low = np.minimum(moves.start[:, 2], moves.end[:, 2])
     inside = mine & (low < tool.caliper - UNIT / 2)
-    # An engagement lasts from one move that is not in the board to the next.
+    # Moves between two moves outside the board are one engagement.
     engagement = np.cumsum(~inside)
     floor = np.full(engagement.max(initial=0) + 1, np.inf)
     np.minimum.at(floor, engagement[inside], low[inside])
@@ -240,10 +240,10 @@ def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
     which = np.repeat(np.arange(len(rows)), pieces)
     ordinal = np.arange(len(which)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
 
-    def head(share: F64) -> F64:
-        pose = start[which] + (end - start)[which] * share[:, None]
-        angle = sweep[which] * share
-        grown = 1 + (np.hypot(*last[which].T) / np.hypot(*first[which].T) - 1) * share
+    def head(fraction: F64) -> F64:
+        pose = start[which] + (end - start)[which] * fraction[:, None]
+        angle = sweep[which] * fraction
+        scale = 1 + (np.hypot(*last[which].T) / np.hypot(*first[which].T) - 1) * fraction
         turned = np.stack(
             [
                 first[which, 0] * np.cos(angle) - first[which, 1] * np.sin(angle),
@@ -252,7 +252,7 @@ def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
             axis=1,
         )
         pose[:, :2] = np.where(
-            curved[which, None], centre[which] + turned * grown[:, None], pose[:, :2]
+            curved[which, None], centre[which] + turned * scale[:, None], pose[:, :2]
         )
         return pose
 
@@ -260,12 +260,12 @@ def tip_path(moves: Moves, station: int, tool: TipTool) -> TipPath:
         c = np.radians(pose[:, 3])
         ahead = np.stack([np.cos(c), np.sin(c)], axis=1)
         right = np.stack([np.sin(c), -np.cos(c)], axis=1)
-        place = pose[:, :3].copy()
-        place[:, :2] -= tool.trail * ahead + tool.half_width * ahead + tool.back * right
-        # The blade leans to the right of travel: follow it down to where it works.
-        above = place[:, 2] - depth[which]
-        place[:, :2] -= (above * np.tan(np.radians(tool.tilt)))[:, None] * right
-        return place
+        position = pose[:, :3].copy()
+        position[:, :2] -= tool.trail * ahead + tool.half_width * ahead + tool.back * right
+        # The blade leans to the right of travel: project the tip along it to the depth.
+        above = position[:, 2] - depth[which]
+        position[:, :2] -= (above * np.tan(np.radians(tool.tilt)))[:, None] * right
+        return position
 
     poses = head(ordinal / pieces[which]), head((ordinal + 1) / pieces[which])
     bottom = (np.abs(start[:, 2] - depth) < UNIT) & (np.abs(end[:, 2] - depth) < UNIT)
@@ -287,17 +287,18 @@ def verify_by_interpreter(
     placement: tuple[float, float],
     tools: Mapping[int, TipTool],
 ) -> Report:
-    """Return how far the tips of a program are from a dieline, as LinuxCNC understands it.
+    """Measure how far the tips of a program are from a dieline, with LinuxCNC's interpretation.
 
     Parameters
     ----------
     ends : (n, 2, 2), mm
-        Of the dieline's edges, in drawing coordinates.
+        Start and end points of the dieline's edges in drawing coordinates.
     bulge : (n,)
     line_types : (n,) LineType
     placement : mm
-        What was added to the drawing's coordinates.
-    tools : station -> TipTool
+        Sheet coordinates minus drawing coordinates.
+    tools
+        The tool of each station, by its number.
     """
     edges = np.asarray(ends, float).reshape(-1, 2, 2) + np.asarray(placement)
     bulges = np.asarray(bulge, float)
@@ -309,7 +310,7 @@ def verify_by_interpreter(
     report.worst_deviation = report.worst_gap = 0.0
     report.worst_overrun = report.worst_heading = 0.0
     moves = reading.moves
-    report.problems += _conduct(moves, tools)
+    report.problems += _motion_errors(moves, tools)
     worked: dict[LineType, list[F64]] = {kind: [] for kind in LineType}
     reach = dict.fromkeys(LineType, 0.0)
     for number, tool in tools.items():
@@ -323,14 +324,14 @@ def verify_by_interpreter(
                 kinds = _KNIFE_THROUGH
             near = np.isin(types, kinds)
             points = np.concatenate([path.start[here, :2], path.end[here, :2]])
-            off, over = _off(points, edges[near], bulges[near], tool.overrun)
+            off, over = _greatest_distances(points, edges[near], bulges[near], tool.overrun)
             report.worst_deviation = max(report.worst_deviation, off)
             report.worst_overrun = max(report.worst_overrun, over)
-            # What lies above the bottom of the board is no cut through it.
-            done = [kind for kind in kinds if through or kind not in _KNIFE_THROUGH[:2]]
+            # Moves above the bottom of the board do not cut through it.
+            completed = [kind for kind in kinds if through or kind not in _KNIFE_THROUGH[:2]]
             bottom = here & path.bottom
             pieces = np.stack([path.start[bottom, :2], path.end[bottom, :2]], axis=1)
-            for kind in done:
+            for kind in completed:
                 worked[kind].append(pieces)
                 reach[kind] = tool.reach
             report.worked += float(np.hypot(*(pieces[:, 1] - pieces[:, 0]).T).sum())
@@ -341,58 +342,62 @@ def verify_by_interpreter(
             continue
         pieces = np.concatenate(found) if found else np.zeros((0, 2, 2))
         report.worst_gap = max(
-            report.worst_gap, _gap(edges[mine], bulges[mine], pieces, reach[kind])
+            report.worst_gap, _greatest_gap(edges[mine], bulges[mine], pieces, reach[kind])
         )
     return report
 
 
-def _conduct(moves: Moves, tools: Mapping[int, TipTool]) -> list[str]:
-    """What the machine does wrong whatever the drawing: rapids in the board, pistons, offsets."""
-    wrong = []
+def _motion_errors(moves: Moves, tools: Mapping[int, TipTool]) -> list[str]:
+    """Return errors that do not depend on the drawing: rapids in the board, outputs, tool
+    offsets.
+    """
+    errors = []
     for number in np.unique(moves.station):
         mine = moves.station == number
         low = np.minimum(moves.start[:, 2], moves.end[:, 2])
         if number not in tools:
             if number != 0 or (moves.kind[mine] != TRAVERSE).any():
-                wrong.append(f"station {number} works, and is none of {list(tools)}")
+                errors.append(f"station {number} works, and is none of {list(tools)}")
             continue
         tool = tools[int(number)]
         inside = mine & (low < tool.caliper - UNIT / 2)
         if (inside & (moves.kind == TRAVERSE)).any():
-            wrong.append(f"station {number} makes a rapid in the board")
+            errors.append(f"station {number} makes a rapid in the board")
         if (np.abs(moves.offset - tool.datum[:3]) > 1e-4)[inside].any():
-            wrong.append(f"station {number} works without its datum")
+            errors.append(f"station {number} works without its datum")
         piston = 0 if tool.output < 0 else 1 << tool.output
         if (moves.outputs[inside] != piston).any():
-            wrong.append(f"station {number} works with other pistons than its own down")
+            errors.append(f"station {number} works with other pistons than its own down")
         if (moves.oscillates[inside] != tool.oscillating).any():
-            wrong.append(f"station {number} works with the oscillation wrong")
-    return wrong
+            errors.append(f"station {number} works with the oscillation wrong")
+    return errors
 
 
 def _polylines(edges: F64, bulge: F64) -> tuple[F64, NDArray[np.int64]]:
-    """Points along the edges, at most 0.5 mm apart, on the true curve, and each point's edge."""
+    """Return points on the edges, at most 0.5 mm apart, (m, 2), and the edge of each point,
+    (m,).
+    """
     sweep = 4 * np.arctan(bulge)
     chord = edges[:, 1] - edges[:, 0]
     length = np.hypot(*chord.T) / np.sinc(sweep / (2 * np.pi))
     count = np.ceil(length / 0.5).astype(int).clip(2) + 1
     which = np.repeat(np.arange(len(edges)), count)
-    share = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)) / (
+    fraction = (np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)) / (
         count[which] - 1
     )
-    # Chord from the start to a point of an arc: it turns and grows with half the angle.
+    # Chord from the start of an arc to a point on it, by half of the angle between them.
     half = sweep[which] / 2
-    grown = share * np.sinc(share * half / np.pi) / np.sinc(half / np.pi)
-    angle = (share - 1) * half
+    scale = fraction * np.sinc(fraction * half / np.pi) / np.sinc(half / np.pi)
+    angle = (fraction - 1) * half
     x, y = chord[which].T
     across = np.stack(
         [x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle)], axis=1
     )
-    return edges[which, 0] + across * grown[:, None], which
+    return edges[which, 0] + across * scale[:, None], which
 
 
-def _gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
-    """How far the farthest point of the edges is from the worked pieces, beyond the reach."""
+def _greatest_gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
+    """Return the greatest distance of the edges from the worked pieces, less ``reach`` (mm)."""
     if len(pieces) == 0:
         return np.inf
     points, _ = _polylines(edges, bulge)
@@ -403,8 +408,8 @@ def _gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
     return max(0.0, float(distance.max()) - reach)
 
 
-def _off(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, float]:
-    """How far the farthest point is off the edges, and how far one is past an edge's end."""
+def _greatest_distances(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, float]:
+    """Return the greatest distance of the points beside the edges and past their ends (mm)."""
     if len(edges) == 0:
         return np.inf, np.inf
     places, which = _polylines(edges, bulge)
@@ -414,14 +419,14 @@ def _off(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, fl
     dots = shapely.points(points)
     point, piece = tree.query(dots, predicate="dwithin", distance=overrun + 0.05)
     edge = which[:-1][joined][piece]
-    aside, past = beside_and_past(points[point], edges[edge], bulge[edge])
+    aside, past = distances_beside_and_past(points[point], edges[edge], bulge[edge])
     allowed = past <= overrun + UNIT
     off = np.full(len(points), np.inf)
     np.minimum.at(off, point[allowed], aside[allowed])
-    lost = np.flatnonzero(~np.isfinite(off))
-    if len(lost):
-        _, distance = tree.query_nearest(dots[lost], return_distance=True, all_matches=False)
-        off[lost] = distance
+    unmatched = np.flatnonzero(~np.isfinite(off))
+    if len(unmatched):
+        _, distance = tree.query_nearest(dots[unmatched], return_distance=True, all_matches=False)
+        off[unmatched] = distance
     over = np.full(len(points), np.inf)
     best = allowed & (aside <= off[point] + UNIT)
     np.minimum.at(over, point[best], past[best])
@@ -429,8 +434,10 @@ def _off(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, fl
     return float(off.max()), float(over.max())
 
 
-def beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
-    """How far points are beside lines and arcs, and how far past their ends, row by row."""
+def distances_beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
+    """Return the distance of each point beside its line or arc, (n,), and past its ends, (n,)
+    mm.
+    """
     start, end = edges[:, 0], edges[:, 1]
     chord = end - start
     sweep = 4 * np.arctan(bulge)
@@ -464,7 +471,7 @@ def beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
         rows = np.flatnonzero(curved)[on]
         past[rows] = 0.0
         beside[rows] = np.abs(np.hypot(*arm.T) - radius)[on]
-        # Beside the arc but not past an end of it: the ends' tangents say nothing.
+        # Beside the arc but not past an end: the distance to the nearer end.
         rest = np.flatnonzero(curved)[~on]
         inward = rest[past[rest] <= 0]
         nearest = np.minimum(
@@ -475,7 +482,10 @@ def beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
 
 
 def _heading(path: TipPath, tool: TipTool, moves: Moves) -> float:
-    """The farthest that C is from the tip's travel at depth, beyond what 4 decimals explain."""
+    """Return the greatest angle between C and the tip's direction at depth (degrees).
+
+    Angles that can be caused by rounding to 4 decimals are subtracted.
+    """
     travel = (path.end - path.start)[:, :2]
     whole = moves.end[path.move] - moves.start[path.move]
     size = np.hypot(*whole[:, :2].T)

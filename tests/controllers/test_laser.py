@@ -1,4 +1,6 @@
-"""A laser program read by LinuxCNC: on for the cuts half a kerf beside the part, else off."""
+"""Laser programs interpreted by LinuxCNC: the beam is on only for cuts, half a kerf off the
+part.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,7 @@ def test_linuxcnc_switches_the_beam_on_for_cuts_only() -> None:
     assert burns.sum() > 10
     np.testing.assert_allclose(moves.end[burns, 2], BOARD.caliper)
     np.testing.assert_allclose(moves.feed[burns], 9000.0)
-    # Air assist and shutter.
+    # Outputs of air assist and shutter.
     assert ((moves.outputs[burns] & 0b110000) == 0b110000).all()
     hole = shapely.Polygon(HOLE).exterior
     ends = shapely.points(moves.end[burns, :2])

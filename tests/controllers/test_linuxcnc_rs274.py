@@ -1,6 +1,6 @@
-"""Programs as LinuxCNC understands them: accepted, and the tip on the line.
+"""Programs interpreted by LinuxCNC are accepted, and the tip follows the lines.
 
-The head's paths are those of ``hand_written``.
+The toolpaths are those of ``hand_written``.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from tests.controllers.hand_written import (
     TOOLS,
     V_CUTTER,
     Edges,
-    Hand,
-    groove,
-    knife,
-    together,
-    wheel,
+    ToolpathBuilder,
+    add_creases,
+    add_cuts,
+    add_groove,
+    concatenate_edges,
 )
 from tests.controllers.linuxcnc_rs274 import (
     ABSENT,
@@ -59,7 +59,7 @@ def verdict(
 @pytest.mark.parametrize("job", JOBS)
 def test_the_tip_of_each_tool_is_on_the_line(job: str) -> None:
     write, dieline = JOBS[job]
-    report = verdict(write(Hand()).program(), dieline)
+    report = verdict(write(ToolpathBuilder()).program(), dieline)
     assert report.accepted, report.stderr
     assert report.problems == []
     assert report.worst_deviation <= 2e-4
@@ -71,8 +71,8 @@ def test_the_tip_of_each_tool_is_on_the_line(job: str) -> None:
 
 
 def test_three_stations_in_one_program_work_with_their_own_datum_and_piston() -> None:
-    program = knife(groove(wheel(Hand()))).program()
-    report = verdict(program, together(BLANK, CREASES, GROOVE))
+    program = add_cuts(add_groove(add_creases(ToolpathBuilder()))).program()
+    report = verdict(program, concatenate_edges(BLANK, CREASES, GROOVE))
     assert report.problems == []
     assert max(report.worst_deviation, report.worst_gap) <= 2e-4
     assert report.worst_heading <= 1e-3
@@ -101,7 +101,7 @@ def test_three_stations_in_one_program_work_with_their_own_datum_and_piston() ->
 def test_the_second_verifier_finds_what_is_wrong(
     old: bytes, new: bytes, measure: str, least: float | None
 ) -> None:
-    program = knife(Hand()).program()
+    program = add_cuts(ToolpathBuilder()).program()
     shifted = {1: replace(KNIFE, datum=(7.0, 0.0, 0.0, 0.0))} if b"T1" in old else TOOLS
     assert not verdict(program, BLANK, shifted).problems
     assert old in program
@@ -116,8 +116,8 @@ def test_the_second_verifier_finds_what_is_wrong(
 
 
 def test_the_second_verifier_finds_an_edge_that_no_tool_works_and_a_line_that_nobody_drew() -> None:
-    program = knife(Hand()).program()
-    more = together(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
+    program = add_cuts(ToolpathBuilder()).program()
+    more = concatenate_edges(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
     assert verdict(program, more).worst_gap == pytest.approx(np.hypot(100, 50), abs=0.01)
     ends, bulge, kinds = BLANK
     assert verdict(program, (ends[1:], bulge[1:], kinds[1:])).worst_deviation > 40.0
@@ -127,7 +127,7 @@ def test_the_second_verifier_finds_an_edge_that_no_tool_works_and_a_line_that_no
 def test_the_second_verifier_finds_a_v_cutter_on_the_wrong_side_and_one_that_tears_on_entry() -> (
     None
 ):
-    program = groove(Hand()).program()
+    program = add_groove(ToolpathBuilder()).program()
     mirrored = {3: replace(V_CUTTER, back=-6.0)}
     assert verdict(program, GROOVE, mirrored).worst_deviation > 11.9
     upright = program.replace(b"G0 X209.2000", b"G0 X206.0000")
@@ -135,9 +135,9 @@ def test_the_second_verifier_finds_a_v_cutter_on_the_wrong_side_and_one_that_tea
 
 
 def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
-    """Two thousand moves of every size: none is refused, none is moved."""
+    """Two thousand moves of every size are accepted with coordinates within the last decimal."""
     rng = np.random.default_rng(12)
-    hand = Hand().to(1, Motion.RAPID, 500, 500, 20, 0)
+    builder = ToolpathBuilder().to(1, Motion.RAPID, 500, 500, 20, 0)
     x, y, c = 500.0, 500.0, 0.0
     for _ in range(2000):
         step = 10.0 ** rng.uniform(-5, 2.5)
@@ -146,14 +146,14 @@ def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
         c = np.clip(c + rng.normal() * 30, -1000, 1000)
         bulge = rng.choice([0.0, rng.uniform(-1, 1), 10 ** rng.uniform(-7, 0), -1.0, 1.0])
         speed = 10.0 ** rng.uniform(2, 4.8)
-        hand.to(1, Motion.FEED, x, y, rng.choice([-0.3, 1.2]), c, bulge, speed)
-    path = hand.toolpath()
+        builder.to(1, Motion.FEED, x, y, rng.choice([-0.3, 1.2]), c, bulge, speed)
+    path = builder.toolpath()
     program = process(path, TABLE, "linuxcnc")
     reading = read_program(program.text, TOOLS)
     assert reading.accepted, reading.stderr
     sent = program.source[[b"G64" not in line and line[:1] == b"G" for line in program.lines()]]
     rows = sent[sent >= 0]
-    # rs274's moves: the first climb, ours, the last climb.
+    # The moves of rs274: the first lift, those of the toolpath, the last lift.
     ends = reading.moves.end[1:-1]
     assert len(ends) == len(rows) > 1900
     whole = np.append(rows[1:] != rows[:-1], True)
@@ -166,19 +166,19 @@ def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
 
 
 def test_feeds_are_what_the_toolpath_asks_for() -> None:
-    hand = knife(Hand())
-    moves = read_program(hand.program(), TOOLS).moves
+    builder = add_cuts(ToolpathBuilder())
+    moves = read_program(builder.program(), TOOLS).moves
     working = moves.kind != 0
-    # rs274 turns inverse time back: 90 degrees at 72,000 a minute.
+    # rs274 converts inverse time back to a feed: 90 degrees at 72,000 per minute.
     swivel = working & (moves.start[:, :3] == moves.end[:, :3]).all(axis=1)
     np.testing.assert_allclose(moves.feed[swivel], [72000.0])
     np.testing.assert_allclose(moves.feed[working & ~swivel], 12000.0)
 
 
 def test_what_linuxcnc_obeys_in_a_comment_never_reaches_it() -> None:
-    hand = Hand().to(1, Motion.RAPID, 1, 1)
+    builder = ToolpathBuilder().to(1, Motion.RAPID, 1, 1)
     text = process(
-        hand.toolpath(), TABLE, "linuxcnc", notes=["(PY,raise SystemExit(7))", "LOGOPEN,x.txt"]
+        builder.toolpath(), TABLE, "linuxcnc", notes=["(PY,raise SystemExit(7))", "LOGOPEN,x.txt"]
     ).text
     assert read_program(text, TOOLS).accepted
     spoken = read_program(

@@ -1,4 +1,4 @@
-"""Every named drawing, from its bytes to LinuxCNC's interpreter, and back to the drawing."""
+"""Every named drawing, from its file through LinuxCNC's interpreter, compared with the drawing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ pytestmark = [
     pytest.mark.controller,
     pytest.mark.skipif(RS274 is None, reason=ABSENT),
 ]
-# The dimensions of the shipped machine, stated again: blade 10°, wheel 15 mm, blade of the
+# Dimensions of the shipped machine as literals: blade 10°, wheel 15 mm, blade of the
 # V-cutter 6 mm back, 1.5 mm half width, 45°.
 TAN_10 = 0.17632698
 
@@ -32,7 +32,7 @@ def tools(caliper: float, deepest_crease: float, groove: float) -> dict[int, Tip
         3: TipTool(
             "v-cutter", caliper, datum=(-60.0, 0.0, 0.0, 0.0), output=2,
             back=6.0, half_width=1.5, tilt=45.0,
-            # Over an edge at 45° it runs out by half its width: at 45° of tilt that is its depth.
+            # At an edge at 45° it runs out by half its width, which at 45° of tilt is its depth.
             overrun=groove,
         ),
     }  # fmt: skip
@@ -43,7 +43,7 @@ def verify_named(named: Named, corpus: Path | None) -> tuple[Report, float]:
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
-    # A crease that is drawn under a cut is not worked; ``checks.cleaning_check`` answers for that.
+    # A crease under a cut is not made; ``checks.cleaning_check`` verifies that.
     worked = pipeline.clean(dieline).dieline
     report = verify_by_interpreter(
         made.program.text,
@@ -62,8 +62,8 @@ def on_the_line(report: Report, over: float) -> None:
     assert report.problems == []
     assert report.worst_deviation <= 0.01
     assert report.worst_gap <= 0.01
-    # Where a cut meets another it may run over by what the slanted blade leaves at the bottom; a
-    # groove runs out over the board's edge.
+    # Where a cut meets another, it may overrun by the length that the blade leaves at the bottom; a
+    # groove may run out over the board's edge.
     assert report.worst_overrun <= over + 0.01
     assert report.worked > 500.0
 
@@ -82,7 +82,7 @@ def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(
 
 
 def test_a_wrong_offset_of_the_v_cutter_would_be_seen() -> None:
-    # Tests the second verifier itself: with d 0.05 mm too long it must report an offset.
+    # A test of the second verifier: if d is 0.05 mm too long, it must report a deviation.
     drawing, dieline, board = SAMPLES[2].classified(None)
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     wrong = tools(board.caliper, 0.9, board.groove_depth)

@@ -1,4 +1,4 @@
-"""A router program read by LinuxCNC: the disc touches the part and never enters it."""
+"""Router programs interpreted by LinuxCNC: the disc touches the part and never enters it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ pytestmark = [pytest.mark.controller, pytest.mark.skipif(RS274 is None, reason=A
 
 BLANK = [(100, 100), (300, 100), (300, 200), (200, 200), (200, 250), (100, 250)]
 HOLE = [(120, 120), (170, 120), (170, 160), (120, 160)]
-#: The blank with its hole, as shapely has it, and r.
+#: The blank with its hole as a shapely polygon, and the radius r of the cutter.
 PART = shapely.Polygon(BLANK, [HOLE])
 RADIUS = 3.0
 TABLE = {4: TipTool("router", 3.0)}
@@ -46,7 +46,7 @@ def program(corner: str) -> bytes:
 
 
 def way(moves: Moves, row: int) -> F64:
-    """Points along a move, as LinuxCNC understood it."""
+    """Return points along a move, as LinuxCNC interprets it."""
     start, end, middle = moves.start[row, :2], moves.end[row, :2], moves.centre[row]
     share = np.linspace(0.0, 1.0, 33)[:, None]
     if moves.kind[row] != ARC:
@@ -75,12 +75,12 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
     slit = np.abs(points[:, 0] - 200.0) + np.maximum(120.0 - points[:, 1], 0.0) < 1e-9
     slit &= points[:, 1] <= 180.0
     beside = shapely.distance(PART, places)
-    # Half a unit of the last place on X and on Y, and rs274 prints no more than 4 decimals.
+    # Rounding of X and Y by half of the last decimal, and again by rs274, which prints 4.
     assert beside[~slit].min() >= RADIUS - 2e-4
     swept = shapely.union_all(shapely.linestrings(
         [way(moves, row) for row in np.flatnonzero(deep & (moves.start[:, 2] < -0.299)).tolist()]
     ).tolist()).buffer(RADIUS, quad_segs=64)  # fmt: skip
-    # Freed all round but 3 mm to either side of five inside corners, less what 0.002 mm hide.
+    # All edges are touched except 3 mm to either side of five inside corners (within 0.002 mm).
     left = PART.boundary.difference(swept.buffer(2e-3)).length
     assert left == pytest.approx(5 * 6.0 - 10 * 0.11, abs=0.3)
     assert swept.intersection(PART).area == pytest.approx(60.0 * 6.0 + np.pi * 9.0, abs=2.0)
@@ -88,5 +88,5 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
 
 def test_two_passes_go_through_a_board_of_three_millimetres() -> None:
     depths = read_program(program("B"), TABLE).moves.end[:, 2]
-    # 3.3 mm in steps of at most 3: to z 1.35, then to −0.3.
+    # 3.3 mm in passes of at most 3: to z 1.35, then to −0.3.
     assert {1.35, -0.3} <= {round(float(z), 4) for z in depths}

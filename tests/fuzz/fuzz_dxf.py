@@ -1,32 +1,32 @@
-"""The readers of DXF: no bytes may end in anything but a Drawing or a KnifetipError.
+"""Fuzz the readers of DXF: any bytes give a Drawing or a KnifetipError.
 
-Where both readers give a drawing, it must be the same to the bit; and what our own reader does not
-expect, it hands over and does not stumble over.  How to run it: see ``fuzzing``.
+If both readers return a drawing, the two must be equal bit by bit.  The fast reader falls back to
+ezdxf for unsupported input and raises no other exception.  See ``fuzzing`` for how to run it.
 """
 
 from __future__ import annotations
 
 import traceback
 
-from tests.fuzz.fuzzing import main, watched
+from tests.fuzz.fuzzing import instrumented, main
 
-with watched("knifetip.dxf", "ezdxf"):
+with instrumented("knifetip.dxf", "ezdxf"):
     from knifetip.errors import KnifetipError
     from tests.support.truth.readers import difference, read_by_both
 
 
-def one(data: bytes) -> None:
-    """Read by both, and compare."""
+def run_input(data: bytes) -> None:
+    """Read the data with both readers and compare the results."""
     ours, reference = read_by_both(data)
     if isinstance(ours, KnifetipError) and ours.__cause__ is not None:
-        # Only what ezdxf does with hostile bytes may surprise.
+        # Unexpected exceptions may come from ezdxf only.
         frames = [frame.name for frame in traceback.extract_tb(ours.__cause__.__traceback__)]
         assert "read_fast" not in frames, repr(ours.__cause__)
     if isinstance(ours, KnifetipError) or isinstance(reference, KnifetipError):
         return
-    if said := difference(ours, reference):
-        raise AssertionError(said)
+    if differences := difference(ours, reference):
+        raise AssertionError(differences)
 
 
 if __name__ == "__main__":
-    main(one)
+    main(run_input)

@@ -1,13 +1,15 @@
-"""From bytes to classified and cleaned edges, as the server does it; the first byte chooses a unit.
+"""Fuzz the import: read, classify and clean bytes like the server; the first byte selects a unit.
 
-How to run it: see ``fuzzing``.
+See ``fuzzing`` for how to run it.
 """
 
 from __future__ import annotations
 
-from tests.fuzz.fuzzing import known, main, watched
+from tests.fuzz.fuzzing import assert_proper_refusal, instrumented, main
 
-with watched("knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.jobs"):
+with instrumented(
+    "knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.jobs"
+):
     from knifetip.errors import KnifetipError
     from knifetip.jobs import tasks
     from knifetip.model.interpretation import Interpretation
@@ -15,17 +17,17 @@ with watched("knifetip.units", "knifetip.classification", "knifetip.cleaning", "
 _UNITS = ("", "mm", "in", "m")
 
 
-def one(data: bytes) -> None:
-    """Read, classify, ask and clean."""
+def run_input(data: bytes) -> None:
+    """Read and classify the data, list the questions, and clean."""
     unit = _UNITS[data[0] % len(_UNITS)] if data else ""
     try:
         reading = tasks.read(lambda _stage, _share: None, data[1:], Interpretation(unit))
     except KnifetipError as error:
-        known(error)
+        assert_proper_refusal(error)
         return
     if reading.summary["unit"]:
         tasks.cleaning_report(lambda _stage, _share: None, reading.edges)
 
 
 if __name__ == "__main__":
-    main(one)
+    main(run_input)

@@ -1,13 +1,13 @@
-"""The reader of SVG: no bytes may end in anything but a Drawing or a KnifetipError with a hint.
+"""Fuzz the reader of SVG: any bytes give a Drawing or a KnifetipError with a hint.
 
-How to run it: see ``fuzzing``.
+See ``fuzzing`` for how to run it.
 """
 
 from __future__ import annotations
 
-from tests.fuzz.fuzzing import main, read_or_refused, watched
+from tests.fuzz.fuzzing import instrumented, main, read_or_refused
 
-with watched("knifetip.svg", "knifetip.drawing_builder"):
+with instrumented("knifetip.svg", "knifetip.drawing_builder"):
     from knifetip.formats.limits import Limits
     from knifetip.svg.read import read
 
@@ -15,10 +15,10 @@ with watched("knifetip.svg", "knifetip.drawing_builder"):
 LIMITS = Limits(entities=2000, segments=20_000)
 
 
-def one(data: bytes) -> None:
-    """Read, with small limits: what is large is no find."""
+def run_input(data: bytes) -> None:
+    """Read the data with small limits, because large files are no finding."""
     read_or_refused(lambda given: read(given, limits=LIMITS), data)
 
 
 if __name__ == "__main__":
-    main(one)
+    main(run_input)

@@ -1,14 +1,15 @@
-"""The one main of all harnesses, and what every drawing and every refusal must be.
+"""The common main function of all fuzz targets, and checks of drawings and refusals.
 
-    python -m tests.fuzz.fuzz_svg FOLDER -max_total_time=600       begin with FOLDER, add to it
-    python -m tests.fuzz.fuzz_svg --again FOLDER                   what is in it, as it is shipped
+    python -m tests.fuzz.fuzz_svg FOLDER -max_total_time=600       start with FOLDER, add to it
+    python -m tests.fuzz.fuzz_svg --again FOLDER                   run all files in FOLDER
 
-Atheris sees branches of Python only, and numba compiles none that Atheris has changed: while it
-looks, all kernels but those of geometry run as Python, where reading past an end is an error
-besides.  ``--again`` runs what was found through the compiled kernels, and needs no Atheris.
+Atheris observes branches of Python code only, and numba cannot compile functions that Atheris has
+instrumented.  During fuzzing all kernels except those of ``geometry`` run as Python, in which
+reading past the end of an array is an error too.  ``--again`` runs the files in FOLDER with
+compiled kernels and does not need Atheris.
 
-What Atheris stumbles over it writes into the current folder, or where ``-artifact_prefix=`` says.
-``pip install atheris`` first: it is no dependency of the project.  What is found is kept as a test.
+Atheris writes failing inputs to the current folder or to ``-artifact_prefix=``.  It is no
+dependency of the project: ``pip install atheris`` first.  Keep each finding as a test.
 """
 
 from __future__ import annotations
@@ -34,14 +35,14 @@ AGAIN = "--again"
 
 
 @contextmanager
-def watched(*packages: str) -> Iterator[None]:
-    """Import these packages so that Atheris sees their branches, those of their kernels too."""
+def instrumented(*packages: str) -> Iterator[None]:
+    """Instrument packages that are imported in the context, and run their kernels as Python."""
     if AGAIN in sys.argv:
         yield
         return
     import atheris
 
-    # Atheris goes by the first part of a name only.  What is imported before, it leaves alone.
+    # Atheris selects by top-level package; modules imported before are not instrumented.
     for module in pkgutil.iter_modules(geometry.__path__, "knifetip.geometry."):
         importlib.import_module(module.name)
     decorators = kernels.kernel, kernels.inline_kernel
@@ -54,39 +55,41 @@ def watched(*packages: str) -> Iterator[None]:
 
 
 def _as_python(*function: Any, **_options: Any) -> Any:
-    # With the types of a kernel said, it is handed over afterwards.
+    # If the decorator has arguments, the kernel is the argument of a second call.
     return function[0] if function and callable(function[0]) else lambda kernel: kernel
 
 
-def main(one: Callable[[bytes], object]) -> None:
-    """Give ``one`` whatever Atheris thinks of, or what a folder holds."""
+def main(target: Callable[[bytes], object]) -> None:
+    """Run a fuzz target with inputs from Atheris, or with ``--again`` with the files of a
+    folder.
+    """
     logging.disable(logging.CRITICAL)
     warnings.simplefilter("ignore")
     if AGAIN in sys.argv:
         for path in sorted(Path(sys.argv[-1]).iterdir()):
             try:
-                one(path.read_bytes())
+                target(path.read_bytes())
             except Exception as error:
                 raise SystemExit(f"{path}: {type(error).__name__}: {error}") from error
         return
     import atheris
 
-    atheris.Setup(sys.argv, one)
+    atheris.Setup(sys.argv, target)
     atheris.Fuzz()
 
 
 def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | None:
-    """Return the drawing, or None where it is refused with a reason and a hint.
+    """Return the drawing, or None if the file is refused with a reason and a hint.
 
     Raises
     ------
     AssertionError
-        The drawing is unsound, or the refusal does not know what it refuses.
+        The drawing is invalid, or the refusal has no hint or hides an unexpected exception.
     """
     try:
         drawing = read(data)
     except KnifetipError as error:
-        known(error)
+        assert_proper_refusal(error)
         return None
     assert np.isfinite(drawing.ends).all()
     assert (np.abs(drawing.ends) <= 1.001 * REACH).all()
@@ -96,7 +99,7 @@ def read_or_refused(read: Callable[[bytes], Drawing], data: bytes) -> Drawing | 
     return drawing
 
 
-def known(refused: KnifetipError) -> None:
-    """Check that a refusal says what to do, and knows what it refuses."""
-    assert refused.hint, refused.text
-    assert refused.message.code != "reading.unexpected", repr(refused.__cause__)
+def assert_proper_refusal(error: KnifetipError) -> None:
+    """Assert that a refusal has a hint and that the reader raised no unexpected exception."""
+    assert error.hint, error.text
+    assert error.message.code != "reading.unexpected", repr(error.__cause__)

@@ -1,7 +1,7 @@
 """The D-type patent of Dalian Jiaotong University: its claims, and the table of lengths.
 
-A cutter of r = 2 mm goes east to the corner A = (10, 0), the board on its left, and turns left by
-φ; all coordinates are worked with ruler and compass.
+A cutter of r = 2 mm goes east to the corner A = (10, 0), with the board on its left, and turns
+left by φ; all coordinates are computed by hand.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def way(kind: Corner, degrees: float, k: float = 0.5, radius: float = 2.0) -> Pa
 
 
 def angles_between(paths: Paths) -> F64:
-    """Angles by which the direction jumps between the pieces (radians)."""
+    """Return the angle of the change of direction between consecutive segments (radians)."""
     first, last = arc.tangents(paths.start, paths.end, paths.bulge)
     first = first / np.hypot(*first.T)[:, None]
     last = last / np.hypot(*last.T)[:, None]

@@ -1,6 +1,6 @@
 """Radius paper, part 2, "compensation of the knife quantity": equations 6 to 12, and its misprint.
 
-Slopes are those of the triangles 3-4-5 and 30-60-90, so each figure can be checked by hand.
+Slopes are those of the triangles 3-4-5 and 30-60-90, so all values can be checked by hand.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Radius paper, part 1, "tool radius compensation": equations 1 to 5, each worked by hand.
+"""Radius paper, part 1, "tool radius compensation": equations 1 to 5, with examples by hand.
 
-A curve s = [f(t), g(t)] is an ellipse with half axes 40 and 20, an arc, or a line, and the sums
-stand here as the paper has them; "the upper sign" is read as a side, σ = +1 left of travel.
+A curve s = [f(t), g(t)] is an ellipse with half axes 40 and 20, an arc, or a line.  Expected values
+are computed as in the paper; "the upper sign" corresponds to a side, σ = +1 left of travel.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ ELLIPSE = Ellipse(np.zeros(2), np.array([40.0, 0.0]), np.array([0.0, 20.0]), 0.0
 
 
 def paper_5(x: float, y: float, df: float, dg: float, r: float, sign: int) -> tuple[float, float]:
-    """Equation 5: xe = x ∓ r g′ / S, ye = y ± r f′ / S, S = √(f′² + g′²); the upper sign +1."""
+    """Return the offset point of equation 5.
+
+    xe = x ∓ r g′ / S, ye = y ± r f′ / S, S = √(f′² + g′²); ``sign`` +1 selects the upper signs.
+    """
     s = sqrt(df * df + dg * dg)
     return x - sign * r * dg / s, y + sign * r * df / s
 
@@ -37,7 +40,7 @@ def test_1_the_slope_of_the_tangent() -> None:
 
 
 def test_1_keeps_the_quadrant_that_tan_a_forgets() -> None:
-    # f′ −3, g′ −4 has the same tan a, and the way back is 180° on.
+    # f′ −3, g′ −4 has the same tan a in the opposite direction.
     assert azimuth(np.array([[-3.0, -4.0]]))[0] == pytest.approx(233.13010235)
 
 
@@ -87,7 +90,7 @@ def test_5_a_line_is_shifted(side: int) -> None:
 
 @pytest.mark.parametrize(("side", "size"), [(1, 7.0), (-1, 13.0)])
 def test_5_an_arc_keeps_its_centre_and_gains_or_loses_r(side: int, size: float) -> None:
-    # A quarter to the left about (0, 10): its left is the centre's side.
+    # A quarter turn to the left about (0, 10), whose centre is on the left.
     paths = path_through(np.array([[0.0, 0.0], [10.0, 10.0]]), np.array([QUARTER]))
     beside = offset_paths(paths, 3.0, side).paths
     np.testing.assert_allclose(arc.radius(beside.start, beside.end, beside.bulge), size)

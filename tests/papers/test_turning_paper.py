@@ -1,4 +1,4 @@
-"""The turning paper: its sections and equations, worked by hand.
+"""The turning paper: its sections and equations, with examples computed by hand.
 
 "A new method of turning processing in multi axis linkage NC machining": 1 the end of a track,
 2 the turn, 3 interference and its correction (eqs 1 and 2).
@@ -26,7 +26,7 @@ from knifetip.sequencing.air_moves import (
 
 
 def test_1_a_track_square_to_the_edge_needs_no_more_way() -> None:
-    # Both corners cross together.
+    # Both corners of the tool cross the edge at the same time.
     assert (
         corner_run_outs(np.array([[1.0, 0.0]]), np.array([[1.0, 0.0]]), np.array([6.0])).max()
         == 0.0
@@ -108,7 +108,7 @@ def test_3_eq_1_the_lift_is_d_over_cos_b() -> None:
 
 
 def test_3_eq_2_goes_out_of_the_board_and_keeps_the_axis() -> None:
-    # The sign that the paper lost: with it the other way the tool would go deeper.
+    # The paper omits this sign; without it the tool would go deeper.
     pose = np.array([[10.0, 20.0, 1.0, 135.0]])
     up = lift_clear(pose, np.array([0.5]), TipCircle(1.5, 6.0, 45.0))
     assert up[0, 2] == pytest.approx(1.5)

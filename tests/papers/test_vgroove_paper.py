@@ -1,6 +1,6 @@
 """Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker": every equation.
 
-The sums stand here as the paper has them, case by case, and share nothing with the code.
+Expected values are computed as in the paper, case by case, and share no code with knifetip.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from knifetip.compensation.vgroove import head_offset, sideways_move
 from knifetip.errors import ZeroLengthEdge
 from knifetip.geometry.azimuth import azimuth
 from knifetip.model.tool import VCutter
-from tests.benchmarks.vgroove_listing import AZIMUTHS, PAGE, listing_azimuth, page, worst
+from tests.benchmarks.vgroove_listing import AZIMUTHS, PAGE, largest_errors, listing_azimuth, page
 
 coordinates = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 3))
 
 
 def paper_azimuth(dx: float, dy: float) -> float:
-    """The five cases of 4.1."""
+    """Return the azimuth of (dx, dy) by the five cases of section 4.1 (degrees)."""
     if dx > 0 and dy >= 0:
         return degrees(atan(dy / dx))
     if dx == 0 and dy > 0:
@@ -45,8 +45,8 @@ def test_4_1_each_case(dx: int, dy: int, expected: float) -> None:
 @given(dx=coordinates, dy=coordinates)
 def test_4_1_is_one_arctan2(dx: float, dy: float) -> None:
     if dx or dy:
-        ours = azimuth(np.array([[dx, dy]]))[0]
-        assert abs((ours - paper_azimuth(dx, dy) + 180) % 360 - 180) < 1e-9
+        engine = azimuth(np.array([[dx, dy]]))[0]
+        assert abs((engine - paper_azimuth(dx, dy) + 180) % 360 - 180) < 1e-9
 
 
 @given(dx=coordinates, dy=coordinates, d=st.floats(0.5, 20.0), r=st.floats(0.1, 5.0))
@@ -55,8 +55,8 @@ def test_4_2_offset_of_point_1(dx: float, dy: float, d: float, r: float) -> None
         return
     beta = radians(paper_azimuth(dx, dy))
     expected = [d * sin(beta) + r * cos(beta), -d * cos(beta) + r * sin(beta)]
-    ours = head_offset(np.zeros((1, 2)), np.array([[dx, dy]]), VCutter(d, r, 45.0))
-    np.testing.assert_allclose(ours, [expected], atol=1e-9)
+    engine = head_offset(np.zeros((1, 2)), np.array([[dx, dy]]), VCutter(d, r, 45.0))
+    np.testing.assert_allclose(engine, [expected], atol=1e-9)
 
 
 def test_4_2_worked_by_hand_at_three_azimuths() -> None:
@@ -89,8 +89,8 @@ def test_4_3_the_listing_is_off_by_what_we_say_it_is_and_we_are_not(
     ends = length * np.column_stack([np.cos(turn), np.sin(turn)])
     error = np.abs((listing_azimuth(*ends.T) - AZIMUTHS + 180) % 360 - 180).max()
     assert error == pytest.approx(degrees, abs=1.5e-3)
-    ours = np.abs((azimuth(ends) - AZIMUTHS + 180) % 360 - 180).max()
-    assert ours < 1e-10
+    engine = np.abs((azimuth(ends) - AZIMUTHS + 180) % 360 - 180).max()
+    assert engine < 1e-10
 
 
 @pytest.mark.parametrize(("length", "d", "off"), [(0.1, 10.0, 1.012), (1.0, 6.0, 0.0618)])
@@ -98,9 +98,9 @@ def test_4_3_so_the_listings_tip_is_off_by_the_arm_times_that(
     length: float, d: float, off: float
 ) -> None:
     # √(d² + r²) · 2 sin(error / 2): √102.25 · 0.1001 and √38.25 · 0.0100.
-    theirs, ours = worst(length, d)
-    assert theirs == pytest.approx(off, rel=2e-3)
-    assert ours < 1e-14
+    listing, engine = largest_errors(length, d)
+    assert listing == pytest.approx(off, rel=2e-3)
+    assert engine < 1e-14
 
 
 def test_4_3_the_table_in_the_docs_is_what_comes_out() -> None:

@@ -72,7 +72,7 @@ FILES = {"dxf": carton(), "svg": svg_text.carton(), "cf2": cf2_text.carton()}
 
 @st.composite
 def damage(draw: st.DrawFn, whole: bytes) -> bytes:
-    """Draw a file with up to four changes to its lines or numbers."""
+    """Draw a damaged version of a file, with up to four changes to its lines or numbers."""
     lines = re.split(rb"(?<=[\n>])", whole)
     for _ in range(draw(st.integers(1, 4))):
         how = draw(

@@ -1,4 +1,4 @@
-"""The workloads, one function a room: subject, n, the work, the peers and the number of runs."""
+"""The benchmarks: each function returns a subject, its size n, the work, the peers and the runs."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ BOARD = load.board("greyboard-2.0")
 
 @cache
 def _drawing_bytes(count: int) -> bytes:
-    """A sheet of small panels: four cuts and one crease each, on two layers."""
+    """Return a DXF file of small panels with four cuts and one crease each, on two layers."""
     document = ezdxf.new("R2010", units=4)
     document.layers.add("CUT", color=1)
     document.layers.add("CREASE", color=3)
@@ -52,7 +52,7 @@ def _drawing_bytes(count: int) -> bytes:
 
 
 def _edges(kind: LineType, count: int) -> Dieline:
-    """Loose edges of 40 mm at every azimuth, none of which touch."""
+    """Return edges of 40 mm at all azimuths that do not touch each other, all of one line type."""
     angle = np.arange(count) * 2.399963
     start = np.column_stack([np.arange(count) % 1000 * 100.0, np.arange(count) // 1000 * 100.0])
     end = start + 40.0 * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -74,7 +74,7 @@ def _engine(kind: LineType, count: int) -> Callable[[], object]:
 
 
 def read_lines() -> Bench:
-    """Read a DXF of lines on two layers."""
+    """Read a DXF file of lines on two layers."""
     data = _drawing_bytes(10_000)
     text = data.decode()
     return (
@@ -87,7 +87,7 @@ def read_lines() -> Bench:
 
 
 def classify_layers() -> Bench:
-    """Classify by the default profile."""
+    """Classify a drawing with the default profile."""
     drawing = read(_drawing_bytes(10_000))
     rules = load.profile("default")
     return "2 layers, default profile", len(drawing), lambda: classify(drawing, rules), {}, 15
@@ -104,22 +104,22 @@ def crease_edges() -> Bench:
 
 
 def knife_edges() -> Bench:
-    """Compensate free cuts at every azimuth."""
+    """Compensate open cuts at every azimuth."""
     return "knife, free ends", 100_000, _engine(LineType.CUT, 100_000), {}, 7
 
 
 def clean_sheet() -> Bench:
-    """Clean a sheet on which there is nothing to do."""
+    """Clean a sheet without flaws."""
     return "20,000 panels, nothing to repair", 100_000, _cleaned(0.0, False), {}, 7
 
 
 def clean_damaged() -> Bench:
-    """Clean a sheet on which half of the edges are drawn again, on a part of themselves."""
+    """Clean a sheet on which half of the edges have a duplicate that covers a part of them."""
     return "laps on every edge", 100_000, _cleaned(0.0, True), {}, 7
 
 
 def clean_gapped() -> Bench:
-    """Clean a sheet with every end up to 0.008 mm off."""
+    """Clean a sheet with all ends displaced by up to 0.008 mm."""
     return "a gap at every corner", 100_000, _cleaned(0.008, False), {}, 7
 
 
@@ -187,7 +187,7 @@ def _compiled() -> tuple[pipeline.Compiled, Dieline]:
 
 
 def process_lines() -> Bench:
-    """Write a program."""
+    """Write the program of a toolpath."""
     made, _ = _compiled()
     return (
         "toolpath rows to grblHAL",
@@ -211,7 +211,7 @@ def verify_program() -> Bench:
 
 
 def compile_sheet() -> Bench:
-    """From a classified drawing to a verified program."""
+    """Compile a classified drawing to a verified program."""
     drawing = read(_drawing_bytes(10_000))
     dieline = classify(drawing, load.profile("default"))
     return (
