@@ -12,7 +12,7 @@ import numpy as np
 
 from knifetip.drawing_builder.colours import nearest_index
 from knifetip.drawing_builder.columns import Style
-from knifetip.drawing_builder.paths import Paths, Table, boxes
+from knifetip.drawing_builder.path_table import Paths, Table, boxes
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits

@@ -13,7 +13,8 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.drawing_builder.paths import CUBIC, LINE, too_many
+from knifetip.drawing_builder.path_segments import too_many
+from knifetip.drawing_builder.path_table import CUBIC, LINE
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64
 

@@ -20,7 +20,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.drawing_builder.paths import ARC, CUBIC, LINE, Table
+from knifetip.drawing_builder.path_table import ARC, CUBIC, LINE, Table
 from knifetip.geometry.columns import I64
 from knifetip.kernels import F64_1, U8_1, OutF64_1, OutI64_1, inline_kernel, kernel
 

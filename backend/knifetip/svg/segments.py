@@ -9,8 +9,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from knifetip.drawing_builder import paths
 from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.path_segments import too_many
+from knifetip.drawing_builder.path_table import Paths, boxes
+from knifetip.drawing_builder.paths import columns
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.formats.limits import Limits
 from knifetip.messages import Message
@@ -43,7 +45,7 @@ def segment_columns(
     """
     table = scan_paths(drawn.data, limits.segments)
     if table is None:
-        raise paths.too_many(limits, "SVG")
+        raise too_many(limits, "SVG")
     for path in np.flatnonzero(table.wrong >= 0).tolist():
         text = drawn.data[path]
         at = int(table.wrong[path])
@@ -55,12 +57,12 @@ def segment_columns(
         report.notes.setdefault(drawn.row[path], []).append(note)
     if drawn.omitted:
         report.location_boxes.append(_location_boxes(drawn.omitted, limits))
-    placed = paths.Paths(
+    placed = Paths(
         np.array(drawn.row, np.int32),
         np.array(drawn.style, np.int32),
         np.array(drawn.matrix, np.float64).reshape(-1, 6),
     )
-    return paths.columns(report, table, placed, scale, limits, "SVG")
+    return columns(report, table, placed, scale, limits, "SVG")
 
 
 def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> LocationBoxes:
@@ -72,5 +74,5 @@ def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> Location
     matrix = np.array(matrices, np.float64).reshape(-1, 6)
     table = scan_paths(data, limits.segments)
     with np.errstate(all="ignore"):
-        box = np.full((len(rows), 4), np.nan) if table is None else paths.boxes(table, matrix)
+        box = np.full((len(rows), 4), np.nan) if table is None else boxes(table, matrix)
     return LocationBoxes(np.array(rows, np.int32), box)

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from knifetip.cf2.read import read as read_cf2
-from knifetip.drawing_builder.paths import CUBIC, LINE, Table, boxes
+from knifetip.drawing_builder.path_table import CUBIC, LINE, Table, boxes
 from knifetip.model.drawing import Drawing
 from knifetip.pdf.read import read as read_pdf
 from knifetip.svg.read import read as read_svg

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from knifetip.drawing_builder.paths import ARC, CUBIC, LINE
+from knifetip.drawing_builder.path_table import ARC, CUBIC, LINE
 from knifetip.svg.path_data import ScannedPaths, scan_paths
 
 

@@ -1,0 +1,329 @@
+"""Approximate the segments of paths by lines and circular arcs, many curves at a time.
+
+A circular arc that is rotated, mirrored or evenly scaled remains an arc.  All other arcs and all
+Bézier curves are fitted with arcs.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import Final
+
+import numpy as np
+
+from knifetip.drawing_builder.path_table import (
+    ARC,
+    CUBIC,
+    LINE,
+    Table,
+    half_chords,
+    transform_points,
+    transform_vectors,
+)
+from knifetip.errors import DrawingTooLarge, GeometryError
+from knifetip.formats.limits import Limits
+from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.curve import EvaluateEach, fit_many
+from knifetip.messages import Message
+
+#: Fraction of the tolerance within which an arc counts as circular and a curve as straight.
+_SHAPE_TOLERANCE: Final = 0.01
+#: Curves that are fitted between two checks of the time limit.
+_BLOCK: Final = 4096
+
+
+def too_many(limits: Limits, format_name: str) -> DrawingTooLarge:
+    """Return the error for a file of a format (``format_name``) with too many segments."""
+    return DrawingTooLarge("reading.too-many-segments", format=format_name, limit=limits.segments)
+
+
+class PlacedSegments:
+    """The segments of a Table in file units: ends, control points of curves, axes of arcs."""
+
+    def __init__(self, table: Table, matrices: F64) -> None:
+        numbers = table.numbers
+        self.failed: dict[int, Message] = {}  #: reason by segment that cannot be fitted
+        self.kind = table.kind.copy()
+        self.start = transform_points(matrices, numbers[:, :2])
+        self.end = transform_points(matrices, numbers[:, 2:4])
+        self.cubic = np.flatnonzero(self.kind == CUBIC)
+        bezier, inner = matrices[self.cubic], numbers[self.cubic, 4:]
+        self.control = np.stack(
+            [
+                self.start[self.cubic],
+                transform_points(bezier, inner[:, :2]),
+                transform_points(bezier, inner[:, 2:]),
+                self.end[self.cubic],
+            ],
+            axis=1,
+        )
+        # SVG omits an arc between equal points; as a line without length it is dropped and
+        # reported.
+        same = (numbers[:, 0] == numbers[:, 2]) & (numbers[:, 1] == numbers[:, 3])
+        self.kind[(self.kind == ARC) & same] = LINE
+        self.arc = np.flatnonzero(self.kind == ARC)
+        centre, u, v, self.first, self.turn = _centre_form(numbers[self.arc])
+        elliptic = matrices[self.arc]
+        self.centre = transform_points(elliptic, centre)
+        self.u = transform_vectors(elliptic, u)
+        self.v = transform_vectors(elliptic, v)
+
+
+def _centre_form(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
+    """Return centre, semi-axes u and v, first angle and sweep of n elliptic arcs.
+
+    A point of an arc is centre + u cos t + v sin t, for t from the first angle to first angle +
+    sweep (radians).  Centre, u and v have shape (n, 2), the angles shape (n,).
+
+    Source: SVG 1.1, appendix F.6.5 and F.6.6.
+
+    Parameters
+    ----------
+    numbers : (n, 8)
+        Rows of ``Table.numbers`` that are arcs.
+    """
+    angle = np.radians(numbers[:, 6])
+    cosine, sine = np.cos(angle), np.sin(angle)
+    rx, ry = numbers[:, 4], numbers[:, 5]
+    large = numbers[:, 7] % 2.0 == 1.0
+    rising = numbers[:, 7] >= 2.0
+    middle = (numbers[:, :2] + numbers[:, 2:4]) / 2.0
+    x, y = half_chords(numbers)
+    chord = x * x + y * y
+    # Radii that are too small are increased until the arc reaches both ends.
+    grown = np.sqrt(np.maximum(chord, 1.0))
+    x, y, rx, ry = x / grown, y / grown, rx * grown, ry * grown
+    chord = np.where(chord > 1.0, 1.0, chord)
+    off = np.sqrt(np.maximum(1.0 / chord - 1.0, 0.0)) * np.where(large == rising, -1.0, 1.0)
+    centre_x, centre_y = off * y, -off * x
+    first = np.arctan2(y - centre_y, x - centre_x)
+    # From the chord: the difference of two angles would lose the sweep of a short arc.
+    turn = 2.0 * np.arcsin(np.sqrt(chord))
+    turn = np.where(large, 2.0 * np.pi - turn, turn) * np.where(rising, 1.0, -1.0)
+    u = np.stack([rx * cosine, rx * sine], axis=1)
+    v = np.stack([-ry * sine, ry * cosine], axis=1)
+    return middle + centre_x[:, None] * u + centre_y[:, None] * v, u, v, first, turn
+
+
+def fit_segments(
+    placed: PlacedSegments, tolerance: float, limits: Limits, format_name: str
+) -> tuple[F64, F64, I64, Bool]:
+    """Return the segments of a drawing as n lines and arcs, in the order of the file.
+
+    Parameters
+    ----------
+    placed
+        m segments of the paths of the file.
+    tolerance
+        Maximum distance between a curve and its arcs (file units).
+    format_name
+        Name of the format in error messages.
+
+    Returns
+    -------
+    ends : (n, 2, 2)
+    bulge : (n,)
+    origin : (n,)
+        Row in the Table of each line or arc.
+    curved : (m,)
+        Mask of the rows of the Table that were approximated by arcs.
+    """
+    curved = np.zeros(len(placed.kind), bool)
+    straight = np.flatnonzero(placed.kind == LINE)
+    parts = [_lines(placed, straight)]
+
+    chord = placed.control[:, 3] - placed.control[:, 0]
+    is_line = _are_straight(placed.control, chord, _SHAPE_TOLERANCE * tolerance)
+    parts.append(_lines(placed, placed.cubic[is_line]))
+    bent = np.flatnonzero(~is_line)
+    curved[placed.cubic[bent]] = True
+
+    size_u, size_v = (np.hypot(*vectors.T) for vectors in (placed.u, placed.v))
+    across = np.abs((placed.u * placed.v).sum(axis=1))
+    larger = np.maximum(size_u, size_v)
+    off = np.maximum(np.abs(size_u - size_v), across / np.where(larger > 0.0, larger, 1.0))
+    circle = off <= _SHAPE_TOLERANCE * tolerance
+    parts.append(_circular(placed, np.flatnonzero(circle)))
+    oval = np.flatnonzero(~circle)
+    curved[placed.arc[oval]] = True
+
+    until = time.monotonic() + limits.seconds
+    total = sum(len(part[1]) for part in parts)
+    for indices, numbers, point, tangent in (
+        (bent, placed.cubic, *_bezier(placed.control)),
+        (oval, placed.arc, *_elliptic(placed)),
+    ):
+        for low in range(0, len(indices), _BLOCK):
+            if time.monotonic() > until:
+                raise DrawingTooLarge(
+                    "reading.too-slow", format=format_name, seconds=limits.seconds
+                )
+            part = _fit_arcs(
+                placed, indices[low : low + _BLOCK], numbers, point, tangent, tolerance
+            )
+            total += len(part[1])
+            if total > limits.segments:
+                raise too_many(limits, format_name)
+            parts.append(part)
+    if total > limits.segments:
+        raise too_many(limits, format_name)
+    ends, bulge, origin = (np.concatenate(column) for column in zip(*parts, strict=True))
+    order = np.argsort(origin, kind="stable")
+    return ends[order], bulge[order], origin[order], curved
+
+
+def _lines(placed: PlacedSegments, rows: I64) -> tuple[F64, F64, I64]:
+    ends = np.stack([placed.start[rows], placed.end[rows]], axis=1)
+    return ends, np.zeros(len(rows)), rows
+
+
+def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
+    """Return the mask of the Bézier curves that are straight, (n,).
+
+    All control points of a straight curve are within ``tolerance`` of its chord.
+
+    Parameters
+    ----------
+    control : (n, 4, 2)
+        Control points of each curve.
+    chord : (n, 2)
+        Vector from the start to the end of each curve.
+    """
+    size = np.hypot(chord[:, 0], chord[:, 1])
+    ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
+    straight: Bool = size > 0.0
+    for handle in (1, 2):
+        away = control[:, handle] - control[:, 0]
+        beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
+        along = (ahead * away).sum(axis=1)
+        straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
+    # Curves without length count as straight, and ``assemble`` drops them.
+    return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
+
+
+def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
+    """Return circular arcs as arcs of at most 180°: ends, bulge and Table row of each of these.
+
+    Parameters
+    ----------
+    indices
+        Indices of the circular arcs in ``placed.arc``.
+    """
+    rows = placed.arc[indices]
+    u, v, first, turn = (
+        placed.u[indices],
+        placed.v[indices],
+        placed.first[indices],
+        placed.turn[indices],
+    )
+    side = np.sign((u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) * turn)
+    two = np.abs(turn) > np.pi * (1.0 + 1e-9)
+    bulge = side * np.minimum(np.tan(np.abs(turn) / np.where(two, 8.0, 4.0)), 1.0)
+    half = first + turn / 2.0
+    middle = placed.centre[indices] + np.cos(half)[:, None] * u + np.sin(half)[:, None] * v
+    start, end = placed.start[rows], placed.end[rows]
+    ends = np.concatenate(
+        [
+            np.stack([start, np.where(two[:, None], middle, end)], axis=1),
+            np.stack([middle, end], axis=1)[two],
+        ]
+    )
+    return ends, np.concatenate([bulge, bulge[two]]), np.concatenate([rows, rows[two]])
+
+
+def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
+    """Return two functions that evaluate cubic Bézier curves: point and derivative.
+
+    Both take indices of curves (k,) and parameters 0 … 1 (k,), and return an array (k, 2).
+
+    Parameters
+    ----------
+    control : (n, 4, 2)
+        Control points of n curves.
+    """
+    step = np.diff(control, axis=1)
+    # The tangent at the start points to the first control point that differs from the start.
+    leaving = control[:, 1:] - control[:, :1]
+    first = np.argmax((leaving != 0.0).any(axis=2), axis=1)
+    leaving = leaving[np.arange(len(control)), first]
+
+    def point(k: I64, s: F64) -> F64:
+        p, t, r = control[k], s[:, None], 1.0 - s[:, None]
+        return r * r * r * p[:, 0] + 3.0 * r * t * (r * p[:, 1] + t * p[:, 2]) + t * t * t * p[:, 3]
+
+    def tangent(k: I64, s: F64) -> F64:
+        d, t, r = step[k], s[:, None], 1.0 - s[:, None]
+        along = r * r * d[:, 0] + 2.0 * r * t * d[:, 1] + t * t * d[:, 2]
+        return np.where(t > 0.0, along, leaving[k])
+
+    return point, tangent
+
+
+def _elliptic(placed: PlacedSegments) -> tuple[EvaluateEach, EvaluateEach]:
+    """Return two functions that evaluate elliptic arcs: point and derivative.
+
+    Both take indices into ``placed.arc`` (k,) and parameters 0 … 1 (k,) and return an array (k, 2).
+    """
+
+    def point(k: I64, s: F64) -> F64:
+        t = placed.first[k] + s * placed.turn[k]
+        return (
+            placed.centre[k] + np.cos(t)[:, None] * placed.u[k] + np.sin(t)[:, None] * placed.v[k]
+        )
+
+    def tangent(k: I64, s: F64) -> F64:
+        t = placed.first[k] + s * placed.turn[k]
+        way = np.sign(placed.turn[k])[:, None]
+        return way * (np.cos(t)[:, None] * placed.v[k] - np.sin(t)[:, None] * placed.u[k])
+
+    return point, tangent
+
+
+def _fit_arcs(
+    placed: PlacedSegments,
+    indices: I64,
+    numbers: I64,
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    tolerance: float,
+) -> tuple[F64, F64, I64]:
+    """Fit arcs to curves; return ends, bulge and Table row of each fitted arc.
+
+    If several curves cannot be fitted together, each half of them is fitted separately.  The error
+    of a single curve is written to ``placed.failed``.
+
+    Parameters
+    ----------
+    indices
+        Indices of the curves, which are arguments of ``point`` and ``tangent``.
+    numbers
+        Table row of the curve with each index.
+    point, tangent
+        Functions from indices of curves and parameters 0 … 1 to points and derivatives.
+    tolerance
+        Maximum distance between a curve and its arcs (file units).
+    """
+    try:
+        start, end, bulge, origin = fit_many(
+            lambda k, s: point(indices[k], s),
+            lambda k, s: tangent(indices[k], s),
+            len(indices),
+            tolerance,
+        )
+    except GeometryError as reason:
+        if len(indices) == 1:
+            placed.failed[int(numbers[indices[0]])] = reason.message
+            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0, np.int64)
+        middle = len(indices) // 2
+        halves = [
+            _fit_arcs(placed, half, numbers, point, tangent, tolerance)
+            for half in (indices[:middle], indices[middle:])
+        ]
+        ends, bulge, origin = (np.concatenate(column) for column in zip(*halves, strict=True))
+        return ends, bulge, origin
+    rows = numbers[indices[origin]]
+    # Exact ends, so that the next segment begins where this one ends.
+    first = np.flatnonzero(np.diff(origin, prepend=-1))
+    last = np.flatnonzero(np.diff(origin, append=len(indices)))
+    start[first], end[last] = placed.start[rows[first]], placed.end[rows[last]]
+    return np.stack([start, end], axis=1), bulge, rows

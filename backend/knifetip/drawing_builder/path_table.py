@@ -1,0 +1,146 @@
+"""Segments of paths as SVG and PDF files contain them, and the extents of the paths.
+
+The segments are in the coordinates of their paths; a matrix of each path converts them to file
+units.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from knifetip.geometry.columns import F64, I32, I64, U8
+
+LINE: Final = 0
+CUBIC: Final = 1
+ARC: Final = 2
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Table:
+    """n segments of several paths, in the order of the file and in coordinates of their paths."""
+
+    kind: U8  #: (n,) LINE, CUBIC or ARC
+    #: (n, 8) x and y of both ends; then for a CUBIC x and y of both inner control points; for an
+    #: ARC both radii, the angle of the first radius (degrees), and 1 for a sweep above 180° plus 2
+    #: for a sweep in the direction of increasing angles
+    numbers: F64
+    path: I64  #: (n,) path of each segment
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Paths:
+    """Import report row, style and matrix of each of p paths."""
+
+    row: I32  #: (p,) row in the import report
+    style: I32  #: (p,) index of the style
+    matrix: F64  #: (p, 6) a … f of the matrix from path coordinates to file units
+
+
+def boxes(table: Table, matrix: F64) -> F64:
+    """Return the bounding box of each of p paths, (p, 4): x min, y min, x max, y max (file units).
+
+    It contains ends and control points; it is NaN for a path without segments.
+
+    Parameters
+    ----------
+    matrix : (p, 6)
+        Matrix from the coordinates of each path to file units.
+    """
+    matrices, numbers = matrix[table.path], table.numbers
+    low = np.full((len(matrices), 2), np.inf)
+    high = -low
+    for k in range(4):
+        at = transform_points(matrices, numbers[:, 2 * k : 2 * k + 2])
+        drawn = (table.kind == CUBIC)[:, None] | (k < 2)
+        low = np.where(drawn, np.minimum(low, at), low)
+        high = np.where(drawn, np.maximum(high, at), high)
+    box = np.full((len(matrix), 4), np.nan)
+    if len(matrices):
+        first = np.flatnonzero(np.diff(table.path, prepend=-1))
+        box[table.path[first], :2] = np.minimum.reduceat(low, first)
+        box[table.path[first], 2:] = np.maximum.reduceat(high, first)
+    return box
+
+
+def farthest_coordinates(table: Table, matrix: F64, paths: int) -> F64:
+    """Return for each of p paths an upper bound of its absolute coordinates, (p,) (file units).
+
+    It is NaN or infinite if a coordinate of the path is.
+
+    Parameters
+    ----------
+    matrix : (p, 6)
+        Matrix from the coordinates of each path to file units.
+    paths
+        Number p of paths.
+    """
+    far = np.zeros(paths)
+    if not len(table.kind):
+        return far
+    matrices = matrix[table.path]
+    numbers = table.numbers
+    cubic, is_arc = table.kind == CUBIC, table.kind == ARC
+    reach = np.zeros(len(matrices))
+    for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
+        at = np.abs(transform_points(matrices, numbers[:, x : x + 2])).max(axis=1)
+        reach = np.maximum(reach, np.where(drawn, at, 0.0))
+    # On a unit circle, the points of a small arc are at most its chord away from the ends of the
+    # arc, and the points of a large arc at most the diameter.  The radii scale this distance; radii
+    # that are too small for the chord are increased until the chord is a diameter.
+    size = np.abs(matrices[:, :4]).sum(axis=1)
+    half = np.hypot(*half_chords(numbers))
+    large = numbers[:, 7] % 2.0 == 1.0
+    wide = 2.0 * np.where(large, np.maximum(half, 1.0), half) * numbers[:, 4:6].max(axis=1)
+    reach = reach + np.where(is_arc, 2.0 * size * wide, 0.0)
+    first = np.flatnonzero(np.diff(table.path, prepend=-1))
+    far[table.path[first]] = np.maximum.reduceat(reach, first)
+    return far
+
+
+def transform_vectors(matrices: F64, vectors: F64) -> F64:
+    """Return n vectors multiplied by the linear parts of n matrices, (n, 2).
+
+    Parameters
+    ----------
+    matrices : (n, 6)
+        Matrices, each as a … f of SVG.
+    vectors : (n, 2)
+    """
+    x, y = vectors[:, 0], vectors[:, 1]
+    return np.stack(
+        [matrices[:, 0] * x + matrices[:, 2] * y, matrices[:, 1] * x + matrices[:, 3] * y], axis=1
+    )
+
+
+def transform_points(matrices: F64, points: F64) -> F64:
+    """Return n points multiplied by n matrices, (n, 2).
+
+    Parameters
+    ----------
+    matrices : (n, 6)
+        Matrices, each as a … f of SVG.
+    points : (n, 2)
+    """
+    return transform_vectors(matrices, points) + matrices[:, 4:]
+
+
+def half_chords(numbers: F64) -> tuple[F64, F64]:
+    """Return half the chord of n elliptic arcs along the first and the second axis, (n,) each.
+
+    The unit of each value is the radius along that axis.
+
+    Parameters
+    ----------
+    numbers : (n, 8)
+        Rows of ``Table.numbers`` that are arcs.
+    """
+    angle = np.radians(numbers[:, 6])
+    cosine, sine = np.cos(angle), np.sin(angle)
+    half = (numbers[:, :2] - numbers[:, 2:4]) / 2.0
+    return (
+        (cosine * half[:, 0] + sine * half[:, 1]) / numbers[:, 4],
+        (cosine * half[:, 1] - sine * half[:, 0]) / numbers[:, 5],
+    )
