@@ -22,11 +22,11 @@ from knifetip.api.service import (
     require_customer_profile,
 )
 from knifetip.errors import ProfileError, RequestError
+from knifetip.fields import field_message
 from knifetip.jobs import profiling
 from knifetip.jobs.interpretations import interpretation_of
 from knifetip.jobs.tables import Profile
 from knifetip.library import custom_profiles, load
-from knifetip.library.files import field_message
 
 router = APIRouter(tags=["profiles"])
 

@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from knifetip.errors import ControllerError
+from knifetip.fields import InvalidFields
+from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
 
@@ -35,7 +37,7 @@ class Language:
     reader: str  #: path of a ``knifetip.verification.reading.moves.ProgramReader``
     timing: str  #: path of a ``knifetip.sequencing.timing.Timing``
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
-    no_driver: str = ""  #: without a driver: hint how to send a program
+    no_driver: Message | None = None  #: without a driver: advice how to send a program
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
 
     def load_part(self, role: str) -> Any:
@@ -67,12 +69,13 @@ class Language:
 
         Raises
         ------
-        ValueError
+        InvalidFields
             The table is invalid, or has fields although the language has no settings, or the
             language cannot drive the machine.
         """
         if self.settings:
             return self.load_part("settings")(fields, machine)
         if fields:
-            raise ValueError(f"{self.title} has no settings; remove [controller]")
+            fault = Message("language.no-settings", path="controller", language=self.title)
+            raise InvalidFields([fault], ("controller",))
         return None

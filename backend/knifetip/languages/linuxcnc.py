@@ -1,6 +1,7 @@
 """linuxcnc: the language record of the dialect of RS274/NGC that LinuxCNC reads."""
 
 from knifetip.languages.language import Language
+from knifetip.messages import Message
 
 LANGUAGE = Language(
     name="linuxcnc",
@@ -9,5 +10,5 @@ LANGUAGE = Language(
     emitter="knifetip.post.rs274.linuxcnc:emit",
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.linuxcnc:halts",
-    no_driver="Download the program and open it in LinuxCNC.",
+    no_driver=Message("language.open-in-linuxcnc"),
 )

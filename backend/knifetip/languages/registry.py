@@ -14,6 +14,7 @@ from functools import cache
 from importlib.metadata import entry_points
 
 from knifetip.errors import LibraryError
+from knifetip.fields import InvalidFields
 from knifetip.languages.language import Language
 from knifetip.model.machine import Machine
 
@@ -64,12 +65,12 @@ def with_language(machine: Machine, name: str) -> Machine:
     language = find_language(name)
     try:
         settings = language.read_settings({}, machine)
-    except ValueError as reason:
+    except InvalidFields as reason:
         raise LibraryError(
             "language.unusable",
             machine=machine.title,
             language=language.title,
-            reason=reason,
+            faults=reason.faults,
             own=machine.dialect,
         ) from reason
     return replace(machine, dialect=name, controller=settings)

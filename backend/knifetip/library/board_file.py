@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import Field, ValidationInfo, field_validator
 
-from knifetip.library.files import Table, field_error
+from knifetip.fields import LISTED, Table, field_error
 from knifetip.model.board import Board, Deflection
 from knifetip.model.tool.base import NotNegative, Positive
 
@@ -41,7 +41,7 @@ class BoardFile(Table):
     perforation: list[Positive] = Field(
         min_length=2, max_length=2, description="length of cuts and of gaps (mm)"
     )
-    short_crease: Literal["press", "refuse"] = Field(
+    short_crease: Annotated[Literal["press", "refuse"], LISTED] = Field(
         description="whether a crease too short for the wheel is pressed at a smaller depth, "
         "or refused"
     )

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from importlib import resources
@@ -15,9 +16,9 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from knifetip.errors import LibraryError, ProfileError
+from knifetip.errors import KnifetipError, LibraryError, ProfileError
+from knifetip.fields import InvalidFields, check_fields
 from knifetip.languages.registry import find_language
-from knifetip.library.files import validate_fields
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
@@ -198,6 +199,37 @@ def _parse_file(
     return parse(file.name.removesuffix(".toml"), fields, name)
 
 
+@contextmanager
+def _name_document(
+    shelf: str, name: str, error: type[KnifetipError] = LibraryError
+) -> Iterator[None]:
+    """Name the document in the error of its invalid fields.
+
+    Parameters
+    ----------
+    shelf, name
+        Kind of the document ("machine", "board" or "profile") and its name.
+    error
+        Class of the error that is raised if the fields are invalid.
+
+    Raises
+    ------
+    LibraryError
+        A field is missing, invalid or unknown; ``source`` is the path of the first such field.
+        If the caller gives another class as ``error``, that class is raised instead.
+    """
+    try:
+        yield
+    except InvalidFields as reason:
+        raise error(
+            "library.invalid",
+            shelf=shelf,
+            name=name[:200],
+            faults=reason.faults,
+            source=reason.source,
+        ) from None
+
+
 def find_cutter(machine: Machine, tool: str) -> Station:
     """Return the station of a machine that is named ``tool`` and has a rotating cutter or a laser.
 
@@ -253,19 +285,10 @@ def parse_machine(name: str, fields: Mapping[str, Any], file: str = "") -> Machi
     """
     from knifetip.library.machine_file import MachineFile
 
-    table = validate_fields(MachineFile, fields, "machine", file or name)
-    machine = table.record(name)
-    try:
+    with _name_document("machine", file or name):
+        table = check_fields(MachineFile, fields)
+        machine = table.record(name)
         settings = find_language(machine.dialect).read_settings(table.controller, machine)
-    except ValueError as reason:
-        fault = Message("field.other", path="controller", reason=reason)
-        raise LibraryError(
-            "library.invalid",
-            shelf="machine",
-            name=(file or name)[:200],
-            faults=[fault],
-            source=("controller",),
-        ) from reason
     return replace(machine, controller=settings)
 
 
@@ -288,7 +311,8 @@ def parse_board(name: str, fields: Mapping[str, Any], file: str = "") -> Board:
     """
     from knifetip.library.board_file import BoardFile
 
-    return validate_fields(BoardFile, fields, "board", file or name).record(name)
+    with _name_document("board", file or name):
+        return check_fields(BoardFile, fields).record(name)
 
 
 def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineRules:
@@ -315,22 +339,12 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
     """
     from knifetip.library.profile_file import ProfileFile
 
-    table = validate_fields(ProfileFile, fields, "profile", file or name, ProfileError)
-    if table.extends is not None and table.extends not in names("profiles"):
-        raise ProfileError(
-            "library.invalid",
-            shelf="profile",
-            name=(file or name)[:200],
-            faults=[
-                Message(
-                    "field.not-a-profile",
-                    path="extends",
-                    value=table.extends[:80],
-                    known=names("profiles"),
-                )
-            ],
-            source=("extends",),
-        )
+    with _name_document("profile", file or name, ProfileError):
+        table = check_fields(ProfileFile, fields)
+        if table.extends is not None and table.extends not in (known := names("profiles")):
+            value = table.extends[:80]
+            fault = Message("field.not-a-profile", path="extends", value=value, known=known)
+            raise InvalidFields([fault], ("extends",))
     inherited = profile(table.extends, files=False).rules if table.extends is not None else ()
     own = tuple(rule.record() for rule in table.rule)
     rules = own + inherited if table.overrules else inherited + own

@@ -11,11 +11,18 @@ from functools import reduce
 from operator import or_
 from typing import Annotated, Any, Final, Literal, get_type_hints
 
-from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ValidationInfo,
+    create_model,
+    field_validator,
+    model_validator,
+)
 
 from knifetip.errors import LibraryError
+from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.library.files import Table, field_error
 from knifetip.model.machine import Axis, Machine, Station
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
@@ -93,6 +100,17 @@ _CLASSES: Final = {kind.name: kind.tool for kind in KINDS}
 _AnyTool: Any = reduce(or_, map(_tool_table, KINDS))
 
 
+def _check_kind(tool: Any) -> Any:
+    """Return the table of a tool unchanged; raise an error if there is no such kind of tool."""
+    if isinstance(tool, dict) and "kind" in tool and tool["kind"] not in list(_CLASSES):
+        raise field_error(
+            "field.unknown-kind",
+            value=str(tool["kind"])[:80],
+            known=[repr(kind) for kind in _CLASSES],
+        )
+    return tool
+
+
 class StationTable(Table):
     """The TOML table of a station: a place on the head that carries one tool."""
 
@@ -103,7 +121,7 @@ class StationTable(Table):
         -1,
         description="digital output that lowers the station or switches its tool on; -1 for none",
     )
-    tool: Annotated[_AnyTool, Field(discriminator="kind")]
+    tool: Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
 
     def record(self) -> Station:
         """Return the station that the table describes."""
@@ -132,7 +150,7 @@ class MachineFile(Table):
     clearance: Positive = Field(description="height above the board at which plunging starts (mm)")
     into_mat: NotNegative = Field(description="depth of a through cut in the mat (mm)")
     settle: NotNegative = Field(description="waiting time after an output is switched (s)")
-    feed: Literal["manual", "automatic"] = Field(
+    feed: Annotated[Literal["manual", "automatic"], LISTED] = Field(
         "manual", description="whether an operator or a feeder loads the sheet"
     )
     axes: Axes

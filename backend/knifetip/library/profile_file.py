@@ -17,7 +17,7 @@ from pydantic import (
     WithJsonSchema,
 )
 
-from knifetip.library.files import Table, field_error
+from knifetip.fields import Table, field_error
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
@@ -45,6 +45,12 @@ def _colour(value: Any) -> int | str:
         raise field_error("field.not-a-colour", value=repr(value)[:80])
     if not 0 < value < 256:
         raise field_error("field.not-a-colour", value=value)
+    return value
+
+
+def _check_not_blank(value: str) -> str:
+    if not value.strip():
+        raise field_error("field.blank")
     return value
 
 
@@ -109,7 +115,9 @@ class ProfileFile(Table):
     The conditions of a rule are layers, colours, linetypes, entity types and blocks.
     """
 
-    title: Annotated[str, StringConstraints(pattern=r"\S", max_length=MAX_TITLE_LENGTH)]
+    title: Annotated[
+        str, StringConstraints(max_length=MAX_TITLE_LENGTH), AfterValidator(_check_not_blank)
+    ] = Field(json_schema_extra={"pattern": r"\S"})
     extends: str | None = Field(None, description="profile of the library whose rules these extend")
     overrules: bool = Field(
         False, description="whether the rules come before those of the extended profile"

@@ -9,8 +9,8 @@ import inspect
 import re
 from typing import Any, Final
 
+from knifetip.fields import Table
 from knifetip.library.board_file import BoardFile
-from knifetip.library.files import Table
 from knifetip.library.machine_file import MachineFile
 from knifetip.library.profile_file import ProfileFile
 from knifetip.model.tool import KINDS, Tool

@@ -12,8 +12,9 @@ Templates are those of ``str.format``, with these additional formats:
 ``{tool:tool}``    the name of a tool
 =================  ==================================================================
 
-An argument that is a message is replaced by its text, or with ``{error:hint}`` by its hint.  An
-argument that is None is replaced by an empty text.
+An argument that is a message is replaced by its text, or with ``{error:hint}`` by its hint.  A list
+of messages is replaced by their texts, or with ``{faults:hint}`` by their hints.  An argument that
+is None is replaced by an empty text.
 """
 
 from __future__ import annotations
@@ -65,6 +66,8 @@ class _Formatter(Formatter):
             case Message():
                 return hint(value) if format_spec == "hint" else render(value)
             case tuple():
+                if format_spec == "hint":
+                    return " ".join(dict.fromkeys(filter(None, map(hint, value))))
                 items = [self.format_field(item, "") for item in value]
                 if format_spec == "or":
                     return " or ".join([", ".join(items[:-1]), *items[-1:]]).removeprefix(" or ")

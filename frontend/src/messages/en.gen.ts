@@ -859,16 +859,16 @@ export const TEXTS = {
     "text": "{path} is {value:g}, but must be greater than the value of low, {low:g}",
     "hint": ""
   },
-  "field.not-allowed": {
-    "text": "{path} is {value}, but must be {allowed}",
-    "hint": ""
-  },
   "field.not-below": {
     "text": "{path} is {value}, but must be less than {limit:g}",
     "hint": ""
   },
   "field.not-boolean": {
     "text": "{path} is {value}, but must be true or false",
+    "hint": ""
+  },
+  "field.not-json": {
+    "text": "{path} is not valid JSON: {reason}",
     "hint": ""
   },
   "field.not-less-than-caliper": {
@@ -888,7 +888,11 @@ export const TEXTS = {
     "hint": ""
   },
   "field.other": {
-    "text": "{path} is invalid: {reason}",
+    "text": "{path} is {value}, which is not valid ({fault})",
+    "hint": ""
+  },
+  "field.outside": {
+    "text": "{path} is {value}, but must be from {low:g} to {high:g}",
     "hint": ""
   },
   "field.repeated-numbers": {
@@ -920,7 +924,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.unknown-kind": {
-    "text": "{path} has the unknown kind {value!r}; known kinds are {known}",
+    "text": "{path} has the unknown kind {value!r}; known kinds are {known:, }",
     "hint": ""
   },
   "finding.at-edge": {
@@ -1235,6 +1239,10 @@ export const TEXTS = {
     "text": "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm wide.",
     "hint": "Draw a longer groove, or choose a narrower blade."
   },
+  "hpgl.bad-area": {
+    "text": "{path} is {value}, but must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1",
+    "hint": "Write the corners of the area in plotter units, the lower left corner first."
+  },
   "hpgl.bad-byte": {
     "text": "The byte {byte} is not allowed here.",
     "hint": "Remove the byte."
@@ -1247,6 +1255,14 @@ export const TEXTS = {
     "text": "A plus or minus sign is not followed by a number, or a number has too many digits.",
     "hint": "Correct the number."
   },
+  "hpgl.bad-range": {
+    "text": "{path} is {value}, but must be [least, greatest] with 0 < least ≤ greatest",
+    "hint": "Write the two values in this order."
+  },
+  "hpgl.datum": {
+    "text": "{path} has an offset or an output, but the device itself stores the offsets of its tools and lowers them",
+    "hint": "Set all values of datum to 0 and remove output."
+  },
   "hpgl.depth-change": {
     "text": "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
     "hint": "Choose a board and a tool that need only one pass."
@@ -1258,6 +1274,10 @@ export const TEXTS = {
   "hpgl.ends-with-pen": {
     "text": "The program ends while a pen is selected.",
     "hint": "Add SP0 before the end."
+  },
+  "hpgl.feed-not-supported": {
+    "text": "{path} is {value:g} mm/min, but {device} supports only multiples of {step:g} mm/min from {slowest:g} to {fastest:g}",
+    "hint": "Choose one of these feeds."
   },
   "hpgl.force-out-of-range": {
     "text": "The force (FS) is not between {low} and {high}.",
@@ -1299,6 +1319,10 @@ export const TEXTS = {
     "text": "The machine file of {machine} does not describe an HPGL device.",
     "hint": "Add the settings of the device under [controller] in the machine file: see the page Connect a machine of the documentation."
   },
+  "hpgl.no-force": {
+    "text": "{path} is {value}, but {device} has no force setting (FS)",
+    "hint": "Remove force."
+  },
   "hpgl.no-force-setting": {
     "text": "The instruction FS is not allowed, because the device has no force setting.",
     "hint": "Remove FS."
@@ -1335,6 +1359,10 @@ export const TEXTS = {
     "text": "The line moves the tool outside the working area of the device.",
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
+  "hpgl.pen-cannot": {
+    "text": "{path} is {work!r}, which the tool of station {station} cannot make",
+    "hint": "Assign the pen to another station, or choose another work."
+  },
   "hpgl.plunge-without-move": {
     "text": "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
     "hint": "Add a move after PD."
@@ -1343,9 +1371,17 @@ export const TEXTS = {
     "text": "{place} presses the tool into the board at one point, but HPGL cannot turn the tool there.",
     "hint": "Choose a board with short_crease = \"refuse\", or another machine."
   },
+  "hpgl.repeated-pen": {
+    "text": "{path} has the same station and the same work as another pen",
+    "hint": "Remove one of the two pens, or change its work."
+  },
   "hpgl.selects-while-down": {
     "text": "The line selects a pen while the tool is down.",
     "hint": "Lift the tool first (PU)."
+  },
+  "hpgl.send-by-hand": {
+    "text": "Download the program and send it with the software of the cutter, where a person can stop it.",
+    "hint": ""
   },
   "hpgl.slanted-plunge": {
     "text": "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
@@ -1355,9 +1391,25 @@ export const TEXTS = {
     "text": "The speed (VS) is not between {low} and {high}.",
     "hint": "Give a speed in this range."
   },
+  "hpgl.station-without-pen": {
+    "text": "{path} has no pen",
+    "hint": "Add a [[controller.pen]] with this station."
+  },
   "hpgl.swivel": {
     "text": "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
     "hint": "Set the trail of the knife to 0 in the machine file, because the device itself compensates for the trail."
+  },
+  "hpgl.tool-not-supported": {
+    "text": "{path} needs depths or headings in its program, which HPGL cannot express",
+    "hint": "Remove the station, or choose another controller language."
+  },
+  "hpgl.trail": {
+    "text": "{path} is {value:g} mm, but the device itself compensates for the trail of its knife",
+    "hint": "Set trail to 0."
+  },
+  "hpgl.travel": {
+    "text": "{path} extends from {low:g} to {high:g} mm, but the device reaches from {least:g} to {greatest:g} mm",
+    "hint": "Reduce the travel of the axis, or choose a larger device."
   },
   "hpgl.turn-in-board": {
     "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
@@ -2095,13 +2147,21 @@ export const TEXTS = {
     "text": "Programs in {language} cannot be sent to a machine, because there is no gateway driver for this language.",
     "hint": "{advice}"
   },
+  "language.no-settings": {
+    "text": "{path} is not allowed, because {language} has no settings",
+    "hint": "Remove [controller]."
+  },
+  "language.open-in-linuxcnc": {
+    "text": "Download the program and open it in LinuxCNC.",
+    "hint": ""
+  },
   "language.unknown": {
     "text": "The controller language {name!r} does not exist.",
     "hint": "Choose one of {known:, }."
   },
   "language.unusable": {
-    "text": "{machine} cannot be driven with {language}: {reason}.",
-    "hint": "Choose {own}, which is the language in the machine file."
+    "text": "{machine} cannot be driven with {language}: {faults:; }.",
+    "hint": "{faults:hint} Choose {own}, which is the language in the machine file."
   },
   "layer.not-finite": {
     "text": "A coordinate on the layer {layer} is not a number.",
@@ -2109,7 +2169,7 @@ export const TEXTS = {
   },
   "library.invalid": {
     "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
-    "hint": "Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
+    "hint": "{faults:hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
   },
   "library.unknown": {
     "text": "The {shelf} {name!r} does not exist.",

@@ -4,7 +4,7 @@
  *     {name}                    the argument; a message is rendered, null is left out
  *     {name!r}                  the same in quotes
  *     {names:, }  {names:or}    items of a list, joined with the text after the colon; "a, b or c"
- *     {error:hint}              the hint of a message instead of its text
+ *     {error:hint}              the hint of a message, or the hints of a list, instead of the text
  *     {n:# edge|# edges}        the first form for 1, else the second; # is the number
  *     {x:,.1f}  {x:.3f}  {x:g}  decimals, with or without separators; significant digits
  *     {size:mm}  {size:MB}      a length with useful decimals; bytes as mebibytes
@@ -77,6 +77,10 @@ function formatValue(value: unknown, format: string): string {
 }
 
 function joinItems(values: readonly unknown[], format: string): string {
+  if (format === "hint") {
+    const hints = values.map((item) => formatValue(item, format));
+    return [...new Set(hints)].filter((hint) => hint !== "").join(" ");
+  }
   const items = values.map((item) => formatValue(item, ""));
   if (format !== "or") return items.join(format === "" ? ", " : format);
   const last = items.pop() ?? "";

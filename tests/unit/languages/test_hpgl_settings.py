@@ -14,6 +14,7 @@ from knifetip.model.machine import Machine
 
 TEXT = (Path(load.__file__).parent / "machines" / "flat-cutter-hpgl.toml").read_text("utf-8")
 OWN = '{ title = "Ours", units = 100.0, area = [0, 0, 130000, 90000], origin = "corner", pens = 3 }'
+SECOND = '[[controller.pen]]\nnumber = 2\nstation = 2\nwork = "crease"\nforce = 24\n'
 
 
 def machine(tmp_path: Path, text: str) -> Machine:
@@ -45,23 +46,93 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('device = "flat-cutter"', 'device = "x"', "'x'; give one of flat-cutter, .*hp-7475a-a3"),
-        ('device = "flat-cutter"', "", "controller.device is ''"),
-        ("number = 3\nstation = 1", "number = 9\nstation = 1", "has pens 1 to 4"),
-        ("number = 3\nstation = 1", "number = 2\nstation = 1", "must differ"),
-        ('work = "half-cut"', 'work = "cut"', "do the same work"),
-        ('work = "half-cut"', 'work = "crease"', "station 1 cannot crease"),
-        ('work = "half-cut"', 'work = "groove"', "give one of cut, half-cut, crease"),
-        ("force = 12", "force = 99", "must be 1 to 40"),
-        ("number = 2\nstation = 2", "number = 2\nstation = 5", "has no station 5"),
-        ("feed = 24000.0", "feed = 24100.0", "multiples of 600 from 600 to 48000"),
-        ("swivel = 15.0", "swivel = 15.0\ntrail = 0.5", "compensates the trail"),
-        ("high = 1300.0", "high = 1301.0", "the device reaches 0 to 1300 mm"),
-        ("datum = { x = 0.0", "datum = { x = 5.0", "set the datum to 0"),
+        (
+            'device = "flat-cutter"',
+            'device = "x"',
+            "device is 'x', but must be 'flat-cutter', .*'hp-7475a-a3'",
+        ),
+        ('device = "flat-cutter"', "device = 3", "device is 3, but must be"),
+        (
+            'device = "flat-cutter"',
+            f"device = {OWN}",
+            "force is 30, but Ours has no force .*Remove force",
+        ),
+        (
+            'device = "flat-cutter"',
+            f"device = {OWN}".replace("130000", "-1"),
+            r"area is \[0, 0, -1, 90000\], but must be",
+        ),
+        (
+            'device = "flat-cutter"',
+            f"device = {OWN}".replace("pens = 3", "pens = 3, speed = [5, 1]"),
+            r"speed is \[5, 1\], but must be",
+        ),
+        (
+            'device = "flat-cutter"',
+            f"device = {OWN}".replace('"corner"', '"left"'),
+            "origin is 'left', but must be 'corner' or 'centre'",
+        ),
+        ('device = "flat-cutter"', 'device = { title = "Ours" }', "device → units is missing"),
+        ("force = 12", "strength = 12", "pen 3 → strength is not a known field"),
+        ('work = "crease"\nforce = 24', "", "pen 2 → work is missing"),
+        ('device = "flat-cutter"', "", "controller → device is missing"),
+        (
+            "number = 3\nstation = 1",
+            "number = 9\nstation = 1",
+            "pen 3 → number is 9, but must be at most 4",
+        ),
+        (
+            "number = 3\nstation = 1",
+            "number = 2\nstation = 1",
+            "pen has the numbers 1, 2, 2; each number may occur only once",
+        ),
+        (
+            'work = "half-cut"',
+            'work = "cut"',
+            "pen 3 has the same station and the same work.*Remove one",
+        ),
+        (
+            'work = "half-cut"',
+            'work = "crease"',
+            "pen 3 → work is 'crease', which the tool of station 1 cannot make",
+        ),
+        (
+            'work = "half-cut"',
+            'work = "groove"',
+            "work is 'groove', but must be 'cut', 'half-cut' or 'crease'",
+        ),
+        ("number = 2\nstation = 2", "number = 2\nstation = 1", "pen 2 → work is 'crease', which"),
+        (SECOND, "", "station 2 has no pen"),
+        ("force = 12", "force = 99", "pen 3 → force is 99, but must be from 1 to 40"),
+        (
+            "number = 2\nstation = 2",
+            "number = 2\nstation = 5",
+            "pen 2 → station is 5, but must be 1 or 2",
+        ),
+        (
+            "feed = 24000.0",
+            "feed = 24100.0",
+            "station 1 → tool → feed is 24100 .* multiples of 600 mm/min from 600 to 48000",
+        ),
+        (
+            "swivel = 15.0",
+            "swivel = 15.0\ntrail = 0.5",
+            "station 1 → tool → trail is 0.5 mm.*Set trail to 0",
+        ),
+        (
+            "high = 1300.0",
+            "high = 1301.0",
+            "axes → x extends from 0 to 1301 mm, but the device reaches from 0 to 1300 mm",
+        ),
+        (
+            "datum = { x = 0.0",
+            "datum = { x = 5.0",
+            "station 1 has an offset.*Set all values of datum to 0",
+        ),
         (
             'kind = "crease-wheel"\nradius = 5.0\nwidth = 0.7',
             'kind = "cutter"\nradius = 3.0',
-            "neither depths nor headings",
+            "station 2 → tool needs depths or headings",
         ),
     ],
 )

@@ -7,6 +7,12 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "hpgl.bad-area": entry(
+        "{path} is {value}, but must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1",
+        "Write the corners of the area in plotter units, the lower left corner first.",
+        path="text",
+        value="text",
+    ),
     "hpgl.bad-byte": entry(
         "The byte {byte} is not allowed here.",
         "Remove the byte.",
@@ -27,6 +33,18 @@ MESSAGES: Final[Entries] = {
         "A plus or minus sign is not followed by a number, or a number has too many digits.",
         "Correct the number.",
     ),
+    "hpgl.bad-range": entry(
+        "{path} is {value}, but must be [least, greatest] with 0 < least ≤ greatest",
+        "Write the two values in this order.",
+        path="text",
+        value="text",
+    ),
+    "hpgl.datum": entry(
+        "{path} has an offset or an output, but the device itself stores the offsets of its tools "
+        "and lowers them",
+        "Set all values of datum to 0 and remove output.",
+        path="text",
+    ),
     "hpgl.depth-change": entry(
         "{place} changes the depth of the tool during a cut, which HPGL cannot express.",
         "Choose a board and a tool that need only one pass.",
@@ -39,6 +57,17 @@ MESSAGES: Final[Entries] = {
     "hpgl.ends-with-pen": entry(
         "The program ends while a pen is selected.",
         "Add SP0 before the end.",
+    ),
+    "hpgl.feed-not-supported": entry(
+        "{path} is {value:g} mm/min, but {device} supports only multiples of {step:g} mm/min from "
+        "{slowest:g} to {fastest:g}",
+        "Choose one of these feeds.",
+        path="text",
+        value="number",
+        device="text",
+        step="number",
+        slowest="number",
+        fastest="number",
     ),
     "hpgl.force-out-of-range": entry(
         "The force (FS) is not between {low} and {high}.",
@@ -82,6 +111,13 @@ MESSAGES: Final[Entries] = {
         "Connect a machine of the documentation.",
         machine="text",
     ),
+    "hpgl.no-force": entry(
+        "{path} is {value}, but {device} has no force setting (FS)",
+        "Remove force.",
+        path="text",
+        value="text",
+        device="text",
+    ),
     "hpgl.no-force-setting": entry(
         "The instruction FS is not allowed, because the device has no force setting.",
         "Remove FS.",
@@ -121,6 +157,13 @@ MESSAGES: Final[Entries] = {
         "The line moves the tool outside the working area of the device.",
         "Move the drawing on the table, or choose a larger machine.",
     ),
+    "hpgl.pen-cannot": entry(
+        "{path} is {work!r}, which the tool of station {station} cannot make",
+        "Assign the pen to another station, or choose another work.",
+        path="text",
+        work="text",
+        station="count",
+    ),
     "hpgl.plunge-without-move": entry(
         "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
         "Add a move after PD.",
@@ -131,9 +174,18 @@ MESSAGES: Final[Entries] = {
         'Choose a board with short_crease = "refuse", or another machine.',
         place="message",
     ),
+    "hpgl.repeated-pen": entry(
+        "{path} has the same station and the same work as another pen",
+        "Remove one of the two pens, or change its work.",
+        path="text",
+    ),
     "hpgl.selects-while-down": entry(
         "The line selects a pen while the tool is down.",
         "Lift the tool first (PU).",
+    ),
+    "hpgl.send-by-hand": entry(
+        "Download the program and send it with the software of the cutter, where a person can "
+        "stop it.",
     ),
     "hpgl.slanted-plunge": entry(
         "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
@@ -146,11 +198,37 @@ MESSAGES: Final[Entries] = {
         low="count",
         high="count",
     ),
+    "hpgl.station-without-pen": entry(
+        "{path} has no pen",
+        "Add a [[controller.pen]] with this station.",
+        path="text",
+    ),
     "hpgl.swivel": entry(
         "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
         "Set the trail of the knife to 0 in the machine file, because the device itself "
         "compensates for the trail.",
         place="message",
+    ),
+    "hpgl.tool-not-supported": entry(
+        "{path} needs depths or headings in its program, which HPGL cannot express",
+        "Remove the station, or choose another controller language.",
+        path="text",
+    ),
+    "hpgl.trail": entry(
+        "{path} is {value:g} mm, but the device itself compensates for the trail of its knife",
+        "Set trail to 0.",
+        path="text",
+        value="number",
+    ),
+    "hpgl.travel": entry(
+        "{path} extends from {low:g} to {high:g} mm, but the device reaches from {least:g} to "
+        "{greatest:g} mm",
+        "Reduce the travel of the axis, or choose a larger device.",
+        path="text",
+        low="number",
+        high="number",
+        least="number",
+        greatest="number",
     ),
     "hpgl.turn-in-board": entry(
         "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is "

@@ -9,8 +9,8 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "library.invalid": entry(
         "The {shelf} {name!r} cannot be used: {faults:; }.",
-        "Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes "
-        "all fields.",
+        "{faults:hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} "
+        "describes all fields.",
         shelf="text",
         name="text",
         faults="messages",
@@ -102,12 +102,6 @@ MESSAGES: Final[Entries] = {
         value="number",
         low="number",
     ),
-    "field.not-allowed": entry(
-        "{path} is {value}, but must be {allowed}",
-        path="text",
-        value="text",
-        allowed="text",
-    ),
     "field.not-below": entry(
         "{path} is {value}, but must be less than {limit:g}",
         path="text",
@@ -119,6 +113,7 @@ MESSAGES: Final[Entries] = {
         path="text",
         value="text",
     ),
+    "field.not-json": entry("{path} is not valid JSON: {reason}", path="text", reason="text"),
     "field.not-less-than-caliper": entry(
         "{path} is {value:g} mm, but must be less than the caliper of {caliper:g} mm",
         path="text",
@@ -137,7 +132,19 @@ MESSAGES: Final[Entries] = {
         path="text",
         value="text",
     ),
-    "field.other": entry("{path} is invalid: {reason}", path="text", reason="text"),
+    "field.other": entry(
+        "{path} is {value}, which is not valid ({fault})",
+        path="text",
+        value="text",
+        fault="text",
+    ),
+    "field.outside": entry(
+        "{path} is {value}, but must be from {low:g} to {high:g}",
+        path="text",
+        value="text",
+        low="number",
+        high="number",
+    ),
     "field.repeated-numbers": entry(
         "{path} has the numbers {numbers:, }; each number may occur only once",
         path="text",
@@ -168,10 +175,10 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "field.unknown-kind": entry(
-        "{path} has the unknown kind {value!r}; known kinds are {known}",
+        "{path} has the unknown kind {value!r}; known kinds are {known:, }",
         path="text",
         value="text",
-        known="text",
+        known="texts",
     ),
     "profile.bad-if-match": entry(
         "The header If-Match is {match!r}, which is not a version.",

@@ -193,8 +193,15 @@ MESSAGES: Final[Entries] = {
         "for this language.",
         "{advice}",
         language="text",
-        advice="text",
+        advice="message?",
     ),
+    "language.no-settings": entry(
+        "{path} is not allowed, because {language} has no settings",
+        "Remove [controller].",
+        path="text",
+        language="text",
+    ),
+    "language.open-in-linuxcnc": entry("Download the program and open it in LinuxCNC."),
     "language.unknown": entry(
         "The controller language {name!r} does not exist.",
         "Choose one of {known:, }.",
@@ -202,11 +209,11 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "language.unusable": entry(
-        "{machine} cannot be driven with {language}: {reason}.",
-        "Choose {own}, which is the language in the machine file.",
+        "{machine} cannot be driven with {language}: {faults:; }.",
+        "{faults:hint} Choose {own}, which is the language in the machine file.",
         machine="text",
         language="text",
-        reason="text",
+        faults="messages",
         own="text",
     ),
 }

@@ -24,7 +24,7 @@ MESSAGES: Final[Entries] = {
         "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
         "{advice}",
         machine="text",
-        advice="text",
+        advice="message",
     ),
     "waiting.for-sheet": entry(
         "Copy {copy} of {copies} is finished.",

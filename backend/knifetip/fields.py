@@ -1,20 +1,19 @@
-"""files: validate the fields of TOML files against pydantic models.
+"""fields: validate the fields of TOML files and requests against pydantic models.
 
-``validate_fields`` returns a validated model, or raises an error with the path of each invalid
-field and the reason.  Numbers must be finite, and types are not converted.  Unknown fields are
-errors.
+``check_fields`` returns a validated model, or raises an error with one message for each invalid
+field: its path and the fault.  Numbers must be finite, and types are not converted.  Unknown fields
+are errors.
 """
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Mapping
-from typing import Any, Final, TypeVar
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Final, TypeVar, get_args
 
-from pydantic import BaseModel, ConfigDict, ValidationError
-from pydantic_core import ErrorDetails, PydanticCustomError
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, ValidationError
+from pydantic_core import ErrorDetails, PydanticCustomError, core_schema
 
-from knifetip.errors import KnifetipError, LibraryError
 from knifetip.messages import Message
 from knifetip.messages.codes import CODES
 
@@ -35,29 +34,34 @@ class Table(BaseModel):
     )
 
 
-def validate_fields(
-    model: type[Model],
-    fields: Mapping[str, Any],
-    shelf: str,
-    name: str,
-    error: type[KnifetipError] = LibraryError,
-) -> Model:
+class InvalidFields(Exception):
+    """Raised when fields of a TOML document are invalid.
+
+    The caller raises an error that also names the document.
+
+    Attributes
+    ----------
+    faults
+        One message per fault, with the path of the field.
+    source
+        Path of the field that the first message concerns.
+    """
+
+    def __init__(self, faults: Sequence[Message], source: Sequence[str]) -> None:
+        super().__init__("; ".join(map(str, faults)))
+        self.faults = tuple(faults)
+        self.source = tuple(source)
+
+
+def check_fields(model: type[Model], fields: Mapping[str, Any]) -> Model:
     """Return the fields of a TOML document as an instance of the pydantic model ``model``.
 
-    Parameters
-    ----------
-    fields
-        Values by field name, as parsed from the document.
-    shelf, name
-        Kind of the file ("machine", "board" or "profile") and its name, for the error message.
-    error
-        Class of the error that is raised if the fields are invalid.
+    ``fields`` contains the values by field name, as parsed from the document.
 
     Raises
     ------
-    LibraryError
-        A field is missing, invalid or unknown; ``source`` is the path of the first such field.
-        If the caller gives another class as ``error``, that class is raised instead.
+    InvalidFields
+        A field is missing, invalid or unknown.
     """
     try:
         return model.model_validate(fields)
@@ -66,13 +70,8 @@ def validate_fields(
         faults = sorted(
             reason.errors(include_url=False), key=lambda fault: fault["type"] != "extra_forbidden"
         )
-        raise error(
-            "library.invalid",
-            shelf=shelf,
-            name=name[:200],
-            faults=[field_message(model, fault) for fault in faults[:_MOST]],
-            source=_field(faults[0]),
-        ) from None
+        messages = [field_message(model, fault) for fault in faults[:_MOST]]
+        raise InvalidFields(messages, _field(faults[0])) from None
 
 
 def _path(fault: ErrorDetails) -> tuple[str, ...]:
@@ -108,17 +107,38 @@ def field_error(code: str, **arguments: Any) -> PydanticCustomError:
     code
         Code of the message that describes the error.
     arguments
-        Arguments of the message except ``path``, which ``field_message`` adds.
+        Arguments of the message except ``path``, which ``field_message`` adds.  It also adds
+        ``value``, the value of the field, if the caller does not give it.
     """
     return PydanticCustomError(code, code, arguments)
 
 
+class _Listed:
+    """Annotation that makes the error of a Literal or an enumeration list its values."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        values = get_args(source) or tuple(source)
+        return core_schema.custom_error_schema(
+            handler(source),
+            custom_error_type="field.not-one-of",
+            custom_error_message="field.not-one-of",
+            custom_error_context={"known": [repr(str(value)) for value in values]},
+        )
+
+
+#: Annotation of a Literal or an enumeration: the error of any other value lists the values.
+LISTED: Final = _Listed()
+
+
 def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:
     """Return the message that describes an error that pydantic reports for a field of ``model``."""
-    path = " → ".join(_path(fault))[:200] or "the document"
+    path = " → ".join(_path(fault))[:200] or "body"
     kind, context = fault["type"], fault.get("ctx", {})
     if kind in CODES:
-        return Message(kind, path=path, **context)
+        given = {"value": _shown(fault), **context, "path": path}
+        return Message(kind, **{name: given[name] for name in CODES[kind]})
     if kind == "extra_forbidden":
         near = difflib.get_close_matches(str(fault["loc"][-1]), sorted(set(_names(model))), 1)
         return (
@@ -127,10 +147,15 @@ def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:
             else Message("field.unknown", path=path)
         )
     if kind not in _CODES:
-        return Message("field.other", path=path, reason=fault["msg"])
-    given = {**context, "value": repr(fault.get("input"))[:80]}
+        return Message("field.other", path=path, value=_shown(fault), fault=kind)
+    given = {**context, "value": _shown(fault)}
     code, named = _CODES[kind]
     return Message(code, path=path, **{name: given[key] for name, key in named.items()})
+
+
+def _shown(fault: ErrorDetails) -> str:
+    """Return the value that a pydantic error concerns, shortened, as text."""
+    return repr(fault.get("input"))[:80]
 
 
 _VALUE: Final = {"value": "value"}
@@ -152,12 +177,10 @@ _CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
     "greater_than_equal": ("field.below", {**_VALUE, "limit": "ge"}),
     "less_than": ("field.not-below", {**_VALUE, "limit": "lt"}),
     "less_than_equal": ("field.above", {**_VALUE, "limit": "le"}),
-    "literal_error": ("field.not-allowed", {**_VALUE, "allowed": "expected"}),
     "union_tag_not_found": ("field.no-kind", {"field": "discriminator"}),
-    "union_tag_invalid": ("field.unknown-kind", {"value": "tag", "known": "expected_tags"}),
+    "json_invalid": ("field.not-json", {"reason": "error"}),
     "too_short": ("field.too-few", {"count": "actual_length", "least": "min_length"}),
     "too_long": ("field.too-many", {"most": "max_length"}),
-    "string_pattern_mismatch": ("field.blank", {}),
     "string_too_long": ("field.too-long", {"most": "max_length"}),
 }
 

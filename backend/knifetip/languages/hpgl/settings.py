@@ -1,0 +1,237 @@
+"""settings: read the settings of an HPGL machine from ``[controller]`` in its TOML file."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
+from importlib import resources
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import AfterValidator, BeforeValidator, Field
+
+from knifetip.fields import LISTED, InvalidFields, Table, check_fields, field_error
+from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
+from knifetip.messages import Message
+from knifetip.model.machine import Machine, Station
+from knifetip.model.tool import Engine, Knife, kind_of
+from knifetip.model.tool.base import Positive
+
+
+class _Fault(NamedTuple):
+    """A fault of a field: the path of the field, and code and further arguments of the message."""
+
+    path: tuple[str, ...]
+    code: str
+    arguments: Mapping[str, Any]
+
+    @property
+    def message(self) -> Message:
+        """The message with the path of the field."""
+        return Message(self.code, path=" → ".join(self.path), **self.arguments)
+
+
+def _fault(path: Sequence[str], code: str, **arguments: Any) -> _Fault:
+    """Return the fault of the field with this path."""
+    return _Fault(tuple(path), code, arguments)
+
+
+@cache
+def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
+    """Return the settings of the HPGL devices that knifetip ships, by the name of the device."""
+    text = (resources.files(__package__) / "devices.toml").read_text("utf-8")
+    return tomllib.loads(text)
+
+
+def _find_device(value: Any) -> Any:
+    """Return the fields of a device, which ``value`` contains, or of which it is the name."""
+    if isinstance(value, Mapping):
+        return value
+    if value not in list(_shipped_devices()):
+        raise field_error("field.not-one-of", known=map(repr, sorted(_shipped_devices())))
+    return _shipped_devices()[value]
+
+
+def _check_area(value: list[int]) -> list[int]:
+    x0, y0, x1, y1 = value
+    if x0 >= x1 or y0 >= y1:
+        raise field_error("hpgl.bad-area")
+    return value
+
+
+def _check_range(value: list[int]) -> list[int]:
+    if not 0 < value[0] <= value[1]:
+        raise field_error("hpgl.bad-range")
+    return value
+
+
+_Range = Annotated[list[int], Field(min_length=2, max_length=2), AfterValidator(_check_range)]
+
+
+class DeviceTable(Table):
+    """The TOML table of an HPGL device; ``devices.toml`` describes the fields."""
+
+    title: str
+    units: Positive
+    area: Annotated[list[int], Field(min_length=4, max_length=4), AfterValidator(_check_area)]
+    origin: Annotated[Literal["corner", "centre"], LISTED]
+    pens: int = Field(gt=0)
+    speed: _Range | None = None
+    force: _Range | None = None
+    comments: bool = False
+
+    def record(self, machine: Machine) -> Device:
+        """Return the device that the table describes, on the table of a machine."""
+        x0, y0, x1, y1 = self.area
+        centred = self.origin == "centre"
+        return Device(
+            title=self.title,
+            units=self.units,
+            area=(x0, y0, x1, y1),
+            zero=(machine.width / 2.0, machine.height / 2.0) if centred else (0.0, 0.0),
+            pens=self.pens,
+            speed=(self.speed[0], self.speed[1]) if self.speed else None,
+            force=(self.force[0], self.force[1]) if self.force else None,
+            comments=self.comments,
+        )
+
+
+class PenTable(Table):
+    """The TOML table of a pen."""
+
+    number: int = Field(gt=0)
+    station: int
+    work: Annotated[PenWork, Field(strict=False), LISTED]
+    force: int = 0
+
+    def record(self) -> Pen:
+        """Return the pen that the table describes."""
+        return Pen(self.number, self.station, self.work, self.force)
+
+
+class ControllerTable(Table):
+    """The TOML table ``[controller]`` of an HPGL machine."""
+
+    device: Annotated[DeviceTable, BeforeValidator(_find_device)]
+    pen: list[PenTable] = Field([])
+
+
+class Settings(Table):
+    """The part of a machine's TOML file that contains the settings of HPGL."""
+
+    controller: ControllerTable
+
+
+def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
+    """Return the HPGL settings of a machine, read from its TOML file.
+
+    ``fields`` is the table ``[controller]`` of the file.
+
+    Raises
+    ------
+    InvalidFields
+        The table is invalid, or HPGL cannot drive such a machine.
+    """
+    table = check_fields(Settings, {"controller": fields}).controller
+    device = table.device.record(machine)
+    plotter = Plotter(device, tuple(pen.record() for pen in table.pen))
+    for check in _CHECKS:
+        if fault := next(check(plotter, machine), None):
+            raise InvalidFields([fault.message], fault.path)
+    return plotter
+
+
+def _check_numbers(plotter: Plotter, _machine: Machine) -> Iterator[_Fault]:
+    """Yield a fault if two pens have the same number."""
+    numbers = [pen.number for pen in plotter.pens]
+    if len(set(numbers)) != len(numbers):
+        yield _fault(("controller", "pen"), "field.repeated-numbers", numbers=numbers)
+
+
+def _check_pens(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
+    """Yield the faults of pens that the device lacks, or that their station cannot serve."""
+    device, stations = plotter.device, {station.number: station for station in machine.stations}
+    works: set[tuple[int, PenWork]] = set()
+    for row, pen in enumerate(plotter.pens, 1):
+        path = ("controller", f"pen {row}")
+        if pen.number > device.pens:
+            limit = device.pens
+            yield _fault((*path, "number"), "field.above", value=pen.number, limit=limit)
+        yield from _check_force((*path, "force"), pen, device)
+        if (station := stations.get(pen.station)) is None:
+            known = sorted(stations)
+            yield _fault((*path, "station"), "field.not-one-of", value=pen.station, known=known)
+        elif _creases(station) is not (pen.work is PenWork.CREASE):
+            work, number = pen.work.value, station.number
+            yield _fault((*path, "work"), "hpgl.pen-cannot", work=work, station=number)
+        if (pen.station, pen.work) in works:
+            yield _fault(path, "hpgl.repeated-pen")
+        works.add((pen.station, pen.work))
+
+
+def _check_force(path: Sequence[str], pen: Pen, device: Device) -> Iterator[_Fault]:
+    """Yield a fault if a device cannot set the force of a pen; ``path`` is that of the force."""
+    if device.force is None:
+        if pen.force:
+            yield _fault(path, "hpgl.no-force", value=pen.force, device=device.title)
+    elif not device.force[0] <= pen.force <= device.force[1]:
+        low, high = device.force
+        yield _fault(path, "field.outside", value=pen.force, low=low, high=high)
+
+
+def _check_stations(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
+    """Yield the faults of stations whose tool HPGL cannot drive."""
+    device = plotter.device
+    for row, station in enumerate(machine.stations, 1):
+        path, tool = (f"station {row}",), station.tool
+        if kind_of(tool).engine not in (Engine.KNIFE, Engine.CREASE):
+            yield _fault((*path, "tool"), "hpgl.tool-not-supported")
+        if any((station.x, station.y, station.z, station.c)) or station.output >= 0:
+            yield _fault(path, "hpgl.datum")
+        if isinstance(tool, Knife) and tool.trail:
+            yield _fault((*path, "tool", "trail"), "hpgl.trail", value=tool.trail)
+        if device.speed is not None:
+            speed, (least, greatest) = tool.feed / CM_PER_SECOND, device.speed
+            if speed != round(speed) or not least <= speed <= greatest:
+                yield _fault(
+                    (*path, "tool", "feed"),
+                    "hpgl.feed-not-supported",
+                    value=tool.feed,
+                    device=device.title,
+                    step=CM_PER_SECOND,
+                    slowest=least * CM_PER_SECOND,
+                    fastest=greatest * CM_PER_SECOND,
+                )
+
+
+def _check_idle(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
+    """Yield the faults of stations that no pen uses."""
+    used = {pen.station for pen in plotter.pens}
+    for row, station in enumerate(machine.stations, 1):
+        if station.number not in used:
+            yield _fault((f"station {row}",), "hpgl.station-without-pen")
+
+
+def _check_travel(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
+    """Yield the faults of axes that travel farther than the device reaches."""
+    device = plotter.device
+    x0, y0, x1, y1 = device.area
+    for axis, zero, ends in (("x", device.zero[0], (x0, x1)), ("y", device.zero[1], (y0, y1))):
+        least, greatest = (zero + end / device.units for end in ends)
+        low, high = getattr(machine, axis).low, getattr(machine, axis).high
+        if low < least - 1e-9 or high > greatest + 1e-9:
+            measures = {"low": low, "high": high, "least": least, "greatest": greatest}
+            yield _fault(("axes", axis), "hpgl.travel", **measures)
+
+
+def _creases(station: Station) -> bool:
+    return kind_of(station.tool).engine is Engine.CREASE
+
+
+_CHECKS: Sequence[Callable[[Plotter, Machine], Iterator[_Fault]]] = (
+    _check_numbers,
+    _check_stations,
+    _check_pens,
+    _check_idle,
+    _check_travel,
+)
