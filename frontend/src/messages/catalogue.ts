@@ -4,7 +4,9 @@ import type { components } from "../api/openapi.gen";
 
 export type Message = components["schemas"]["Message"];
 export type Code = components["schemas"]["MessageCode"];
-export type ArgumentsOf<C extends Code> = Extract<Message, { code: C }>["arguments"];
+/** Types of the arguments by code; a mapped type, because a search per code exceeds a limit of the compiler. */
+type Arguments = { readonly [M in Message as M["code"]]: M["arguments"] };
+export type ArgumentsOf<C extends Code> = Arguments[C];
 
 /** An entry; `render` describes the format of both templates. Without a hint it is empty. */
 interface Entry {
