@@ -1,4 +1,4 @@
-"""Damaged drawings all the way through: the same program, and a verdict on what was drawn."""
+"""Damaged drawings through all stages: the same program, and a verdict for the drawn edges."""
 
 from __future__ import annotations
 
@@ -23,7 +23,10 @@ TABLE = load.machine("demo-table")
 def with_more(
     drawing: Drawing, line: Dieline, ends: F64, bulge: F64, like: I64
 ) -> tuple[Drawing, Dieline]:
-    """The drawing with edges that look like others of it."""
+    """Return the drawing and its dieline with additional edges.
+
+    ``like`` is the row of the edge whose style and line type each additional edge gets, (n,).
+    """
     columns: dict[str, Any] = {
         name: np.concatenate([getattr(drawing, name), getattr(drawing, name)[like]])
         for name in ("entity", "layer", "colour", "true_colour", "linetype")
@@ -65,7 +68,7 @@ def test_a_sample_with_everything_drawn_twice_gives_the_same_program(named: Name
 def test_a_sample_in_pieces_with_creases_under_its_cuts_is_accepted(named: Named) -> None:
     drawing, line, board = named.classified(None)
     straight = np.flatnonzero((line.bulge == 0.0) & (line.line_type == LineType.CUT))
-    # Every straight cut in two pieces, and a crease under a part of it.
+    # Every straight cut is split in two, with a crease under a part of it.
     ends = line.ends.copy()
     middle = ends[straight].mean(axis=1)
     pieces = np.stack([middle, ends[straight, 1]], axis=1)

@@ -1,4 +1,4 @@
-"""The whole way through REST: upload, order, and the simulated table runs it to its end."""
+"""All stages through REST: upload, order, and a job that the simulated table runs to its end."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MAILER = Named("generated__kyholdings__diecut_generator", "mailer_200x150x60_t3.
 
 @pytest.fixture(scope="module")
 def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
-    """A server with a table that is fifty times as fast as a real one."""
+    """Run a server with a simulated table at fifty times its speed; yield a client."""
     with Running(tmp_path_factory.mktemp("shop") / "shop.sqlite", speed=50.0) as client:
         yield client
 
@@ -97,7 +97,7 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
             waiting["hint"]
             == "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm it."
         )
-        # The older command and the confirmation do the same.
+        # The older command (resume) and the confirmation have the same effect.
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
     done = wait_for_state(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3

@@ -1,4 +1,4 @@
-"""A program over TCP to the simulated table: what moves, and how every failure ends."""
+"""Programs over TCP to the simulated table: its movements, and the end of every failure."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from knifetip.library import load
 
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)
-#: What the takeover switches, and how many lines it sends: M5, and M65 for every output.
+#: Safe state of the table, and the number of lines that the takeover sends: M5, M65 per output.
 RELEASED = [(output, False) for output in SAFE.outputs]
 TAKEOVER = 1 + len(RELEASED)
 
@@ -52,7 +52,7 @@ M30
 
 
 def slots(count: int) -> bytes:
-    """Slots of 200 × 10 mm, one above the other, rounded at both ends, C turning along."""
+    """Return a program that cuts slots of 200 × 10 mm with round ends, C along the outline."""
     text = HEADER
     for slot in range(count):
         y = 100.0 + 20.0 * slot
@@ -72,7 +72,7 @@ G0 Z20.0000
 
 
 def off_the_slots(samples: np.ndarray) -> np.ndarray:
-    """Distance of every sample that is in the board from the nearest slot's outline (mm)."""
+    """Return the distance of each sample from the outline of the nearest slot (mm)."""
     x, y = samples[:, 1], (samples[:, 2] - 100.0) % 20.0
     ends = np.hypot(x - np.clip(x, 100.0, 300.0), y - 5.0)
     return np.abs(np.where((x < 100.0) | (x > 300.0), ends, np.abs(y - 5.0)) - 5.0)
@@ -82,7 +82,7 @@ def off_the_slots(samples: np.ndarray) -> np.ndarray:
 async def joined(
     *, speed: float = 50.0, faults: Faults | None = None, sample: float = 0.0, window: int = 128
 ) -> AsyncIterator[tuple[Table, Grbl]]:
-    """A table and a controller that has taken it over."""
+    """Start a simulated table and connect a controller; yield both."""
     async with await simulator.serve(
         MACHINE, speed=speed, faults=faults, sample=sample, window=window
     ) as server:
@@ -94,7 +94,7 @@ async def joined(
 
 
 def samples_of(table: Table) -> F64:
-    """Return the samples of a table that records them."""
+    """Return the recorded samples (time and pose) of a table."""
     assert table.trace is not None
     return table.trace.samples()
 
@@ -105,7 +105,7 @@ def run(program: bytes, controller: Grbl, **options: Any) -> AsyncGenerator[Prog
 
 
 async def finished(program: bytes, controller: Grbl, **options: Any) -> list[Progress]:
-    """Stream to the end and return every Progress."""
+    """Stream a program to its end; return all reports of progress."""
     async with asyncio.timeout(20.0), aclosing(run(program, controller, **options)) as course:
         return [progress async for progress in course]
 
@@ -120,11 +120,11 @@ async def test_the_table_moves_along_the_program_and_nowhere_else() -> None:
     low = samples[samples[:, 3] < 0.0]
     assert len(low) > 1000
     assert off_the_slots(low).max() < 1e-6
-    # Every slot was cut all along: both straights, and both ends out to 95 and 305.
+    # Every slot was cut completely: both straight sides, and both ends as far as 95 and 305.
     assert low[:, 1].min() == pytest.approx(95.0, abs=0.1)
     assert low[:, 1].max() == pytest.approx(305.0, abs=0.1)
     assert {round(y) for y in low[:, 2]} >= {100 + 20 * slot for slot in range(5)}
-    # On the arcs the knife is tangential: C is the azimuth of the circle's tangent.
+    # On the arcs C is the azimuth of the tangent.
     right = low[low[:, 1] > 300.001]
     radial = np.degrees(np.arctan2((right[:, 2] - 100.0) % 20.0 - 5.0, right[:, 1] - 300.0))
     np.testing.assert_allclose(right[:, 4], radial + 90.0, atol=0.1)
@@ -149,7 +149,7 @@ async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> Non
     ]
     assert len(straight) > 8
     for progress in straight:
-        # Along y = 100, 120 … the way out, along y = 110, 130 … the way back.
+        # Outward passes run along y = 100, 120 …, return passes along y = 110, 130 ….
         row = rows[progress.executed]
         if progress.position[2] < 0.0:
             out = round(progress.position[1]) % 20 == 0
@@ -200,7 +200,7 @@ async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up()
             await finished(slots(1), controller)
         assert table.state == "Idle"
         assert table.position[2] == 20.0
-        # The controller is in a known state again: the next program runs.
+        # The controller is in a known state: the next program runs.
         assert controller.fault is None
         await finished(slots(1), controller)
 
@@ -214,7 +214,7 @@ async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on() -> None
         with pytest.raises(ControllerReset, match="was reset"):
             await finished(program, controller)
         where = table.position
-        # Half way round the left end of the first slot, about (100, 105).
+        # In the middle of the arc at the left end of the first slot, near (100, 105).
         assert where[0] == pytest.approx(95.0, abs=0.05)
         assert where[1] == pytest.approx(105.0, abs=0.5)
         await asyncio.sleep(0.05)

@@ -1,4 +1,4 @@
-"""Files that mean harm on the command line: exit code 3, what is wrong and what to do about it."""
+"""Malicious files on the command line are refused with exit code 3, a reason and a hint."""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
-"""Drawings that are well written and mean harm to the stages after reading: each is classified,
-asked about and cleaned in the time that a person waits, however its edges lie."""
+"""Valid drawings that overload the stages after reading.
+
+Each is classified and cleaned within the time limit, whatever the arrangement of its edges.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +19,9 @@ from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
 from tests.support.writers import dxf_text as text
 
-#: What is quadratic takes a minute and more for so many edges, or all the memory there is.
+#: Number of edges for which a quadratic algorithm takes minutes or exhausts the memory.
 _MANY = 30_000
-#: Of the processor, however busy the machine is; alone, none takes 5.
+#: Limit of processor time; on an idle machine no drawing takes more than 5.
 _SECONDS = 30.0
 
 
@@ -32,7 +34,9 @@ def dice() -> np.random.Generator:
 
 
 def fan(angle: F64, begin: float, x: F64 | float = 0.0, y: F64 | float = 0.0) -> F64:
-    """Lines through or from a point, 300 mm long to its far side: (n, 4)."""
+    """Return lines in some directions, (n, 4), from radius ``begin`` to radius 300 mm about (x,
+    y).
+    """
     c, s = np.cos(angle), np.sin(angle)
     ends: F64 = np.stack([x + begin * c, y + begin * s, x + 300.0 * c, y + 300.0 * s], axis=1)
     return ends
@@ -67,7 +71,7 @@ def overlapping_on_one_line() -> bytes:
 
 
 def each_a_little_longer_than_the_one_before() -> bytes:
-    """Each lies on hundreds of others, and no two begin or end in one place."""
+    """Return a file of lines that each overlap hundreds of others, without common end points."""
     begin = np.linspace(0.0, 900.0, _MANY)
     zero = np.zeros(_MANY)
     return lines(np.stack([begin, zero, 1.0 + 1.11 * begin, zero], axis=1))
@@ -135,7 +139,7 @@ def layers_of_a_megabyte() -> bytes:
 
 @pytest.fixture(scope="module", autouse=True)
 def kernels() -> None:
-    """Compile what is compiled first, which is not what is timed."""
+    """Compile the kernels first, so that their compilation is not measured."""
     arc = text.entity("ARC", (8, "CUT"), (10, 5), (20, 5), (40, 100), (50, 0), (51, 40))
     for size in (0.01, 100.0):
         ends = np.round(dice().uniform(0.0, size, (200, 4)), 3).tolist()
@@ -156,7 +160,7 @@ DRAWINGS: dict[str, Callable[[], bytes]] = {
 
 
 def through(data: bytes) -> tuple[Drawing, Dieline]:
-    """Take a drawing through the stages, and check that nothing of it gets lost on the way."""
+    """Read, classify and clean a drawing; check that edges and lengths are complete."""
     drawing = pipeline.read(data, "mm")
     line = pipeline.classify(drawing, load.profile("default"))
     assert len(line) == len(drawing)

@@ -1,5 +1,7 @@
-"""Malicious files and requests, sent to a server in a process of its own: it reports what is
-wrong, soon and in little memory, and goes on serving."""
+"""Malicious files and requests to a server in its own process.
+
+It reports the reason quickly and with little memory, and continues to serve.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +22,9 @@ from tests.support.writers import hostile, svg_text
 pytestmark = pytest.mark.xdist_group("server")
 
 _MEGABYTE = 1 << 20
-#: Of a machine that does much else besides; alone, none takes 5.
+#: Time limit on a busy machine; on an idle one no request takes more than 5.
 _SECONDS = 60.0
-#: More than an empty server: a drawing of 64 MB is held as it came, and on its way to who reads it.
+#: Limit of additional memory: an upload of 64 MB is stored and passed on to a worker process.
 _MORE_MEMORY = 512 * _MEGABYTE
 
 
@@ -32,7 +34,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
     running = Running(database, simulator=False)
     running.client.timeout = httpx.Timeout(2.0 * _SECONDS)
     with running:
-        # The first reading compiles kernels, which is not what is timed here.
+        # Reading the first file compiles kernels, which is not measured here.
         for drawing in (svg_text.carton(), square()):
             upload_drawing(running.client, drawing)
         yield running
@@ -40,7 +42,9 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
 
 
 def most_memory(server: Running) -> int:
-    """The most bytes that the server's process has held; 0 where the system does not say."""
+    """Return the peak memory of the server's process (bytes), 0 if the system does not report
+    it.
+    """
     status = Path(f"/proc/{server.process.pid}/status")
     if not status.exists():
         return 0
@@ -49,7 +53,9 @@ def most_memory(server: Running) -> int:
 
 @contextmanager
 def unharmed(server: Running) -> Iterator[None]:
-    """Check that what happens takes little time and memory, and that the server then serves."""
+    """Check that the context takes little time and memory, and that the server serves
+    afterwards.
+    """
     before, begun = most_memory(server), time.monotonic()
     yield
     assert time.monotonic() - begun < _SECONDS
@@ -123,7 +129,7 @@ def request(server: Running, *headers: str) -> bytes:
 
 
 def answered(line: socket.socket) -> bytes:
-    """What comes back until the server hangs up, or has nothing more to say."""
+    """Return the bytes received until the server closes the connection or stops sending."""
     said = b""
     with suppress(ConnectionError, TimeoutError):
         while part := line.recv(65536):
@@ -142,9 +148,9 @@ def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(serve
                 sent += len(part)
         line.settimeout(2.0)
         said = answered(line)
-    # What is on its way between the two counts as sent.
+    # Bytes in the buffers of the connection count as sent.
     assert 64 * _MEGABYTE <= sent < 96 * _MEGABYTE
-    # The answer may be lost where the server hangs up on one who is still talking.
+    # The response may be lost if the server closes the connection while the client sends.
     assert said == b"" or said.startswith(b"HTTP/1.1 413")
 
 
@@ -169,7 +175,7 @@ def test_more_than_was_announced_is_no_second_request(server: Running) -> None:
         line.sendall(request(server, f"Content-Length: {len(whole) - 20}") + whole)
         line.settimeout(2.0)
         said = answered(line)
-    # The form has no end; what follows it is not HTTP.
+    # The form has no end mark; the bytes after it are not HTTP.
     assert said.startswith(b"HTTP/1.1 4")
     assert said.count(b"HTTP/1.1 2") == 0
 
@@ -243,7 +249,7 @@ def test_a_name_full_of_signs_is_kept_as_words(server: Running) -> None:
 
 
 def test_everything_at_once_leaves_a_server_that_reads(server: Running) -> None:
-    """Eight who send bombs at the same time, and one who sends a carton."""
+    """Eight clients send bombs while one sends a carton."""
     bombs = [made for _, _, made in hostile.REFUSED.values() if made.__name__ != "<lambda>"]
     statuses: list[int] = []
 

@@ -1,4 +1,4 @@
-"""HPGL from drawing to verdict: accepted as it is, refused when broken, read alike by others."""
+"""HPGL from drawing to verdict: accepted, refused if damaged, and read alike by another program."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_a_sample_is_accepted(name: str) -> None:
     _, result = compiled(samples()[name])
     assert result.verdict.findings == ()
     assert result.verdict.accepted
-    # 0.01 mm and half the diagonal of a plotter unit.
+    # 0.01 mm plus half the diagonal of a plotter unit.
     assert result.verdict.tolerance == pytest.approx(0.01 + 0.0125 * 2**0.5)
     assert 0.005 < result.verdict.deviation.max() < 0.0125 * 2**0.5 + 0.005
 
@@ -53,7 +53,7 @@ def test_every_line_type_of_a_knife_and_a_creasing_tool_is_accepted(made: Made) 
     assert result.verdict.accepted, result.verdict.findings
     assert result.verdict.seconds > 0.0
     pens = re.findall(rb"SP(\d);", result.program.text)
-    # Creases, then what is cut partly, then what is cut through; last the tool is put away.
+    # Creases, then partial cuts, then cuts through the board; last, the tool is put away.
     assert pens == [b"2", b"3", b"1", b"0"]
 
 
@@ -96,7 +96,7 @@ BREAKS: dict[str, Callable[[bytes], bytes]] = {
 
 
 def _outline_first(text: bytes) -> bytes:
-    """Put the cuts before the creases."""
+    """Return the program with the cuts before the creases."""
     head, rest = text.split(b"PU;\nSP2;", 1)
     first, last = rest.rsplit(b"PU;\nSP1;", 1)
     cuts, end = last.rsplit(b"PU;\nSP0;", 1)
@@ -120,7 +120,7 @@ def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made) -> None
     working = np.flatnonzero([point[1] == b"D" for point in points])
     for row in np.random.default_rng(1).choice(working, 40, replace=False):
         way = place[row] - place[row - 1]
-        # A tenth of a millimetre to the left of the way that leads there.
+        # A tenth of a millimetre to the left of the direction of travel.
         x, y = place[row] + np.rint(4.0 * np.array([-way[1], way[0]]) / np.hypot(*way)).astype(int)
         moved = text[: points[row].start()] + b"PD%d,%d" % (x, y) + text[points[row].end() :]
         verdict = pipeline.verify(moved, dieline, result.placement, MACHINE, BOARD)
@@ -142,7 +142,7 @@ def test_another_reader_sees_the_same_lines_with_the_same_pens(made: Made) -> No
     _, result = made
     moves, faults = READER.read(result.program.text, MACHINE, BOARD)
     assert faults == []
-    # It reads HPGL/2 only, which begins with an escape sequence; it has no device to initialise,
+    # The other program reads HPGL/2 only, which starts with an escape sequence; it has no device,
     # speeds or forces.
     recorder = Recorder()
     foreign = Interpreter(Plotter(recorder))

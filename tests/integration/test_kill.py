@@ -1,4 +1,4 @@
-"""The server's process is killed as a power cord kills it, and nothing is lost."""
+"""The server's process is killed, as by a power failure, and no data are lost."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 
-#: 10,000 slits of 8.5 mm: enough that their compile can be caught in the act.
+#: 10,000 slits of 8.5 mm: their compilation takes long enough to be killed in the middle.
 SLITS = text.dxf(
     *(
         text.line(i * 12.0, j * 11.0, i * 12.0 + 8.0, j * 11.0 + 3.0, (8, "CUT"))
@@ -44,7 +44,7 @@ def test_killed_while_it_compiles_it_compiles_again(database: Path) -> None:
         assert found["verdict"]["accepted"]
         assert found["lines"] > 10_000
         states = course(client, job)
-        # It was really caught: the compile began twice, and ended once.
+        # The kill interrupted the compilation: it started twice and ended once.
         assert states.count("compiling") == 2
         assert states.count("ready") == 1
 
@@ -56,7 +56,7 @@ def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(databas
     first.kill()
     with Running(database, speed=200.0) as client:
         assert wait_for_state(client, job, "done", confirm=True)["program_sha256"] == sha256
-        # Queued once, claimed and confirmed: neither compiled again nor given back.
+        # Queued once, claimed and confirmed: neither compiled nor queued again.
         assert course(client, job)[-5:] == ["queued"] * 3 + ["running", "done"]
         assert course(client, job).count("queued") == 3
 
@@ -77,7 +77,7 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
             in found["reason"]
         )
         assert "switched off" in found["reason"]
-        # The table is not given to another before somebody has looked at it.
+        # No other job gets the table before the operator has decided about this one.
         other = order_job(client, drawing, release=True)["id"]
         wait_for_state(client, other, "queued")
         time.sleep(1.0)
@@ -120,7 +120,7 @@ def test_killed_at_any_moment_it_loses_no_job(database: Path) -> None:
 
 
 def states_attended(client: httpx.Client, jobs: list[str]) -> dict[str, str]:
-    """Return the state of each job, and do what an operator does: queue again and confirm."""
+    """Act as the operator (queue interrupted jobs again, confirm); return the state of each job."""
     states = {}
     for job in jobs:
         found = client.get(f"/api/jobs/{job}").json()

@@ -1,4 +1,4 @@
-"""The laser table: what it makes is accepted, what burns elsewhere is refused."""
+"""The laser table: its programs are accepted, and programs that burn elsewhere are refused."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def verdict_of(text: bytes, dialect: str = "grblhal", machine: Machine = LASER) 
 
 
 def findings(text: str) -> str:
-    """Return the texts of the findings about a program, which must be refused."""
+    """Return the texts of all findings about a program, which must be refused."""
     verdict = verdict_of(text.encode())
     assert not verdict.accepted
     return "\n".join(finding.text for finding in verdict.findings)
 
 
 def with_laser(**dimensions: Any) -> Machine:
-    """Return the table with other dimensions of its laser."""
+    """Return the laser table with other dimensions of its laser."""
     stations = (
         replace(one, tool=replace(one.tool, **dimensions)) if isinstance(one.tool, Laser) else one
         for one in LASER.stations
@@ -44,7 +44,7 @@ def with_laser(**dimensions: Any) -> Machine:
 
 @pytest.fixture(scope="module")
 def text() -> str:
-    """The program of the job for grblHAL."""
+    """Return the program of the job for grblHAL."""
     return program("grblhal").text.decode()
 
 
@@ -58,7 +58,7 @@ def test_what_the_laser_makes_is_accepted(dialect: str, corner: str) -> None:
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 def test_the_beam_is_off_for_every_rapid_and_is_never_turned_up_or_down(dialect: str) -> None:
-    on, cuts = True, 0  # until M5, a job before may have left it on
+    on, cuts = True, 0  # until M5 the beam may be on from an earlier job
     for line in program(dialect).text.decode().splitlines():
         if re.match(r"M[35]\b", line):
             assert line in ("M5", "M3 S800")
@@ -78,7 +78,7 @@ def test_each_line_belongs_to_the_move_that_it_makes(dialect: str) -> None:
     lines = made.text.decode().splitlines()
     assert len(made.source) == len(lines)
     path = toolpath()
-    # A G0 is a rapid, every other motion is none; what switches belongs to no move.
+    # G0 lines are rapids, other motions are not; lines that switch outputs belong to no move.
     moves = [line[:2] == "G0" for line, row in zip(lines, made.source, strict=True) if row >= 0]
     rapid = path.motion[made.source[made.source >= 0]] == 0
     np.testing.assert_array_equal(moves, rapid)
@@ -92,7 +92,7 @@ def test_the_focus_stays_at_one_height_while_the_laser_is_in_use() -> None:
     np.testing.assert_allclose(path.pose[1:][work, 2], BOARD.caliper)
     deeper = with_laser(focus=-0.2)
     text = program("grblhal", machine=deeper).text
-    assert not verdict_of(text, machine=deeper).accepted  # planned for another focus
+    assert not verdict_of(text, machine=deeper).accepted  # the program is planned for another focus
 
 
 @pytest.mark.parametrize("factor", [0.85, 1.15])

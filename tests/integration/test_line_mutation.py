@@ -1,8 +1,8 @@
-"""Lines of programs dropped, doubled, swapped and rewritten: what moves the product is refused.
+"""Lines of programs are dropped, repeated, swapped and changed: what moves the product is refused.
 
-What the verifier lets pass must leave the product as it is, within 0.01 mm, and must be safe on a
-machine that a cancelled job has left with a station lowered; ``HARMLESS`` names what else may be
-let pass, and why.
+An accepted mutant must leave the product unchanged within 0.01 mm and must be safe on a machine
+that a cancelled job has left with a station lowered; ``HARMLESS`` lists the exceptions with their
+reasons.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from tests.support.programs.digit_mutation import TOLERANCE
 from tests.support.programs.engines import ENGINES
 from tests.support.programs.line_mutation import displacement, hazard, mutants
 
-#: Of each engine so many mutants are verified, chosen by the seed.
+#: Number of mutants of each engine that are verified, chosen by the seed.
 COUNT, SEED = 110, 3
-#: (engine, kind): in the waste only, where the knife may also stop at the contour's end.
+#: (engine, kind): changes in the waste only, where the knife may stop at the contour's end.
 HARMLESS = {("knife with leads", "line dropped"), ("knife with leads", "lines swapped")}
 
 
@@ -48,7 +48,7 @@ def test_a_changed_line_is_refused_or_leaves_the_product_as_it_is(name: str) -> 
     assert refused > 0.5 * COUNT
 
 
-#: Mutants by which verifiers have been deceived: whole turns of C, and releases and lifts left out.
+#: Mutants that verifiers have accepted by mistake: full turns of C, missing releases and lifts.
 DECEIVING = (
     "C turned by 360",
     "C turned by -360",

@@ -1,4 +1,6 @@
-"""One digit of a real program changed at random: whatever moves the working tip is refused."""
+"""Random changes of one digit in real programs: every change that moves the working tip is
+refused.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What lies inside a contour is made before the contour: planned, verified, and swapped by hand."""
+"""Contours are cut after those inside them: planned, verified, and refused in another order."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ def verdict_of(
 
 
 def out_of_order(sheet: Sheet, toolpath: Toolpath) -> list[tuple[int, int]]:
-    """Return the pairs of which the inner contour is worked after the outer one is complete."""
+    """Return the pairs (inner, outer) in which the inner contour is cut after the outer is
+    complete.
+    """
     rows = np.flatnonzero(toolpath.source >= 0)
     contour = sheet.contour[toolpath.source[rows]]
     last = {one: rows[contour == one].max() for one in np.unique(contour)}

@@ -39,7 +39,7 @@ def verdict_of(line: Dieline, machine: Machine = MACHINE, **asked: Any) -> Verdi
 def test_a_groove_that_meets_the_edge_at_any_angle(degrees: float, step: float) -> None:
     reach = 40.0 / np.tan(np.radians(degrees)) if degrees < 90.0 else 0.0
     start = 120.0 if reach > 200.0 else 150.0
-    # From 40 mm inside, or less, to the top edge.
+    # The groove starts at most 40 mm below the top edge and ends on it.
     share = min(1.0, 200.0 / max(reach, 1.0))
     groove = edges(((start, 300 - 40 * share), (start + reach * share, 300)))
     verdict = verdict_of(dieline(OUTLINE, (GROOVE, groove)), groove_pass=step)
@@ -147,7 +147,7 @@ def test_creases_crossed_dashed_and_drawn_twice(apart: float) -> None:
 
 
 def dashes(count: int, length: float, gap: float) -> F64:
-    """A row of dashes along y = 150."""
+    """Return a row of dashes along y = 150, (n, 2, 2)."""
     step = length + gap
     return edges(*[((150 + step * i, 150), (150 + step * i + length, 150)) for i in range(count)])
 
@@ -161,7 +161,7 @@ def dashes(count: int, length: float, gap: float) -> F64:
 def test_dashes_shorter_than_the_setback_are_one_crease(
     row: tuple[int, float, float], short: str
 ) -> None:
-    # The wheel stands back by 5.1 mm from either end of all of them.
+    # The wheel's setback is 5.1 mm at both ends of the row.
     verdict = verdict_of(dieline(OUTLINE, (CREASE, dashes(*row))), short_crease=short)
     assert verdict.accepted, verdict.findings[:2]
 

@@ -1,4 +1,4 @@
-"""The examples of README.md run as they are printed, against a server and a tray of our own."""
+"""The examples of README.md run as printed, with a server and a drawing of these tests."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PRINTED_SERVER = "localhost:8080"
 
 
 def examples(heading: str) -> list[str]:
-    """Return the commands or code blocks indented by four spaces under a heading of README.md."""
+    """Return the code blocks (indented by four spaces) under a heading of README.md."""
     text = (ROOT / "README.md").read_text("utf-8")
     section = re.split(r"^## ", text.split(f"## {heading}\n", 1)[1], maxsplit=1, flags=re.M)[0]
     blocks = re.findall(r"^(?: {4}.*\n(?:\n(?= {4}))?)+", section, re.M)
@@ -34,7 +34,7 @@ def examples(heading: str) -> list[str]:
 
 @pytest.fixture
 def tray(tmp_path: Path) -> Path:
-    """Return a folder that contains the file which the examples name."""
+    """Return a folder that contains the file named in the examples."""
     (tmp_path / "tray.dxf").write_bytes(samples()["corrugated-tray.dxf"])
     return tmp_path
 
@@ -47,7 +47,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
 
 
 def run_in_shell(commands: str, folder: Path, server: httpx.Client, **variables: str) -> str:
-    """Run commands of the README at a server; return the last line that they print."""
+    """Run commands of the README with a server's address; return the last printed line."""
     address = f"{server.base_url.host}:{server.base_url.port}"
     done = subprocess.run(
         ["bash", "-euo", "pipefail", "-c", commands.replace(PRINTED_SERVER, address)],
@@ -63,7 +63,7 @@ def run_in_shell(commands: str, folder: Path, server: httpx.Client, **variables:
 
 
 def job_that_waits(server: httpx.Client, job: str) -> dict[str, Any]:
-    """Return the job as soon as it waits for the operator's confirmation."""
+    """Wait until a job waits for the operator's confirmation; return the job."""
     deadline = time.monotonic() + 60.0
     while time.monotonic() < deadline:
         found: dict[str, Any] = server.get(f"/api/jobs/{job}").json()
@@ -98,7 +98,7 @@ def test_the_curl_examples_order_watch_and_confirm_a_job(tray: Path, server: htt
     order, watch, confirm = found.groups()
     job = run_in_shell(f"{order}\necho $job", tray, server)
     job_that_waits(server, job)
-    # The stream of events has no end: it is read for two seconds.
+    # The stream of events does not end: it is read for two seconds.
     events = run_in_shell(f"{watch} --max-time 2 || [ $? = 28 ]; echo read", tray, server)
     assert events == "read"
     confirmed = run_in_shell(confirm, tray, server, job=job)

@@ -1,4 +1,4 @@
-"""The verifier against the router: what it makes is accepted, and a wrong offset is refused."""
+"""The verifier and the router: its programs are accepted, and wrong offsets are refused."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Programs made on purpose with one thing wrong, each refused; and what may differ, and is not.
+"""Programs with one deliberate error are each refused; permitted differences are accepted.
 
-The wrong thing is in what the program is made from (a board, a tool, a datum, a rule), and the
-verifier has the right one.
+The error is in the input of the program (a board, a tool, a datum, a rule); the verifier has the
+correct input.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ ROUTERS = [B, C, SOFT, AUTO]
 
 
 def tooled(machine: Machine, number: int, **dimensions: float) -> Machine:
-    """Return the machine with another tool in a station."""
+    """Return the machine with other dimensions of the tool in a station."""
     return replace(
         machine,
         stations=tuple(
@@ -46,7 +46,7 @@ def tooled(machine: Machine, number: int, **dimensions: float) -> Machine:
 
 
 def moved_datum(machine: Machine, number: int, **datum: float) -> Machine:
-    """Return the machine with a station that stands elsewhere."""
+    """Return the machine with the datum of a station displaced."""
     return replace(
         machine,
         stations=tuple(
@@ -67,14 +67,14 @@ def tool(engine: Engine, number: int, **dimensions: float) -> Engine:
 
 
 def datum(engine: Engine, number: int, **by: float) -> Engine:
-    # On controllers without a tool table the datum stands in the program.
+    # Programs for controllers without a tool table contain the datum in their coordinates.
     return replace(engine, dialect="grblhal", machine=moved_datum(engine.machine, number, **by))
 
 
 def drawn(
     engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], tuple[float, float]]
 ) -> Engine:
-    """Return the engine with program lines added that the verifier does not expect."""
+    """Return the engine with additional edges in its dieline."""
     more = dieline((kind, edges(*lines)))
     line = engine.line
     both = Dieline(
@@ -90,7 +90,7 @@ def drawn(
 
 
 def moved(engine: Engine, x: float = 0.0, y: float = 0.0, turn: float = 0.0) -> Engine:
-    """Return the engine with everything drawn elsewhere."""
+    """Return the engine with its dieline rotated (degrees) and displaced."""
     cos, sin = np.cos(np.radians(turn)), np.sin(np.radians(turn))
     ends = engine.line.ends @ np.array([[cos, sin], [-sin, cos]]) + (x, y)
     return replace(engine, line=replace(engine.line, ends=ends))
@@ -105,7 +105,7 @@ def mirrored(engine: Engine) -> Engine:
 ROUND_HOLE = (((50.0, 120.0), (58.0, 120.0)), ((58.0, 120.0), (58.0, 128.0)),
               ((58.0, 128.0), (50.0, 128.0)), ((50.0, 128.0), (50.0, 120.0)))  # fmt: skip
 
-#: (what is wrong, the engine of the verifier, the one of the program)
+#: (error, engine of the verifier, engine of the program)
 WRONG: list[tuple[str, Engine, Engine]] = [
     ("groove 0.05 too deep", V, board(V, groove_depth=1.35)),
     ("groove 0.05 too shallow", PASSES, board(PASSES, groove_depth=1.25)),
@@ -179,11 +179,11 @@ def test_what_is_made_from_one_wrong_thing_is_refused(right: Engine, wrong: Engi
     assert not right.verdict_of(wrong.text).accepted
 
 
-# -- the rules of planning
+# -- Errors in the rules of planning
 
 
 def with_ends(old: End, new: End) -> Callable[[list[Operation]], list[Operation]]:
-    """Return what takes one kind of path's end for another."""
+    """Return a function that replaces one kind of path end by another in operations."""
 
     def change(operations: list[Operation]) -> list[Operation]:
         return [
@@ -243,11 +243,11 @@ def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.Mo
     assert not V.verdict_of(V.program_bytes()).accepted
 
 
-# -- all of one word
+# -- Errors in all words of one letter
 
 
 def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> bytes:
-    """Return the program with every number of a letter changed, in the head's lines too."""
+    """Return the program with all numbers of a letter changed, including those in the header."""
     pattern = re.compile(rf"\b{letter}(-?[\d.]+)".encode())
     lines = [
         line
@@ -261,7 +261,7 @@ def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> byt
 def test_only_a_wheel_works_the_same_from_both_sides() -> None:
     for engine in (V, PASSES, KNIFE, DRAG):
         assert not engine.verdict_of(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
-    # In the crease's program the knife of the outline is turned too.
+    # The knife that cuts the outline in the crease's program is turned too.
     lone = replace(CREASE, line=dieline((LineType.CREASE, edges(((120, 100), (120, 180))))))
     assert lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 180.0)).accepted
     assert not lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 90.0)).accepted
@@ -290,7 +290,7 @@ def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes() -> None:
 
 
 def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless() -> None:
-    # 5 mm of waste between its slot and the part; farther off than 10.5 mm it is a stray.
+    # 5 mm of waste between its slot and the part; beyond 10.5 mm it would be stray work.
     hole = drawn(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
     assert C.verdict_of(hole.text).accepted
 

@@ -1,4 +1,4 @@
-"""The verifier against the engines: broken on purpose, each must be refused."""
+"""The verifier and the engines: programs of deliberately broken engines are each refused."""
 
 from __future__ import annotations
 
@@ -109,5 +109,5 @@ def test_a_blade_that_runs_on_inside_a_panel_is_refused(monkeypatch: pytest.Monk
     monkeypatch.setattr(knife, "trim_ends", lambda paths, a, b: right(paths, 0.0 * a, 0.0 * b))
     finding = verdict_of().findings[0]
     assert (finding.kind, finding.edge) == ("overcut", 4)
-    # 2.3 mm of board and mat, blade at 10°.
+    # The blade at 10° cuts 2.3 mm deep, through the board and into the mat.
     assert finding.measure == pytest.approx(2.3 * 0.17633, abs=1e-3)

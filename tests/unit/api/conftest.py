@@ -1,4 +1,4 @@
-"""One server for all tests of the API: it takes a second to start."""
+"""One server for all tests of the API, because starting it takes a second."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which requests are answered: a foreign page, a rebound name and a stranger get nothing."""
+"""Access rules: requests of foreign pages, rebound names and strangers are refused."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NOW = 1_000_000.0
 HOME = AccessRules(loopback_only=True)
 OPEN = AccessRules()
 KEYED = AccessRules(key=KEY)
-#: curl on this machine reads a list.
+#: Facts of a request: curl on this machine reads a list.
 CURL = RequestFacts(
     method="GET",
     path="/api/jobs",
@@ -30,15 +30,15 @@ CURL = RequestFacts(
     agent="curl/8.5.0",
 )
 RELEASE = replace(CURL, method="POST", path="/api/jobs/a/release")
-#: A browser on this machine, whatever page it shows.
+#: Facts of a request: a browser on this machine, on any page.
 BROWSER = replace(RELEASE, host="localhost:8080", agent="Mozilla/5.0 (X11) Chrome/130.0")
 PAGE = replace(BROWSER, origins=("http://localhost:8080",), fetch_site="same-origin")
-#: Another machine of the network.
+#: Facts of a request: another machine of the network.
 LAN = replace(CURL, host="192.168.1.20:8080", peer="192.168.1.77", server=("192.168.1.20", 8080))
 
 
 def status(rules: AccessRules, facts: RequestFacts) -> int:
-    """Return the status of the refusal; 200 for none."""
+    """Return the HTTP status with which the rules refuse a request, 200 if they accept it."""
     found = find_refusal(rules, facts, NOW)
     return 200 if found is None else found.status
 
@@ -138,7 +138,7 @@ def test_a_change_must_show_that_no_foreign_page_sent_it(
     asked = replace(BROWSER, method=method, **seen)
     assert status(HOME, asked) == expected
     if not seen.get("origins"):
-        # The key does not make a foreign page the server's own.
+        # A request of a foreign page is refused even with the key.
         assert status(KEYED, replace(asked, session=signin.new_session(KEY, NOW))) in (
             expected,
             401,
@@ -175,12 +175,12 @@ def test_without_a_key_only_this_machine_is_served() -> None:
     refused = find_refusal(OPEN, LAN, NOW)
     assert refused is not None
     assert "--key" in hint(refused.message)
-    # A page that is led to this machine by its address, and a stranger who names it localhost.
+    # A name that resolves to this machine, and another machine that sends the name localhost.
     assert status(OPEN, replace(LAN, peer="127.0.0.1", server=("127.0.0.1", 8080))) == 421
     assert status(OPEN, replace(LAN, peer="192.168.1.20")) == 403
     assert status(OPEN, replace(CURL, peer="192.168.1.77")) == 403
     assert status(OPEN, replace(CURL, peer=None)) == 403
-    # A name that is allowed is not a key; on a server for this machine alone it is enough.
+    # An allowed host name does not replace the key, except on a server for this machine only.
     assert status(replace(OPEN, hosts=("shop",)), replace(CURL, host="shop")) == 403
     assert status(replace(HOME, hosts=("shop",)), replace(CURL, host="shop")) == 200
     assert (
@@ -276,7 +276,9 @@ def test_hosts_are_taken_apart(text: str, expected: tuple[str, int | None] | Non
 
 
 def asking(rules: AccessRules, peer: str = "192.168.1.77") -> httpx.AsyncClient:
-    """A client, at this address, of an application that answers everything behind the rules."""
+    """Return an HTTP client with an address, of an application that accepts all that the rules
+    accept.
+    """
     transport = httpx.ASGITransport(
         Access(PlainTextResponse("inside"), rules), client=(peer, 40000)
     )
@@ -368,9 +370,9 @@ async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_
         foreign = {**HTML, "Sec-Fetch-Site": "cross-site"}
         linked = await browser.get("/deep/?a=1", headers=foreign)
         assert 'content="0; url=/deep/?a=1&amp;again=1"' in linked.text
-        # Never in a circle.
+        # The redirect happens once only.
         assert "refresh" not in (await browser.get("/?a=1&again=1", headers=foreign)).text
-        # Over plain HTTP a browser does not tell where a link was.
+        # Over plain HTTP a browser does not send the site of a link.
         assert "refresh" in (await browser.get("/", headers=HTML)).text
         for site in ("same-origin", "none"):
             own = {**HTML, "Sec-Fetch-Site": site}

@@ -1,4 +1,4 @@
-"""Whatever comes in, what goes out is an answer or a problem, and never a fault of ours."""
+"""Any request gets a response or a problem document, and never an internal error."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(
 ) -> None:
     answer = upload(client, content)
     if answer.status_code == 201:
-        # Half a file may be mended: then the import report says what is left of it.
+        # Half of a file may be recovered; then the import report lists the recovered entities.
         assert answer.json()["import_report"]["rows"]
         assert all(abs(side) < 1e6 for side in answer.json()["bounds"])
         return
@@ -89,7 +89,7 @@ def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(
             yield b"0\n" * (1 << 19)
         yield b"\r\n--x--\r\n"
 
-    # The server answers and hangs up while we are still talking: whichever is seen first.
+    # The server responds and disconnects while the client sends: either may be seen first.
     with contextlib.suppress(httpx.WriteError, httpx.RemoteProtocolError):
         answer = client.post(
             "/api/drawings",
@@ -261,7 +261,7 @@ def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str) 
 @pytest.mark.parametrize("path", BODIES)
 def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: bytes) -> None:
     answer = client.post(path, content=raw, headers={"Content-Type": "application/json"})
-    # A confirmation needs no body: without one there is only no such job.
+    # A confirmation needs no body; without one, the only error is that the job does not exist.
     absent = path.endswith("/confirm") and raw in (b"", b"null")
     assert answer.status_code in ((404,) if absent else (400, 422))
     problem(answer, answer.status_code)
@@ -286,7 +286,7 @@ def test_a_form_without_a_file_is_a_problem(
     client: httpx.Client, content: bytes, kind: str
 ) -> None:
     answer = client.post("/api/drawings", content=content, headers={"Content-Type": kind})
-    # What any page can send as a plain form is refused before it is read.
+    # Requests that any page can send as a plain form are refused before they are read.
     assert answer.status_code in ((415,) if kind.endswith("urlencoded") else (400, 422))
     problem(answer, answer.status_code)
 

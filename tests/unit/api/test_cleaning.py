@@ -1,4 +1,4 @@
-"""GET /api/drawings/{id}/cleaning: what became of each edge, over HTTP."""
+"""GET /api/drawings/{id}/cleaning: the outcome of each edge."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 
-#: A cut square with a line on a layer that says nothing.
+#: A line on a layer whose name has no meaning.
 MYSTERY = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
 
 
@@ -86,7 +86,7 @@ def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client) -> None:
 def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
     client: httpx.Client,
 ) -> None:
-    # Half axes of 4 and 2: in inches the ellipse needs more arcs than in millimetres.
+    # Half axes of 4 and 2: an ellipse in inches needs more arcs than one in millimetres.
     ellipse = text.entity(
         "ELLIPSE", (8, "CUT"), (10, 0), (20, 0), (11, 4), (21, 0), (40, 0.5), (41, 0), (42, 6.28)
     )

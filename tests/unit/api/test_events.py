@@ -25,7 +25,7 @@ class Heard:
 
 @contextmanager
 def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Queue[Heard]]:
-    """Yield what is heard; the line is open when this begins."""
+    """Connect to the stream of events; yield a queue of the received ones."""
     heard: queue.Queue[Heard] = queue.Queue()
     headers = {} if last is None else {"Last-Event-ID": str(last)}
     opened, over = threading.Event(), threading.Event()
@@ -54,7 +54,7 @@ def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Q
         yield heard
     finally:
         over.set()
-        upload_drawing(client, square())  # something to hear, so that the listener looks up
+        upload_drawing(client, square())  # any event, so that the listener notices the end
         thread.join(10.0)
 
 
@@ -144,6 +144,6 @@ def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Cl
         assert client.get(f"/api/jobs/{second}").json()["waiting_for"] == "turn"
         client.post(f"/api/jobs/{first}/cancel")
         said = of(heard, second, "queued")
-        # Nothing happened to it: another job went away.
+        # Its own state did not change: another job ended.
         assert (said.number, said.data["waiting_for"]) == (None, "machine")
         client.post(f"/api/jobs/{second}/cancel")

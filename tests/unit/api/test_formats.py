@@ -1,4 +1,4 @@
-"""Drawings that are no DXF, over REST and from the command line."""
+"""Drawings in formats other than DXF, over REST and on the command line."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FILES = {
     "carton.svgz": (gzip.compress(svg_text.carton(), mtime=0), "application/octet-stream"),
     "carton.cf2": (cf2_text.carton(), "text/plain; charset=utf-8"),
     "carton.ai": (pdf_text.carton(), "application/octet-stream"),
-    # What a file is called says nothing.
+    # The file name does not determine the format.
     "carton.dxf": (cf2_text.carton(), "text/plain; charset=utf-8"),
 }
 

@@ -38,7 +38,7 @@ def queued(client: httpx.Client) -> dict[str, Any]:
 
 @pytest.fixture
 def waiting(client: httpx.Client, queued: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """A job that is claimed and waits for the operator."""
+    """Return a job that a gateway has claimed and that waits for the operator."""
     job = claim(client).json()
     assert (job["job"], job["confirm"]) == (queued["id"], True)
     yield job
@@ -53,7 +53,7 @@ def waiting(client: httpx.Client, queued: dict[str, Any]) -> Iterator[dict[str, 
 
 @pytest.fixture
 def claimed(client: httpx.Client, waiting: dict[str, Any]) -> dict[str, Any]:
-    """A job that is claimed, confirmed and started."""
+    """Return a job that is claimed, confirmed and running."""
     assert client.post(f"/api/jobs/{waiting['job']}/confirm").status_code == 200
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "start"
     return waiting
@@ -105,7 +105,7 @@ def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
     assert (job["line"], job["position"], job["seconds_left"]) == (5, [1.0, 2.0, 3.0, 4.0], 7.5)
     assert job["progress"] == pytest.approx(5 / lines)
     asked = client.post(f"/api/jobs/{id}/hold").json()
-    # The old name remains for clients of earlier versions.
+    # The former field name remains for clients of earlier versions.
     assert (asked["requested_action"], asked["wish"]) == ("hold", "hold")
     assert beat(client, claimed, 6).json()["command"] == "hold"
     beat(client, claimed, 6, held=True)
@@ -185,7 +185,7 @@ def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
     )
     assert client.get(f"/api/machines/{MACHINE}").json()["job"] is None
     assert client.get(f"/api/machines/{MACHINE}").json()["gateway"] == "connected"
-    # A gateway may have the program at hand before it starts.
+    # A gateway may download the program before the start.
     assert client.get(waiting["program"]).status_code == 200
     (listed,) = [one for one in client.get("/api/jobs").json() if one["id"] == job["id"]]
     assert listed == job

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 @pytest.fixture(scope="module")
 def ready(client: httpx.Client) -> dict[str, Any]:
-    """A job that is ready."""
+    """Return a job in state "ready"."""
     job = order_job(client, upload_drawing(client, square())["id"])
     return wait_for_state(client, job["id"], "ready")
 
@@ -54,7 +54,7 @@ def test_the_toolpath_comes_as_columns_that_know_their_lines(
     assert all(len(columns[name]) == rows for name in ("motion", "feed", "source", "tool", "line"))
     assert meta["placement"] == [20.0, 20.0]
     assert [station["number"] for station in meta["stations"]] == [1, 2, 3]
-    # Each of the four edges is worked, and each row's line is a motion of the program.
+    # Each of the four edges is cut, and the program line of each row is a motion.
     assert {0, 1, 2, 3} <= set(columns["source"].tolist())
     lines = client.get(f"/api/jobs/{ready['id']}/program").content.split(b"\n")
     assert all(b"G" in lines[line - 1] for line in columns["line"].tolist() if line > 0)
@@ -161,7 +161,7 @@ def test_what_is_not_in_the_library_is_named(
 
 
 def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
-    """Order a frame of 200 mm with a window of 50 mm on the table that mills."""
+    """Order a frame of 200 mm with a window of 50 mm on the router table; return the job."""
     window = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(WINDOW)]
     drawing = upload_drawing(client, square(side=200.0, extra=tuple(window)))
     answer = client.post("/api/jobs", json={"drawing": drawing["id"], **MILLS, **fields})
@@ -171,13 +171,13 @@ def milled(client: httpx.Client, **fields: object) -> dict[str, Any]:
 
 MILLS = {"machine": "router-table", "board": "greyboard-3.0"}
 WINDOW = ((50.0, 50.0), (100.0, 50.0), (100.0, 100.0), (50.0, 100.0), (50.0, 50.0))
-#: What a disc of 3 mm leaves in four right-angled corners: 4 r² (1 - π/4).
+#: Area that a disc of radius 3 mm leaves in four right-angled corners: 4 r² (1 - π/4).
 LEFT = 4 * 9 * (1 - math.pi / 4)
 
 
 @pytest.fixture(scope="module")
 def window(client: httpx.Client) -> dict[str, Any]:
-    """A milled job that is ready."""
+    """Return a milled job in state "ready"."""
     return milled(client)
 
 
@@ -194,8 +194,8 @@ def test_corners_are_kept_with_the_job_and_change_its_program(
     job = milled(client, corners=chosen)
     assert (job["state"], job["corners"]) == ("ready", chosen)
     assert job["program_sha256"] != window["program_sha256"]
-    # D goes l = k r = 1.2 mm straight on and round an arc of r' = 1.8, C 3 mm on to a sharp bend;
-    # 3.3 mm take two passes, and the window's corners are sharp anyway.
+    # D goes l = k r = 1.2 mm straight and along an arc of r' = 1.8, C 3 mm straight to a bend;
+    # 3.3 mm take two passes; the corners of the window have no transitions.
     program = client.get(f"/api/jobs/{job['id']}/program").text
     arcs = re.findall(r"^G2 .*$", program, re.MULTILINE)
     assert len(arcs) == 2 * 3
@@ -253,7 +253,7 @@ def test_more_than_a_thousand_corners_are_refused(client: httpx.Client) -> None:
 
 
 def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client) -> None:
-    # A slot of 4 mm from the edge, and a cutter of 6.
+    # A slot of 4 mm that starts at the edge, and a cutter of 6 mm.
     notch = ((0.0, 0.0), (98.0, 0.0), (98.0, 60.0), (102.0, 60.0), (102.0, 0.0), (200.0, 0.0),
              (200.0, 200.0), (0.0, 200.0), (0.0, 0.0))  # fmt: skip
     lines = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(notch)]
@@ -264,7 +264,7 @@ def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client
         job = client.post("/api/jobs", json=order).json()
         states[word] = wait_for_state(client, job["id"], "ready", "refused")
     assert states["trim"]["state"] == "ready"
-    # 4 × 60 less the segment of the disc that reaches into the mouth.
+    # 4 × 60 less the segment of the disc that enters the mouth.
     half = math.asin(2 / 3)
     segment = 9 * (half - math.sin(half) * math.cos(half))
     assert states["trim"]["verdict"]["unreached"] == pytest.approx(240 - segment, rel=2e-3)
@@ -282,7 +282,7 @@ def test_what_no_cutter_gets_to_is_told_with_its_places(
     places = {(round(area["x"]), round(area["y"])) for area in verdict["areas"]}
     assert places == {(51, 51), (99, 51), (99, 99), (51, 99)}
     assert sum(area["area"] for area in verdict["areas"]) == pytest.approx(LEFT, abs=0.05)
-    # Beside a window's side 3 mm at either end.
+    # 3 mm remain at both ends of each side of the window.
     assert sorted(verdict["edge_unreached"])[4:] == pytest.approx([6.0] * 4, abs=0.05)
 
 
@@ -298,7 +298,7 @@ def test_the_verdict_as_columns_has_the_map_and_the_outlines(
     assert (columns["sample_place"] <= 1.0).all()
     assert columns["area_first"].tolist() == [0, 3, 6, 9, 12]
     assert columns["area_ends"].shape == (12, 2, 2)
-    # In the drawing's millimetres: within the window.
+    # In drawing coordinates (mm): inside the window.
     assert columns["area_ends"].min() == pytest.approx(50.0)
     assert columns["area_ends"].max() == pytest.approx(100.0)
 
@@ -310,7 +310,7 @@ def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client)
         client, order_job(client, drawing, board="greyboard-2.0")["id"], "ready", "refused"
     )
     verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
-    # 1.3 mm deep at 45° in 2.0 mm: 2.6 mm wide, and 0.7 mm of board below.
+    # A groove 1.3 mm deep at 45° in 2.0 mm: 2.6 mm wide, with a web of 0.7 mm.
     assert verdict["edge_width"] == pytest.approx([0, 0, 0, 0, 2.6], abs=1e-3)
     assert verdict["edge_web"] == pytest.approx([0, 0, 0, 0, 0.7], abs=1e-3)
     assert len(verdict["edge_flank"]) == len(verdict["edge_bottom_uncut"]) == 5

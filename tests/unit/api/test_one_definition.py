@@ -23,7 +23,7 @@ STORED = {
 }
 #: Fields of the command line that repeat fields of REST.
 SHORTCUTS = {"size", "warnings"}
-#: Cut and crease, a duplicate and an overlap, a layer that no rule names, and a text.
+#: Cut and crease, a duplicate and an overlap, a layer without a rule, and a text.
 MIXED = (
     text.line(0, 0, 100, 0, (8, "CUT")),
     text.line(0, 0, 100, 0, (8, "CUT")),
@@ -65,7 +65,9 @@ def test_a_drawing_has_the_same_json_in_rest_and_on_the_command_line(
 
 
 def with_defaults(printed: Any, rest: Any) -> Any:
-    """Return printed data with the fields that REST adds to import report rows when absent."""
+    """Return printed JSON with default values for the import report fields that only REST
+    includes.
+    """
     if not (isinstance(printed, dict) and "rows" in printed):
         return printed
     absent = {"text": "", "place": None, "box": None}

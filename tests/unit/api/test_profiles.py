@@ -12,7 +12,7 @@ from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 
-#: Somebody's red lines on a layer that says nothing are creases.
+#: A profile: red lines on a layer without a meaningful name are creases.
 OURS = """# What Acme sends.
 title = "Acme"
 extends = "default"
@@ -23,7 +23,7 @@ type = "crease"
 layer = "INNER"
 colour = 1
 """
-#: A cut square with two lines on that layer, of two colours.
+#: A cut square with two lines of two colours on that layer.
 INNER = (
     text.line(10.0, 50.0, 90.0, 50.0, (8, "INNER"), (62, 1)),
     text.line(10.0, 60.0, 90.0, 60.0, (8, "INNER"), (62, 30)),
@@ -223,7 +223,7 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
     assert again["profile_state"] == "current"
     assert types(client, id)[4] == "perforation"
 
-    # As it was: what was read anew is taken back.
+    # Undo the reclassification.
     before = client.patch(
         f"/api/drawings/{id}", json={"profile": "changing", "rules": drawing["rules"]}
     ).json()
@@ -239,7 +239,7 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
     gone = client.patch(f"/api/drawings/{id}", json={"profile": "changing"})
     assert gone.status_code == 422
     assert "The profile 'changing' does not exist" in gone.json()["detail"]
-    # By the text that it had, a drawing is read by it nevertheless.
+    # The drawing can still be classified with the former text of the profile.
     kept = {"profile": "changing", "rules": drawing["rules"]}
     assert client.patch(f"/api/drawings/{id}", json=kept).json()["profile_state"] == "deleted"
     assert types(client, id)[4:] == ["crease", "cut"]
@@ -269,12 +269,12 @@ def test_rules_that_are_none_change_nothing(
 def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client) -> None:
     keep(client, "ordering", OURS + '\n[[rule]]\ntype = "ignored"\nlayer = "INNER"\n')
     id = upload_drawing(client, square(extra=INNER), profile="ordering")["id"]
-    # Nobody could make this, and nobody has to: the drawing was looked at before.
+    # The changed profile leaves edges unclassified; the job uses the rules of the drawing.
     keep(client, "ordering", OURS.replace("crease", "unclassified"), **{"If-Match": '"1"'})
     job = order_job(client, id)
     assert wait_for_state(client, job["id"], "ready")["state"] == "ready"
     verdict = client.get(f"/api/jobs/{job['id']}/verdict").json()
-    # Only a wheel keeps away from the ends of its line.
+    # Only a wheel has a setback from the ends of its line.
     assert [setback > 1.0 for setback in verdict["edge_setback"]] == [False] * 4 + [True, False]
     answer = client.post(
         "/api/jobs", json={"drawing": id, "board": "e-flute", "profile": "ordering"}
@@ -307,7 +307,7 @@ def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.C
     mine = [rule for rule in said["rules"] if not rule["inherited"]]
     assert [(rule["edges"], rule["length"]) for rule in mine] == [(2, 160.0), (4, 400.0), (0, 0.0)]
     assert said["open"] == 0
-    # What somebody said of edge 4 stands over any profile.
+    # The override of edge 4 has priority over any profile.
     assert [(one["after"], one["edges"]) for one in said["changes"]] == [("perforation", [5])]
     assert client.get(f"/api/drawings/{id}").json() == before
 

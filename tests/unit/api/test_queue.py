@@ -1,4 +1,4 @@
-"""What waits for a process is bounded, and keeps nothing waiting that gateways report."""
+"""The work queue is bounded, and does not delay reports of gateways."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -
     gate.set()
     await asyncio.gather(*waiting)
     assert made == [0, 1, 2]
-    # There is room again, also after a call that failed.
+    # Calls are accepted again, also after one that failed.
     with pytest.raises(ZeroDivisionError):
         await work.run(lambda: 1 // 0)
     for _ in range(3):
@@ -95,7 +95,7 @@ async def test_the_wait_that_is_told_follows_what_calls_take() -> None:
 
 @contextmanager
 def held(client: httpx.Client, count: int) -> Iterator[list[httpx.Response]]:
-    """Keep the only thread of a queue busy, and send so many uploads besides."""
+    """Block the only thread of a queue and send ``count`` more uploads; yield their responses."""
     answers: list[httpx.Response] = []
     with ThreadPoolExecutor(count) as pool:
         sent = [
@@ -126,7 +126,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     assert client.post(f"/api/jobs/{job['id']}/confirm").status_code == 200
     before = len(client.get("/api/drawings").json())
     gate.clear()
-    # More than the common pool of threads has: all of it would wait.
+    # More calls than threads in the common pool, which would all wait.
     with held(client, 60) as answers:
         deadline = time.monotonic() + 20.0
         busy = None
@@ -147,7 +147,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
         gate.set()
     statuses = [answer.status_code for answer in answers]
     assert set(statuses) == {201, 503}
-    # What was refused left nothing behind.
+    # Refused uploads are not stored.
     after = len(client.get("/api/drawings?limit=500").json())
     assert after - before == statuses.count(201)
     done = {"job": job["id"], "epoch": epoch, "outcome": "done"}
@@ -162,7 +162,7 @@ def test_gateways_have_threads_that_nothing_else_takes(
     gate = threading.Event()
     monkeypatch.setattr(client.service.store.drawings, "recent", lambda *_: gate.wait(100.0) and [])
     with ThreadPoolExecutor(50) as pool:
-        # All threads of the common pool wait, as they would for a database that is slow.
+        # All threads of the common pool wait, as for a slow database.
         stuck = [pool.submit(client.get, "/api/drawings", timeout=120.0) for _ in range(50)]
         time.sleep(0.5)
         try:

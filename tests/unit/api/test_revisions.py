@@ -1,4 +1,4 @@
-"""What was looked at is what is changed and ordered: the revision of a drawing."""
+"""The revision of a drawing: changes and orders refer to the revision that the client has seen."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CUT = {"overrides": [{"type": "cut", "edges": [0]}]}
 
 
 def stale(answer: httpx.Response, revision: int) -> None:
-    """Assert that a request was refused because the drawing is at this revision."""
+    """Assert that a request was refused because the drawing has this newer revision."""
     assert answer.status_code == 412, answer.text
     said = answer.json()
     assert said["type"] == "urn:knifetip:problem:stale-revision"
@@ -104,7 +104,7 @@ def test_a_change_made_for_an_older_revision_is_refused(
     assert client.get(f"/api/drawings/{id}").json()["revision"] == 2
     for now in (first.headers["etag"], "*", '"7", "4"', 'W/"5"'):
         assert client.patch(path, json=change, headers={"If-Match": now}).status_code == 200
-    # Who names none wants the change whatever there is.
+    # A request without a revision applies to any revision.
     assert client.patch(path, json=change).json()["revision"] == 7
 
 

@@ -23,7 +23,7 @@ def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(
     assert answer.headers["x-frame-options"] == "SAMEORIGIN"
     again = client.get(path, headers={"If-None-Match": answer.headers["etag"]})
     assert again.status_code == 304
-    # The browser would take it in place of the page's own, and load nothing any more.
+    # Otherwise the browser would use it in place of the page's own file, and load nothing.
     assert "content-security-policy" not in again.headers
 
 

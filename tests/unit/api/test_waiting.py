@@ -1,4 +1,4 @@
-"""What a job waits for, as a field and in words, from the rows of a database."""
+"""The reason why a job waits, as a code and as text, from the records of a database."""
 
 from __future__ import annotations
 
@@ -77,13 +77,13 @@ def claimed(store: Store) -> Job:
 
 
 def hint_of(waiting: Waiting) -> str:
-    """Return the hint of what a job waits for."""
+    """Return the hint in the reason why a job waits."""
     assert waiting.message is not None
     return hint(waiting.message)
 
 
 def shown(store: Store, job: Job) -> tuple[str, str, str]:
-    """Return what a job waits for, with the text and the hint."""
+    """Return the reason why a job waits: its code, its text and its hint."""
     found = waits(store, job)
     return found.waiting_for, str(found.message), hint_of(found)
 

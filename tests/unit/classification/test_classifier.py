@@ -52,7 +52,7 @@ def test_an_unknown_layer_name_and_shape_decide_together() -> None:
     dieline = classified(drawing_of((BLANK, style("Découpe")), (FOLDS, style("Plis (2)"))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
     assert 'the name of the layer of the edge contains "plis"' in why(dieline, 4)
-    # Neither of them alone does.
+    # Neither the name nor the shape alone decides.
     assert words(classified(drawing_of((FOLDS, style("Plis (2)"))))) == ["unclassified"] * 2
 
 
@@ -105,7 +105,7 @@ def test_a_cut_outside_every_blank_that_closes_nothing_is_asked() -> None:
 def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_believed() -> (
     None
 ):
-    """In red-cut-blue-crease yellow is for dimensions."""
+    """In the profile red-cut-blue-crease yellow is the colour of dimensions."""
     yellow = drawing_of((BLANK, style(colour=2)), (FOLDS, style(colour=5)))
     assert words(classified(yellow, "red-cut-blue-crease"))[:4] == ["unclassified"] * 4
     bleed = [(-3, -3, 303, -3), (303, -3, 303, 203), (303, 203, -3, 203), (-3, 203, -3, -3)]

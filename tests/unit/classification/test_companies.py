@@ -13,7 +13,7 @@ from tests.support.cartons.companies import COMPANIES, Company
 from tests.support.cartons.company_files import company_file, truth
 from tests.support.cartons.kinds import KINDS
 
-#: Blanks that share their cuts, in one style: what hangs together cannot be known for certain.
+#: Blanks with common cuts in one style: which faces form one blank cannot be determined.
 _UNKNOWABLE = ("One layer, all black, six-up",)
 
 

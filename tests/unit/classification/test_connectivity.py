@@ -9,7 +9,7 @@ BOX = [(0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0)]
 
 
 def test_a_cut_that_would_separate_a_flap_is_asked() -> None:
-    """A glue flap of 30 mm on the left, its fold drawn on the layer of the cuts."""
+    """A glue flap of 30 mm is on the left; its fold is drawn on the layer of the cuts."""
     sheet = drawing_of(
         ([*BOX, (30, 0, 30, 200)], style("CUT")), ([(150, 0, 150, 200)], style("CREASE"))
     )

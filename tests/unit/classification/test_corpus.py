@@ -25,7 +25,7 @@ RWLF = "generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf"
 
 
 def types_on(path: Path, profile: str) -> dict[tuple[str, int], set[str]]:
-    """Return the line types of each pair of layer and colour."""
+    """Return the line types of the edges of each (layer, colour) in a file."""
     drawing = read(path.read_bytes())
     dieline = classify(drawing, load.profile(profile))
     assert len(dieline) == len(drawing) > 0
@@ -68,7 +68,7 @@ def test_one_layer_called_design_is_told_apart_by_colour(corpus: Path, name: str
 
 
 def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path) -> None:
-    """The 0200 has flaps at one side only: at the other its creases are drawn on the outline."""
+    """FEFCO 0200 has flaps on one side only; on the other side its creases lie on the outline."""
     drawing = read((corpus / RSC / "f0200_B_300x200x150.dxf").read_bytes())
     dieline = classify(drawing, load.profile("default"), load.conventions())
     assert list_questions(drawing, dieline) == []
@@ -81,7 +81,7 @@ def test_a_crease_on_a_cut_is_not_asked_about(corpus: Path) -> None:
 
 
 def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path) -> None:
-    """Shape finds the outline; one panel is open, so that three creases seem to bound the blank."""
+    """Shape determines the outline; one panel is open, so three creases seem to bound the blank."""
     drawing = read((corpus / RWLF).read_bytes())
     truth = ["cut" if "BLACK" in drawing.layers[row] else "crease" for row in drawing.layer]
     for profile in ("default", "red-crease-black-cut"):
@@ -104,7 +104,7 @@ def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(
         said = classify(seen, load.profile("default"), load.conventions()).line_type
         _, _, wrong = classification_fractions(truth, said, np.ones(len(said)))
         assert wrong == 0.0
-    # With their names, nearly all is right without a question.
+    # With layer names, nearly all edges are right without a question.
     said = classify(drawing, load.profile("default"), load.conventions()).line_type
     right, _, _ = classification_fractions(truth, said, drawing.lengths)
     assert right > 0.5

@@ -1,4 +1,4 @@
-"""The faces and parts that a dieline has for its edges, against shapely's polygons."""
+"""The faces and parts beside each edge of a dieline, compared with shapely's polygons."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SIDE = 20.0
 
 
 def lattice(chosen: list[bool]) -> F64:
-    """The sides of the chosen squares of a lattice of 6 × 6, each once, (n, 2, 2) mm."""
+    """Return the sides of chosen squares of a 6 × 6 lattice, without duplicates, (n, 2, 2) mm."""
     sides = set()
     for number in np.flatnonzero(chosen).tolist():
         x, y = divmod(number, 6)
@@ -51,7 +51,7 @@ def test_faces_are_the_polygons_of_shapely(chosen: list[bool]) -> None:
 
 
 def panel_with_hole() -> Dieline:
-    """A blank of two panels, one with a hole, and a second blank."""
+    """Return the dieline of two blanks: one of two panels with a hole, and one without."""
     ends = edges(
         *(((0, 0), (80, 0)), ((80, 0), (80, 50)), ((80, 50), (0, 50)), ((0, 50), (0, 0))),
         ((40, 0), (40, 50)),

@@ -11,7 +11,7 @@ from tests.support.classification import BLANK, box, roles, text
 
 
 def diamond(half: float) -> list[tuple[float, float, float, float]]:
-    """Return a square on its tip with corners at a distance from its centre."""
+    """Return the sides of a square on its corner; ``half`` is half of its diagonal."""
     corner = [(half, 0.0), (0.0, half), (-half, 0.0), (0.0, -half)]
     return [(*corner[k], *corner[(k + 1) % 4]) for k in range(4)]
 

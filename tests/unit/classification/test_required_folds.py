@@ -26,7 +26,7 @@ def test_every_crease_of_a_mailer_must_be_a_fold() -> None:
 
 
 def test_slits_between_the_flaps_of_a_case_are_left_open() -> None:
-    # Of ten creases and slits that reach the rim only the glue flap's must be a fold.
+    # Of ten creases and slits that end on the outline, only that of the glue flap must be a fold.
     required = required_folds(crossed_case(np.random.default_rng(1)))
     assert not any([*required["inner"], *required["outer"]])
     assert sum(required["crease"]) == 4
@@ -86,7 +86,7 @@ def test_a_living_hinge_has_no_required_folds() -> None:
 
 
 def test_the_borders_on_a_map_are_no_required_folds() -> None:
-    # Six countries in a row, each border with a bend in it.
+    # Six countries in a row, with a bend in each border.
     plan = Plan()
     plan.rectangle(0.0, 0.0, 350.0, 60.0, "outer")
     for k in range(1, 7):

@@ -49,7 +49,7 @@ def test_undecided_edges_are_listed_as_changes() -> None:
 
 
 def test_rules_do_not_contradict_edges_without_override() -> None:
-    """Layer X has an edge that stays cut, so the rule must name the colour too."""
+    """Layer X has an edge that remains a cut, so the rule must include the colour."""
     rows = [("X", 1, C), ("X", 7, C)]
     profile = LineRules("own", "", (LineRule(LineType.CUT, layer=("X",)),))
     (one,) = proposals(rows, {0: LineType.CREASE}, profile)

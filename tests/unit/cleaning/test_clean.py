@@ -1,4 +1,4 @@
-"""clean, on figures small enough to work by hand."""
+"""``clean`` with drawings that are small enough to compute the result by hand."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ IGNORED, UNCLASSIFIED = LineType.IGNORED, LineType.UNCLASSIFIED
 
 
 def lines(*rows: tuple[LineType, float, float, float, float]) -> Dieline:
-    """Lines of a type from a point to another."""
+    """Return a dieline of lines, each from one point to another with a line type."""
     return dieline(*((kind, edges(((a, b), (c, d)))) for kind, a, b, c, d in rows))
 
 
 def worked(made: Cleaned) -> list[tuple[str, list[list[float]]]]:
-    """Type and ends of the edges that are worked, to a thousandth of a micrometre."""
+    """Return line type and end points of the edges that are machined, rounded to 1e-6 mm."""
     line = made.dieline
     return [
         (LineType(line.line_type[row]).word, (np.round(line.ends[row], 6) + 0.0).tolist())
@@ -80,7 +80,7 @@ def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased() -> None:
     np.testing.assert_allclose(made.kept, [90, 10])
     np.testing.assert_allclose(made.merged, [10, 0], atol=1e-9)
     assert whys(made) == ["SHORTENED", "AS_DRAWN"]
-    # What has no row of its own follows at the end and shows the row that it comes from.
+    # Additional pieces of an edge follow at the end, with the row of their source.
     assert made.dieline.source.tolist() == [0, 1, 0]
 
 
@@ -140,7 +140,7 @@ def test_half_a_circle_drawn_over_a_quarter_of_it() -> None:
 
 
 def test_arcs_of_one_circle_that_overlap_become_one() -> None:
-    # 0° to 120° and 80° to 170° of radius 10, the second against the clock.
+    # Radius 10, 0° to 120° and 80° to 170°, the second counter-clockwise.
     place = np.radians([0, 120, 80, 170])
     points = 10 * np.column_stack([np.cos(place), np.sin(place)])
     line = dieline(

@@ -1,6 +1,6 @@
-"""clean, on drawings by other hands: figures by file, and lengths that add up on all of them.
+"""``clean`` with drawings by other authors: results of each file, and lengths that add up.
 
-Everything is taken for cuts, two kinds of work by colour, so that all of it is cleaned.
+All edges are classified by colour as one of two line types, so that all of them are cleaned.
 """
 
 from __future__ import annotations
@@ -50,15 +50,15 @@ def figures(made: Cleaned) -> tuple[int, int, int]:
 @pytest.mark.parametrize(
     ("name", "expected", "merged", "dropped"),
     [
-        # Cuts of 40 mm on cuts of 50 mm, four times.
+        # Four cuts of 40 mm that lie on cuts of 50 mm.
         ("Obrary__Parametric-Papercraft/Interchange-Files/cube.dxf", (70, 4, 0), 160.0, 0.0),
-        # A cut of 1 mm on a crease of 152 mm, twice.
+        # Two cuts of 1 mm that lie on creases of 152 mm.
         ("generated__kyholdings__diecut_generator/mailer_200x150x60_t3.dxf", (88, 2, 0), 2.0, 0.0),
-        # A sheet on which nothing is to be done.
+        # A sheet without flaws.
         ("generated__bikinon__RSC-FEFCO-02xx/f0201_B_400x300x250.dxf", (56, 0, 0), 0.0, 0.0),
-        # Roundings of 0.05 mm in segments of a few micrometres, sides that lie on each other.
+        # Rounded corners of 0.05 mm in segments of a few micrometres, coincident sides.
         ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", (387, 259, 3), 59.99, 0.053),
-        # Coasts in steps of a few hundredths, and every border between two states twice.
+        # Coasts in steps of a few hundredths; every border between two states is drawn twice.
         ("mozman__ezdxf/examples/edgeminer/5_us_states.dxf", (2213, 2423, 18), 9.47, 0.0467),
     ],
 )

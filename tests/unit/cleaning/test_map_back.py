@@ -1,4 +1,4 @@
-"""back: measures of cleaned edges, told of those that were drawn."""
+"""``map_to_drawn``: measures of cleaned edges are assigned to the drawn edges."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from tests.support.shapes import dieline, edges
 CUT, CREASE = LineType.CUT, LineType.CREASE
 FAULT = Message("verify.unclassified")
 
-#: One cut of 100 mm in two pieces, the second drawn backwards and twice; a crease that a cut of
-#: 10 mm parts in two, 50 and 40 mm long, the second of which is row 5 when it is cleaned.
+#: One cut of 100 mm in two pieces, the second reversed and drawn twice; a crease that a cut of
+#: 10 mm splits in two, 50 and 40 mm long; after cleaning the second one is row 5.
 LINE = dieline(
     (CUT, edges(((0, 0), (30, 0)), ((100, 0), (30, 0)), ((30, 0), (100, 0)))),
     (CREASE, edges(((0, 50), (100, 50)))),
@@ -61,8 +61,8 @@ def test_findings_name_the_edge_that_was_drawn() -> None:
 
 def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
     told = map_to_drawn(verdict(6), clean(LINE), LINE).samples
-    # 15 of 100 mm is half of the first 30; 65 mm is the middle of the second piece, and its left is
-    # the other side, since it was drawn backwards; 100 mm is where that begins.
+    # 15 of 100 mm is the middle of the first 30; 65 mm is the middle of the second piece; its left
+    # is the other side, because it is reversed; 100 mm is its start.
     assert told.edge.tolist() == [0, 1, 1, 3, 3]
     np.testing.assert_allclose(told.place, [0.5, 0.0, 0.5, 0.25, 0.8])
     np.testing.assert_allclose(told.deviation, [0.1, -0.3, -0.2, 0.4, 0.5])

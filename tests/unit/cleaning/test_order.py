@@ -1,4 +1,4 @@
-"""The order in which a file has its lines says nothing: what is worked stays the same."""
+"""Cleaning does not depend on the order of lines in a file."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def shuffled(dieline: Dieline, seed: int) -> Dieline:
 
 
 def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
-    """How many edges of each type there are when it is in order, and how long they are (mm)."""
+    """Return the number and the total length (mm) of the cleaned edges of each line type."""
     made = clean(dieline).dieline
     lengths = arc.length(made.ends[:, 0], made.ends[:, 1], made.bulge)
     return {
@@ -41,6 +41,6 @@ def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int) -> None:
     for other in range(2):
         found = worked(shuffled(dieline, other))
         for kind, (edges, length) in said.items():
-            # Of two lines that lie on each other the first stays, and they differ by a hair.
+            # Of two coincident lines the first is kept; they differ slightly.
             assert found[kind][0] == edges
             assert found[kind][1] == pytest.approx(length, abs=0.01)

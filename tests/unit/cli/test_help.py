@@ -57,6 +57,6 @@ def test_commands_on_a_drawing_import_no_other_reader_and_no_compiler(
     if command == "program":
         arguments += ["--machine", "demo-table", "--board", "fbb-0.4", "-o", tmp_path / "o.ngc"]
     never = (*_SERVICE, *_READERS, "rich", "shapely")
-    _loaded(*arguments, modules=never)  # compiles what is not compiled yet
+    _loaded(*arguments, modules=never)  # compiles kernels that are not in the cache
     _, loaded = _loaded(*arguments, modules=(*never, *_COMPILER))
     assert loaded == []

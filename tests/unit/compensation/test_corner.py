@@ -104,7 +104,7 @@ def test_type_b_is_at_most_a_thousandth_slower_than_type_d(
     degrees: float, k: float, radius: float, feed: float, acceleration: float
 ) -> None:
     b, _, d = corner_durations(np.radians([degrees]), radius, np.array([k]), feed, acceleration)[0]
-    # Beyond 115° and on slow machines the tighter arc of D may gain that little.
+    # Above 115° and on slow machines, type D may be faster by less than that.
     assert b <= d * 1.001
 
 

@@ -103,7 +103,7 @@ def test_a_knife_enters_and_leaves_an_outline_on_a_quarter_circle(backwards: boo
     assert path.motion[1] == Motion.LEAD_IN
     assert path.motion[-2] == Motion.LEAD_OUT
     # Clockwise, so that the waste is on the left: due west along the edge y = 0, begun at (50, 0).
-    # A quarter of π mm has a radius of 2 mm; it comes from (52, -2), due north.
+    # A quarter circle of length π mm has a radius of 2 mm; it starts at (52, -2), due north.
     np.testing.assert_allclose(path.pose[1, :2], [52, -2], atol=1e-9)
     np.testing.assert_allclose(path.pose[2, :2], [50, 0], atol=1e-9)
     np.testing.assert_allclose(path.pose[1:3, 3] % 360, [90, 180], atol=1e-9)

@@ -1,4 +1,4 @@
-"""The two lines of a tag, held against what is seen byte by byte."""
+"""Functions that find the two lines of a DXF tag, compared with a scan byte by byte."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from knifetip.dxf.byte_scan import NO_CODE, bytes_equal, code_at, end_of_line, hash_bytes
 
-#: What stands in files, and what could be taken for it.
+#: Words of DXF files, and similar ones.
 _SIGNS = st.sampled_from([*b" 0123456789", 10, 13, 9, 15, 16, 65, 0, 127, 128, 138, 141, 255])
 _TEXTS = st.lists(_SIGNS, max_size=40).map(bytes)
 
@@ -63,7 +63,7 @@ def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: 
     there = first[7 : 7 + size].tobytes()
     if len(first) >= 7 + size:
         assert bytes_equal(first, 7, second, 0, size) == (there == other)
-    # At the end of a text there are no eight bytes to read at once.
+    # At the end of a text fewer than eight bytes can be read at once.
     end = _column(rest + one)
     assert hash_bytes(first, 7, 7 + len(one)) == hash_bytes(end, len(rest), len(rest) + len(one))
 
@@ -71,5 +71,5 @@ def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: 
 def test_few_names_share_a_number() -> None:
     names = [f"LAYER_{number}".encode() for number in range(2000)]
     numbers = {int(hash_bytes(_column(name), 0, len(name))) & 0xFFFF for name in names}
-    # As many as fall into different places by chance: 65,536 · (1 - e^(-2000 / 65,536)).
+    # Expected number of distinct random hashes: 65,536 · (1 - e^(-2000 / 65,536)).
     assert len(numbers) > 1900

@@ -1,4 +1,4 @@
-"""Decimals read in compiled code: to the last bit what ``float`` reads, or left to it."""
+"""Decimals parsed by the kernel equal those of ``float`` to the last bit, or are left to it."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_shortest_spelling_of_any_number_is_read_to_the_last_bit(value: float) -
 
 
 @given(st.integers(0, 10**19 - 1), st.integers(-340, 320), st.booleans())
-@example(9007199254740993, 0, False)  # half way between two doubles
+@example(9007199254740993, 0, False)  # halfway between two doubles
 @example(9007199254740992, -20, True)
 @example(18446744073709551615, 0, False)
 @example(7205759403792793199, -16, False)

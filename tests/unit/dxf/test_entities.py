@@ -1,4 +1,4 @@
-"""Each kind of entity, read from a file of its own, against geometry worked out by hand."""
+"""Each kind of entity, read from its own file, compared with geometry computed by hand."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ DOWN = ((210, 0.0), (220, 0.0), (230, -1.0))
 
 
 def rows(drawing: Drawing) -> F64:
-    """x1 y1 x2 y2 bulge of each segment."""
+    """Return x1, y1, x2, y2 and bulge of each segment, (n, 5)."""
     return np.column_stack([drawing.ends.reshape(-1, 4), drawing.bulge])
 
 
 def only(drawing: Drawing, outcome: ImportOutcome = ImportOutcome.KEPT) -> str:
-    """The reason of a drawing's single import report row, which has this outcome."""
+    """Return the reason in the only row of the import report, which must have this outcome."""
     assert len(drawing.import_report) == 1
     assert drawing.import_report.outcome[0] == outcome
     return report_reasons(drawing)[0]
@@ -335,7 +335,7 @@ def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
     assert np.isfinite(drawing.ends).all()
     assert np.abs(drawing.ends).max() <= 1e7
     if not (bad in ("1e308", "-1e308") and "50\n" in make(bad)):
-        # An angle of 1e308° is a number, and so some angle.
+        # An angle of 1e308° is finite and therefore valid.
         assert drawing.import_report.outcome[0] == ImportOutcome.DROPPED
         assert len(drawing) == 1
 
@@ -412,14 +412,14 @@ def test_every_kind_agrees_with_ezdxf_on_where_it_lies() -> None:
 
 
 def test_turned_block_in_an_unevenly_scaled_one_is_sheared() -> None:
-    # ezdxf cannot express this; by hand: turn by 30°, then stretch y by 3.
+    # ezdxf cannot represent this; by hand: rotate by 30°, then scale y by 3.
     inner = block("INNER", line(0, 0, 10, 0), entity("CIRCLE", (10, 0), (20, 0), (40, 5)))
     outer = block("OUTER", insert("INNER", 0, 0, (50, 30)))
     drawing = read(dxf(insert("OUTER", 100, 200, (42, 3)), blocks=(inner, outer)))
     assert drawing.import_report.kind == ("INSERT", "INSERT", "LINE", "CIRCLE")
     tip = [100.0 + 10.0 * math.cos(math.radians(30)), 200.0 + 30.0 * math.sin(math.radians(30))]
     assert_allclose(drawing.ends[0], np.array([(100, 200), tip], float), atol=1e-12)
-    # The circle is now an ellipse of radii 5 and 15, whatever it was turned by.
+    # The circle becomes an ellipse with half axes 5 and 15, independent of the rotation.
     round_ = drawing.import_report.kind.index("CIRCLE")
     ring = drawing.ends[drawing.entity == round_]
     assert_allclose(ring.min(axis=(0, 1)), [95, 185], atol=0.011)

@@ -1,4 +1,4 @@
-"""Bytes that mean harm: each ends in a drawing or a clear problem, soon and in little memory."""
+"""Malicious bytes: each file gives a drawing or a clear error, quickly and with little memory."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LINE = line(0, 0, 10, 10)
 
 
 def _within(seconds: float, data: bytes) -> str:
-    """Read, and return the problem, empty where there is none."""
+    """Read a file within a time limit; return the text of the error, "" if it is read."""
     begin = time.process_time()
     problem = ""
     try:
@@ -116,7 +116,7 @@ def test_file_cut_at_every_byte_is_read_whole_or_refused() -> None:
             drawing = read(whole[:size])
         except KnifetipError:
             continue
-        # All sections are closed, so nothing is missing but the end mark.
+        # All sections are closed; only the end mark is missing.
         assert whole[size:].replace(b"0\nEOF\n", b"").strip(b"\n0EOF") == b""
         assert len(drawing) == 2
 
@@ -165,7 +165,7 @@ _WHOLE = dxf(
     entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm")),
     blocks=(block("A", _LINE, entity("ARC", (10, 0), (20, 0), (40, 2), (50, 0), (51, 91))),),
 )
-#: As ``_WHOLE``, and every part has a handle.
+#: Like ``_WHOLE``, with a handle in every record.
 _HANDLED = (
     dxf(
         line(0, 0, 10, 10, (5, "10")),

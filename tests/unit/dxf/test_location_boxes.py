@@ -1,4 +1,4 @@
-"""Where that stands of which no line is made: each kind by its points, through INSERTs too."""
+"""Location boxes of DXF entities that produce no geometry, also inside of blocks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.truth.readers import difference, fast_reader_accepts, read_by
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line
 
 CUT = line(0.0, 0.0, 500.0, 0.0)
-#: A square from (10, 20) to (40, 60), with its height before and a seed behind.
+#: A boundary from (10, 20) to (40, 60), with an elevation before it and a seed point after it.
 HATCH: tuple[Tag, ...] = (
     *((10, 0), (20, 0), (30, 0), (91, 1), (92, 3), (72, 0), (73, 1), (93, 4)),
     *((10, 10), (20, 20), (10, 40), (20, 20), (10, 40), (20, 60), (10, 10), (20, 60)),
@@ -30,13 +30,13 @@ XY: tuple[Tag, ...] = ((10, 3), (20, 4))
 
 
 def marked(*entities: str) -> bytes:
-    """A file of today: its entities have subclass markers."""
+    """Return a file whose entities have subclass markers, as in current DXF versions."""
     head = ((5, "A1"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbLine"))
     return dxf(line(0.0, 0.0, 500.0, 0.0, *head), *entities, version="AC1015")
 
 
 def stands(drawing: Drawing) -> dict[str, list[float]]:
-    """The boxes by the kinds of the entities, those in blocks with a stroke before."""
+    """Return the location boxes by entity type; types of entities in blocks start with "/"."""
     rows, boxes = drawing.import_report.location_boxes
     names = [
         ("/" if "/" in handle else "") + kind
@@ -104,7 +104,7 @@ def test_each_placement_has_a_row_and_a_place_of_its_own() -> None:
     held = block("B", entity("SOLID", *SOLID), line(0, 0, 1, 0), entity("POINT", (10, 9), (20, 9)))
     data = dxf(*(insert("B", x, 0.0) for x in (0.0, 100.0, 200.0)), blocks=(held,))
     rows, boxes = read(data).import_report.location_boxes
-    # An INSERT, then what it places: the second of each three is a line.
+    # Each INSERT is followed by its entities; the second of each three rows is a line.
     assert rows.tolist() == [1, 3, 5, 7, 9, 11]
     assert boxes[:, 0].tolist() == [1, 9, 101, 109, 201, 209]
     assert difference(*read_by_both(data)) == ""

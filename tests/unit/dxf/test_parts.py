@@ -29,7 +29,7 @@ _SHEET = [
     entity("LWPOLYLINE", (90, 2), (70, 0), (10, 0), (20, 0), (42, -0.5), (10, 3), (20, 4)),
     entity("TEXT", (10, 1), (20, 2), (40, 3), (1, "250 mm"), (8, "NOTES")),
     entity("ARC", (10, 0), (20, 0), (40, 5), (50, 0), (51, 90), (6, "DASHED"), (5, "1B")),
-    # A number of more digits than the pass can read.
+    # A number with more digits than the kernel can parse.
     line("0.30000000000000004440892098500626", 0, 1, 7, (8, "LATE")),
 ]
 _WHOLE = dxf(
@@ -89,7 +89,7 @@ def test_several_parts_give_the_result_of_one(set_parts: SetParts, number: int) 
 
 
 def test_a_part_that_ends_in_another_section_is_not_supported(set_parts: SetParts) -> None:
-    # Most of the file is blocks, or what comes after the sheet.
+    # Most of the file is in blocks or after the section ENTITIES.
     lines = [line(0, 0, x, 1) for x in range(60)]
     long = dxf(insert("A"), blocks=(block("A", *lines),))
     set_parts(1)
@@ -106,7 +106,7 @@ def _before_lines(data: bytes) -> list[int]:
 @pytest.mark.parametrize(
     "broken",
     [
-        # The x of a point without its y, and {…} left open, before a cut.
+        # At a cut: the x of a point without its y, and an open {… group.
         "0\nLINE\n8\n0\n10\n5\n",
         "0\nLINE\n8\n0\n102\n{ACAD\n",
         "0\nLINE\n8\n0\n10\n5\n20\n",

@@ -1,4 +1,4 @@
-"""Whole files: the drawings by other hands, the import report, attributes, and hostile bytes."""
+"""Whole DXF files: drawings by other authors, the import report, attributes, and hostile bytes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from knifetip.model.drawing import Drawing, ImportOutcome
 from tests.support.drawings import report_reasons
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line, tags
 
-#: Drawings by other hands that are refused, each with its class.
+#: Error class of each drawing by other authors that is refused.
 REFUSED = {"danst0__Box-Generator/template.dxf": NotADrawing}
 
 
@@ -28,7 +28,9 @@ def reasons(drawing: Drawing) -> dict[str, str]:
 
 
 def counted(data: bytes) -> Counter[str]:
-    """Kinds between ENTITIES and ENDSEC, by the simplest possible reading of the text."""
+    """Return the number of entities of each type between ENTITIES and ENDSEC, by simple text
+    search.
+    """
     lines = [text.strip() for text in data.decode("latin-1").split("\n")]
     pairs = list(zip(lines[0::2], lines[1::2], strict=False))
     kinds: Counter[str] = Counter()
@@ -43,7 +45,7 @@ def counted(data: bytes) -> Counter[str]:
     return kinds
 
 
-# ── Drawings by other hands ───────────────────────────────────────────────────────────────────
+# ── Drawings by other authors ──────────────────────────────────────────────────────────────────
 
 
 @pytest.mark.corpus
@@ -70,8 +72,8 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
         assert set(drawing.entity.tolist()) == drawn, name
         assert_allclose(import_report.length.sum(), drawing.lengths.sum(), rtol=1e-9, err_msg=name)
         if not data.startswith(b"AutoCAD Binary DXF"):
-            # Every entity of the sheet has its row, and more rows may come from the blocks of
-            # the layouts; a "/" marks what an INSERT brought along.
+            # Every entity of the sheet has a row; blocks of the layouts may have further rows;
+            # handles with a "/" are those of entities inside of an INSERT.
             rows = Counter(
                 kind
                 for kind, handle in zip(import_report.kind, import_report.handle, strict=True)
@@ -92,7 +94,7 @@ def test_obrary_cube_has_74_lines_on_cuts_and_folds(corpus: Path) -> None:
     assert set(drawing.layers) == {"CUTS", "FOLDS"}
     assert drawing.unit == ""
     assert drawing.import_report.handle[0] == "#1"
-    # CUTS has colour 0 in the layer table, which says nothing: 7.  FOLDS has 3.
+    # CUTS has colour 0 in the layer table, which is invalid and becomes 7; FOLDS has 3.
     by_layer = {drawing.layers[i]: c for i, c in zip(drawing.layer, drawing.colour, strict=True)}
     assert by_layer == {"CUTS": 7, "FOLDS": 3}
 
@@ -167,7 +169,7 @@ def test_arc_and_its_chord_and_its_mirror_are_three_lines() -> None:
 
 
 def test_same_arc_drawn_back_to_front_is_merged() -> None:
-    # From east over north to west, and as a polyline from west over north to east.
+    # From east through north to west, and as a polyline from west through north to east.
     arc = entity("ARC", (10, 0), (20, 0), (40, 5), (50, 0), (51, 180))
     back = (
         entity("POLYLINE", (66, 1), (70, 0))
@@ -330,7 +332,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     part = block("PART", line(0, 0, 1, 0))
     grid = ((70, 3), (71, 2), (44, 10), (45, 100), (50, 90))
     drawing = read(dxf(insert("PART", 0, 0, *grid), blocks=(part,)))
-    # Turned by 90°, a step to the next column goes up and one to the next row goes left.
+    # Rotated by 90°, columns are above each other and rows to the left of each other.
     starts = {tuple(start) for start in np.round(drawing.ends[:, 0]).tolist()}
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
@@ -438,7 +440,7 @@ def test_more_segments_than_the_limit_are_refused() -> None:
 
 
 def bomb(levels: int, columns: int) -> bytes:
-    """Blocks inside blocks, each of them a grid of the next."""
+    """Return blocks that contain grids of the next block, nested ``levels`` deep."""
     blocks = [block("B0", line(0, 0, 1, 0))]
     grid = ((70, columns), (71, columns), (44, 1), (45, 1))
     for level in range(1, levels):
@@ -493,7 +495,7 @@ def test_blocks_that_contain_themselves_are_dropped_and_named() -> None:
 
 
 def test_reading_stops_when_its_time_is_up() -> None:
-    # An ellipse, since a file of plain lines is done before a clock ticks.
+    # An ellipse, because a file of lines is read before the clock advances.
     data = dxf(entity("ELLIPSE", (10, 0), (20, 0), (11, 5), (21, 0), (40, 0.5)))
     with pytest.raises(DrawingTooLarge, match="takes longer than 0 s"):
         read(data, limits=Limits(seconds=0.0))
@@ -549,7 +551,7 @@ def test_random_damage_ends_in_a_drawing_or_a_refusal() -> None:
 
 
 def binary(*pairs: tuple[int, object]) -> bytes:
-    """A binary DXF of R12: one byte of group code, doubles, 16-bit numbers, zero-ended texts."""
+    """Return a binary DXF file of R12: group codes of one byte, doubles, 16-bit integers, texts."""
     data = b"AutoCAD Binary DXF\r\n\x1a\x00"
     for code, value in pairs:
         data += bytes([code])

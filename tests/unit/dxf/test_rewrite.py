@@ -1,4 +1,6 @@
-"""What ezdxf alone would refuse: markers left out, and hatches or pictures that it cannot read."""
+"""Files that ezdxf alone would refuse: missing markers, and hatches or images that it cannot
+read.
+"""
 
 from __future__ import annotations
 
@@ -85,7 +87,7 @@ def test_markers_stand_before_what_other_programs_added() -> None:
     )
 
 
-#: Of each kind so much as ezdxf stumbles over, in R12 and in files that leave the markers out.
+#: Data of each kind that ezdxf cannot read, in R12 and in files without markers.
 UNREADABLE = {
     "HATCH": "2\nSOLID\n70\n1\n71\n0\n91\n1\n92\n1\n93\n1\n72\n1\n10\n0\n20\n0\n11\n9\n21\n0\n",
     "IMAGE": "90\n0\n10\n0\n20\n0\n11\n1\n21\n0\n12\n0\n22\n1\n13\n10\n23\n10\n340\n0\n70\n7\n",
@@ -106,7 +108,7 @@ def unreadable(kind: str) -> str:
 def test_one_entity_that_is_no_line_costs_no_line_of_the_drawing(kind: str, version: str) -> None:
     data = drawing(version, LINE + unreadable(kind))
     with pytest.raises((DXFError, LookupError, AttributeError)):
-        ezdxf.read(io.StringIO(data.decode()))  # or this test tells of nothing
+        ezdxf.read(io.StringIO(data.decode()))  # otherwise the test would prove nothing
     found = read_alike(data)
     assert found.ends.tolist() == [[[0, 0], [5, 0]]]
     assert found.import_report.kind == ("LINE", kind)
@@ -129,7 +131,7 @@ def test_a_binary_drawing_loses_no_line_either() -> None:
     document.modelspace().add_point((1, 1))
     stream = io.BytesIO()
     document.write(stream, fmt="bin")
-    # The point becomes a kind that ezdxf takes for a picture without size.
+    # The point becomes an entity that ezdxf reads as an image without size.
     found = reading.read(stream.getvalue().replace(b"POINT\0", b"IMAGE\0"), "mm")
     assert found.ends.tolist() == [[[0, 0], [5, 0]]]
     assert found.import_report.kind == ("LINE", "IMAGE")
@@ -146,7 +148,7 @@ def test_an_ellipse_that_ezdxf_mends_when_it_recovers_is_read_as_it_reads_it(rat
         "0\nELLIPSE\n5\nC1\n100\nAcDbEntity\n8\nCUT\n100\nAcDbEllipse\n10\n0\n20\n0\n"
         f"11\n5\n21\n0\n40\n{ratio}\n41\n0\n42\n6.28\n"
     )
-    # Without a version ezdxf takes the file for R12, stumbles over its markers, and recovers it.
+    # Without a version ezdxf assumes R12, fails at the markers, and recovers the file.
     image = f"0\nIMAGE\n5\nB1\n100\nAcDbEntity\n8\nX\n100\nAcDbRasterImage\n{UNREADABLE['IMAGE']}"
     data = f"0\nSECTION\n2\nENTITIES\n{LINE}{ellipse}{image}0\nENDSEC\n0\nEOF\n"
     assert len(read_alike(data.encode()).ends) > 1

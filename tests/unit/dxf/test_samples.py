@@ -1,4 +1,4 @@
-"""samples: what a carton must be to be cut and to close.  shapely is the second opinion."""
+"""The sample drawings can be cut and folded closed; shapely checks their geometry."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ def sheet(request: pytest.FixtureRequest) -> Sheet:
 
 
 def segments(sheet: Sheet, *layers: Layer) -> tuple[F64, F64]:
-    """Ends (n, 2, 2) and bulges of all segments on the layers."""
+    """Return ends, (n, 2, 2), and bulges, (n,), of all segments on some layers."""
     chosen = [paths for layer, paths in sheet if layer in layers]
     ends = [np.stack([paths.start, paths.end], axis=1) for paths in chosen]
     return np.concatenate(ends), np.concatenate([paths.bulge for paths in chosen])
 
 
 def flattened(ends: F64, bulge: F64) -> list[shapely.LineString]:
-    """Arcs as 48 chords each."""
+    """Return segments as shapely line strings, arcs with 48 chords each."""
     count = len(bulge)
     steps = np.linspace(0.0, 1.0, 49)
     start, end = np.repeat(ends[:, 0], 49, axis=0), np.repeat(ends[:, 1], 49, axis=0)
@@ -65,7 +65,7 @@ def flattened(ends: F64, bulge: F64) -> list[shapely.LineString]:
 
 
 def outline(sheet: Sheet) -> shapely.Polygon:
-    """The largest closed contour of the cuts."""
+    """Return the largest closed contour of the cuts."""
     lines = flattened(*segments(sheet, CUT))
     return max(shapely.polygonize(lines).geoms, key=lambda face: face.area)
 
@@ -145,7 +145,7 @@ def test_round_corners_are_smooth_where_they_join_a_side() -> None:
 
 
 def upright(lines: F64) -> F64:
-    """Where the upright ones stand, ascending."""
+    """Return the x of all vertical lines, ascending."""
     return np.unique(lines[np.ptp(lines[:, :, 0], axis=1) < 1e-9][:, 0, 0])
 
 
@@ -209,11 +209,11 @@ def test_the_trays_tabs_fit_their_slots() -> None:
     ]
     assert len(slots) == 4
     for low_x, low_y, high_x, high_y in slots:
-        assert high_x - low_x == pytest.approx(3.5)  # board and half a millimetre
+        assert high_x - low_x == pytest.approx(3.5)  # caliper and half a millimetre
         assert high_y - low_y == pytest.approx(38.0)  # tab of 36 and a millimetre on either side
     stands = upright(lines_of(sheet, CREASE))
     inside = max(slots)[0] - min(slots)[2]
-    assert inside == pytest.approx(280.0 - 0.5)  # the inner walls stand 280 mm apart
+    assert inside == pytest.approx(280.0 - 0.5)  # the inner walls are 280 mm apart
     # Folded in, the inner wall reaches from its ridge to the base's top face, and its tab through.
     free = outline(sheet).bounds[2] - stands[-1]
     assert free == pytest.approx(80.0 - 1.5 - 0.5 + 3.5)

@@ -1,4 +1,4 @@
-"""The compiled pass: what is plain, what is odd, and what is left to ezdxf as a whole."""
+"""The kernel that scans DXF files: supported entities, unusual ones, and files left to ezdxf."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Arcs and polylines as rows of at most half a turn."""
+"""Arcs and polylines as segments of at most half a turn."""
 
 from __future__ import annotations
 

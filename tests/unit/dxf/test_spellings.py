@@ -1,4 +1,4 @@
-"""One small drawing in the ways in which programs spell it: both readers say the same of each."""
+"""One small drawing in various spellings of programs: both readers return the same."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the header of a DXF says of its unit."""
+"""The unit and the hints in the header of a DXF file."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_unknown_unit_is_refused_with_the_known_ones() -> None:
         ({"$LUNITS": "2", "$DIMLFAC": "1.0"}, []),
         ({"$DIMLFAC": "25.4"}, ["shown × 25.4"]),
         ({"$DIMALT": "1", "$DIMALTF": "0.03937007874"}, ["shown × 0.03937"]),
-        # Most headers have the factor of a second dimension that nobody switched on.
+        # Most headers have the factor of alternate units, which are switched off.
         ({"$DIMALT": "0", "$DIMALTF": "25.4"}, []),
         ({"$DIMLFAC": "ten", "$MEASUREMENT": "7", "$LUNITS": ""}, []),
     ],

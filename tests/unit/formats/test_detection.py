@@ -1,4 +1,4 @@
-"""What a file is, by its content."""
+"""The format of a file is detected by its content."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The same carton as DXF, CF2, SVG and PDF: the same edges, the same line types."""
+"""The same carton as DXF, CF2, SVG and PDF has the same edges and line types."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SAMPLES = samples()
 
 
 def as_svg(drawing: Drawing, before: str = "", scale: float = 1.0) -> bytes:
-    """A drawing as SVG, y turned over; each coordinate divided by ``scale``."""
+    """Return a drawing as SVG with y downwards; coordinates are divided by ``scale``."""
     radius = arc.radius(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
     parts = []
     for (a, b), bulge, r, layer in zip(
@@ -48,7 +48,7 @@ def as_svg(drawing: Drawing, before: str = "", scale: float = 1.0) -> bytes:
 
 
 def as_cf2(drawing: Drawing) -> bytes:
-    """A drawing as CF2: 1 for the layer CUT, 2 for all else."""
+    """Return a drawing as CF2 with line type 1 for layer CUT and 2 for all other layers."""
     middle = arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
     records = []
     for (a, b), bulge, centre, layer in zip(
@@ -62,7 +62,9 @@ def as_cf2(drawing: Drawing) -> bytes:
 
 
 def as_pdf(drawing: Drawing) -> bytes:
-    """A drawing as PDF: arcs as eight curves to a quarter turn, its layers as optional content."""
+    """Return a drawing as PDF with optional content as layers and eight curves per quarter
+    circle.
+    """
     middle = arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
     parts = []
     for (a, b), bulge, (x, y), layer in zip(

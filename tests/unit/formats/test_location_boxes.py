@@ -1,4 +1,4 @@
-"""Where that stands of which no line is made, as each format tells it."""
+"""Location boxes of objects that produce no geometry, in each format."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ POINT = 25.4 / 72.0
 
 
 def stands(drawing: Drawing) -> dict[str, list[float]]:
-    """The boxes (mm) by the handles of the entities."""
+    """Return the location boxes (mm) by the handles of the entities."""
     rows, found = drawing.import_report.location_boxes
     handles = list(drawing.import_report.handle)
     return {handles[row]: box for row, box in zip(rows.tolist(), found.tolist(), strict=True)}
@@ -58,12 +58,12 @@ def test_of_a_pdf() -> None:
         )
     )
     found = {handle: np.array(box) / POINT for handle, box in stands(drawing).items()}
-    assert_allclose(found["#2"], [20, 30, 30, 35], atol=1e-9)  # an area
-    assert_allclose(found["#3"], [25, 35, 35, 40], atol=1e-9)  # what bounds the rest
-    assert_allclose(found["#4"], [12, 13, 52, 33], atol=1e-9)  # a picture
-    assert_allclose(found["#5"], [8, 9, 8, 9], atol=1e-9)  # words
-    assert_allclose(found["#6"], [505, 505, 605, 505], atol=1e-9)  # beside the page
-    assert_allclose(found["#7"], [25, 35, 35, 40], atol=1e-9)  # colour within the bounds
+    assert_allclose(found["#2"], [20, 30, 30, 35], atol=1e-9)  # a filled area
+    assert_allclose(found["#3"], [25, 35, 35, 40], atol=1e-9)  # a clipping path
+    assert_allclose(found["#4"], [12, 13, 52, 33], atol=1e-9)  # an image
+    assert_allclose(found["#5"], [8, 9, 8, 9], atol=1e-9)  # a text
+    assert_allclose(found["#6"], [505, 505, 605, 505], atol=1e-9)  # a line outside the page
+    assert_allclose(found["#7"], [25, 35, 35, 40], atol=1e-9)  # a shading inside the clipping path
     assert len(found) == 6
 
 
