@@ -39,10 +39,10 @@ def find_language(name: str) -> Language:
     if name in _own_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
     else:
-        found = tuple(entry_points(group=GROUP, name=name))
-        if not found:
+        candidates = tuple(entry_points(group=GROUP, name=name))
+        if not candidates:
             raise LibraryError("language.unknown", name=name[:80], known=language_names())
-        language = found[0].load()
+        language = candidates[0].load()
     if not isinstance(language, Language) or language.name != name:
         raise LibraryError("language.bad-entry-point", name=name, group=GROUP)
     return language

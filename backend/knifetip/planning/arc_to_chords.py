@@ -81,9 +81,9 @@ def arcs_to_chords(
     many = count.astype(np.int64)
     owner = np.repeat(np.arange(len(rows)), many)
     ordinal = np.arange(len(owner)) - np.repeat(np.cumsum(many) - many, many)
-    whole = start[owner], end[owner], bulge[owner]
-    low = arc.point_at(*whole, ordinal / many[owner])
-    high = arc.point_at(*whole, (ordinal + 1) / many[owner])
+    arcs = start[owner], end[owner], bulge[owner]
+    low = arc.point_at(*arcs, ordinal / many[owner])
+    high = arc.point_at(*arcs, (ordinal + 1) / many[owner])
     straight = ~bent[owner]
     low[straight], high[straight] = start[owner[straight]], end[owner[straight]]
     sharpest = float(np.degrees(np.where(bent, sweep / count, 0.0).max(initial=0.0)))

@@ -60,10 +60,10 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
     rank = (layer.max(initial=0) - layer) * 2 + (side != 0)
     operations = []
     for bounds in (False, True):
-        some = np.flatnonzero((side != 0) == bounds)
-        if len(some):
-            waste = side[some] if bounds else None
-            cuts = _Cuts(LineType.CUT, rows[some], setup.through, waste, layer[some])
+        subset = np.flatnonzero((side != 0) == bounds)
+        if len(subset):
+            waste = side[subset] if bounds else None
+            cuts = _Cuts(LineType.CUT, rows[subset], setup.through, waste, layer[subset])
             operations += _split_by_rank(_cut(dieline, cuts, setup), rows, rank)
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
@@ -87,16 +87,16 @@ def _split_by_rank(operation: Operation, rows: I32, rank: I64) -> list[tuple[int
     rank_of_path = rank_of_edge[operation.source[paths.first[:-1]]]
     parts = []
     for number in np.unique(rank_of_path):
-        which = np.flatnonzero(rank_of_path == number).astype(np.int32)
-        some, segment = select_paths(paths, which)
+        path_rows = np.flatnonzero(rank_of_path == number).astype(np.int32)
+        subset, segment = select_paths(paths, path_rows)
         part = replace(
             operation,
-            paths=some,
+            paths=subset,
             depth=operation.depth[segment],
-            start=operation.start[which],
-            finish=operation.finish[which],
+            start=operation.start[path_rows],
+            finish=operation.finish[path_rows],
             source=operation.source[segment],
-            run_out=operation.run_out[which],
+            run_out=operation.run_out[path_rows],
             k_at=operation.k_at[segment],
             corner_at=operation.corner_at[segment],
         )
@@ -127,15 +127,15 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
     """
     board, tool = setup.board, setup.station.tool
     paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)
-    held = np.zeros(len(paths), np.bool_)
+    has_bridges = np.zeros(len(paths), np.bool_)
     side = 0
     if cuts.waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
         closed = paths.closed
         spacing = Spacing(board.bridge_width, board.bridge_spacing)
         avoid = ends_of_others(dieline, cuts.rows)
         path, along = place_bridges(paths, closed, spacing, source, avoid, all_reachable(paths))
-        paths, whole, segment = insert_gaps(paths, path, along, board.bridge_width)
-        held, source = closed[whole], source[segment]
+        paths, old_path, segment = insert_gaps(paths, path, along, board.bridge_width)
+        has_bridges, source = closed[old_path], source[segment]
     elif cuts.waste is not None and isinstance(tool, Knife) and tool.led:
         paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
         side = 1
@@ -143,11 +143,11 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
     source = source[segment]
     start, finish = np.split(_ends_on_cuts(paths, source, dieline), 2)
     # A blade enters exactly at its tip and runs out ahead of it: start at the end that is free.
-    paths, segment = reverse_paths(paths, start & ~finish & ~paths.closed & ~held)
+    paths, segment = reverse_paths(paths, start & ~finish & ~paths.closed & ~has_bridges)
     source = source[segment]
     ends = end_kinds(paths, _ends_on_cuts(paths, source, dieline), End.MEETS)
     for kinds in ends:
-        kinds[held] = End.BRIDGE
+        kinds[has_bridges] = End.BRIDGE
     depth = np.full((len(source), 1), cuts.depth)
     return replace(setup.operation(cuts.line_type, paths, source, depth, ends), side=side)
 

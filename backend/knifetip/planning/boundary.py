@@ -170,11 +170,11 @@ def _check_run_outs(
     )
     row = np.tile(rows, 2)[track]
     count = len(outline.bulge)
-    again = np.flatnonzero(~np.isin(row * count + cut, contacts.end * count + contacts.cut))
-    if len(again):
-        edge = int(source[row[again[0]]])
+    reentries = np.flatnonzero(~np.isin(row * count + cut, contacts.end * count + contacts.cut))
+    if len(reentries):
+        edge = int(source[row[reentries[0]]])
         raise FlankOutside(
-            "groove.runs-out", edge=edge, distance=size[row[again[0]]], source=[str(edge)]
+            "groove.runs-out", edge=edge, distance=size[row[reentries[0]]], source=[str(edge)]
         )
 
 
@@ -185,8 +185,8 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
     ``sine`` is the sine of the angle between the groove and the board's edge at each contact, (k,).
     ``source`` is the edge of the drawing to which each end of a groove belongs; the error names it.
     """
-    alone = np.bincount(contacts.end, minlength=len(source)) == 1
-    along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & alone[contacts.end])
+    is_single = np.bincount(contacts.end, minlength=len(source)) == 1
+    along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & is_single[contacts.end])
     if len(along):
         edge = int(source[contacts.end[along[0]]])
         angle = np.degrees(np.arcsin(sine[along[0]]))
@@ -203,8 +203,8 @@ def _find_contacts(points: F64, outline: BoardOutline) -> _Contacts:
     start, finish, bulge = outline.start[cut], outline.end[cut], outline.bulge[cut]
     point = points[end]
     along = arc.nearest_fraction(start, finish, bulge, point)
-    place = arc.point_at(start, finish, bulge, along)
-    gap = place - point
+    contact_point = arc.point_at(start, finish, bulge, along)
+    gap = contact_point - point
     touch = np.hypot(gap[:, 0], gap[:, 1]) <= GAP
     tangent = unit_vectors(arc.tangent_at(start, finish, bulge, along))
     near_end = np.hypot(*(finish - point).T) <= GAP

@@ -44,7 +44,7 @@ class Spacing(NamedTuple):
 
 def place_bridges(
     paths: Paths,
-    which: Bool,
+    selected: Bool,
     spacing: Spacing,
     source: I32,
     avoid: F64,
@@ -55,7 +55,7 @@ def place_bridges(
 
     Parameters
     ----------
-    which : (p,)
+    selected : (p,)
         Mask of the paths that get bridges; they must be closed.
     spacing
         Length of the bridges, and the greatest distance between them.
@@ -71,14 +71,16 @@ def place_bridges(
     NoRoomForBridges
         A contour has no room for two bridges, or two neighbouring bridges would be too far apart.
     """
-    on, at = _positions_along(paths, which, avoid)
-    found = [
-        _place_on_contour(paths, int(path), spacing, source, at[on == path], reachable)
-        for path in np.flatnonzero(which)
+    avoid_path, avoid_position = _positions_along(paths, selected, avoid)
+    positions = [
+        _place_on_contour(
+            paths, int(path), spacing, source, avoid_position[avoid_path == path], reachable
+        )
+        for path in np.flatnonzero(selected)
     ]
-    size = [len(middle) for middle in found]
-    path = np.repeat(np.flatnonzero(which), size).astype(np.int32)
-    return path, np.concatenate([*found, np.zeros(0)])
+    size = [len(middle) for middle in positions]
+    path = np.repeat(np.flatnonzero(selected), size).astype(np.int32)
+    return path, np.concatenate([*positions, np.zeros(0)])
 
 
 def ends_of_others(dieline: Dieline, rows: I32) -> F64:
@@ -86,20 +88,20 @@ def ends_of_others(dieline: Dieline, rows: I32) -> F64:
 
     ``rows`` are indices of edges in the dieline.  Ignored and unclassified edges are left out too.
     """
-    worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
-    worked[rows] = False
-    ends: F64 = dieline.ends[worked].reshape(-1, 2)
+    has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    has_work[rows] = False
+    ends: F64 = dieline.ends[has_work].reshape(-1, 2)
     return ends
 
 
-def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
+def _positions_along(paths: Paths, selected: Bool, points: F64) -> tuple[I32, F64]:
     """Return the path on which each point lies, and the position of the point along this path.
 
     Points that lie on no path are left out.
 
     Parameters
     ----------
-    which : (p,)
+    selected : (p,)
         Mask of the paths that are searched.
     points : (m, 2) mm
         The points.
@@ -108,17 +110,17 @@ def _positions_along(paths: Paths, which: Bool, points: F64) -> tuple[I32, F64]:
     -------
     Path of each located point (k,), and the point's distance from the start of that path (k,) mm.
     """
-    rows = np.flatnonzero(which[paths.path_of])
+    rows = np.flatnonzero(selected[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     point, row = box_pairs(np.hstack([points, points]), arc.bounding_boxes(start, end, bulge), GAP)
-    whole = start[row], end[row], bulge[row]
-    share = arc.nearest_fraction(*whole, points[point])
-    on = np.hypot(*(arc.point_at(*whole, share) - points[point]).T) <= GAP
-    row, share = rows[row[on]], share[on]
+    segments = start[row], end[row], bulge[row]
+    fraction = arc.nearest_fraction(*segments, points[point])
+    touches = np.hypot(*(arc.point_at(*segments, fraction) - points[point]).T) <= GAP
+    row, fraction = rows[row[touches]], fraction[touches]
     size = arc.length(paths.start, paths.end, paths.bulge)
     before = np.cumsum(size) - size
     path = paths.path_of[row]
-    return path, before[row] - before[paths.first[:-1][path]] + share * size[row]
+    return path, before[row] - before[paths.first[:-1][path]] + fraction * size[row]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -128,35 +130,35 @@ class _FreeRanges:
     low: F64  #: mm
     high: F64  #: mm
 
-    def without(self, at: F64, clear: float, length: float) -> _FreeRanges:
+    def without(self, positions: F64, clear: float, length: float) -> _FreeRanges:
         """Return the parts of the ranges that are at least ``clear`` mm away from all positions
-        ``at``.
+        ``positions``.
 
-        ``at`` are positions along the closed contour, and ``length`` is its length (mm).
+        ``positions`` are positions along the closed contour, and ``length`` is its length (mm).
         """
         low, high = self.low, self.high
-        for place in np.concatenate([at - length, at, at + length]):
-            before, after = np.minimum(high, place - clear), np.maximum(low, place + clear)
+        for position in np.concatenate([positions - length, positions, positions + length]):
+            before, after = np.minimum(high, position - clear), np.maximum(low, position + clear)
             begin, end = np.concatenate([low, after]), np.concatenate([before, high])
             order = np.argsort(begin, kind="stable")
-            some = order[(end >= begin)[order]]
-            low, high = begin[some], end[some]
+            nonempty = order[(end >= begin)[order]]
+            low, high = begin[nonempty], end[nonempty]
         return _FreeRanges(low, high)
 
-    def nearest(self, wanted: F64) -> F64:
+    def nearest(self, desired: F64) -> F64:
         """Return, for each of n desired positions on the contour, the nearest permitted one, (n,)
         mm.
         """
-        clipped = np.clip(wanted[:, None], self.low, self.high)
+        clipped = np.clip(desired[:, None], self.low, self.high)
         # Of two equally near positions the first is taken, whatever the rounding.
-        far = np.abs(clipped - wanted[:, None])
+        far = np.abs(clipped - desired[:, None])
         best = (far <= far.min(axis=1, keepdims=True) + POINT).argmax(axis=1)
-        chosen: F64 = clipped[np.arange(len(wanted)), best]
+        chosen: F64 = clipped[np.arange(len(desired)), best]
         return chosen
 
 
 def _place_on_contour(
-    paths: Paths, path: int, bridge: Spacing, source: I32, at: F64, reachable: ReachableStretches
+    paths: Paths, path: int, bridge: Spacing, source: I32, avoid: F64, reachable: ReachableStretches
 ) -> F64:
     """Return the positions of the middles of the bridges along one closed path, ascending (mm).
 
@@ -168,7 +170,7 @@ def _place_on_contour(
         Length of the bridges, and the greatest distance between neighbouring bridges.
     source : (n,)
         Index in the dieline of the edge of each segment, for error messages.
-    at : (k,) mm
+    avoid : (k,) mm
         Positions along the path from which bridges keep away, if possible.
     reachable
         Stretches of the segments that the tool can reach; bridges lie only there.
@@ -181,14 +183,23 @@ def _place_on_contour(
     gap, spacing = bridge
     length = float(paths.lengths[path])
     fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
-    for kept_clear, arcs_too in ((at, False), (at, True), (at[:0], False), (at[:0], True)):
+    for kept_clear, arcs_too in (
+        (avoid, False),
+        (avoid, True),
+        (avoid[:0], False),
+        (avoid[:0], True),
+    ):
         free = _free_ranges(paths, path, gap, reachable, arcs_too)
         free = free.without(kept_clear, _CLEAR + gap / 2.0, length)
         counts = np.unique(np.linspace(fewest, _MORE * fewest, _TRIES).astype(np.int64))
         for count in counts if len(free.low) else ():
             middle = np.unique(free.nearest((np.arange(count) + 0.5) * length / count))
-            apart = np.diff(np.append(middle, middle[0] + length))
-            if len(middle) >= fewest and apart.min() > 2.0 * gap and apart.max() <= spacing + POINT:
+            distances = np.diff(np.append(middle, middle[0] + length))
+            if (
+                len(middle) >= fewest
+                and distances.min() > 2.0 * gap
+                and distances.max() <= spacing + POINT
+            ):
                 return _drop_spare(middle, length, spacing)
     edge = int(source[paths.first[path]])
     raise NoRoomForBridges(
@@ -210,10 +221,10 @@ def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
     contour of ``length`` mm, ascending.
     """
     while len(middle) > _FEWEST:
-        around = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
-        without = around[2:] - around[:-2]
-        spare = int(without.argmin())
-        if without[spare] > spacing + POINT:
+        neighbours = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
+        gaps = neighbours[2:] - neighbours[:-2]
+        spare = int(gaps.argmin())
+        if gaps[spare] > spacing + POINT:
             break
         middle = np.delete(middle, spare)
     return middle
@@ -250,9 +261,11 @@ def _free_ranges(
     free = (size >= 2.0 * gap) & (high >= low - 1e-9)
     if not arcs_too:
         free &= np.abs(bulge) < BULGE
-    some = slice(*np.searchsorted(reachable.segment, [rows.start, rows.stop]))
-    on = reachable.segment[some] - rows.start
-    low = np.maximum(low[on], reachable.low[some] + gap / 2.0)
-    high = np.minimum(np.maximum(low, high[on]), reachable.high[some] - gap / 2.0)
-    free = free[on] & (high >= low - 1e-9)
-    return _FreeRanges((begin[on] + low)[free], (begin[on] + np.maximum(low, high))[free])
+    stretches = slice(*np.searchsorted(reachable.segment, [rows.start, rows.stop]))
+    local_segment = reachable.segment[stretches] - rows.start
+    low = np.maximum(low[local_segment], reachable.low[stretches] + gap / 2.0)
+    high = np.minimum(np.maximum(low, high[local_segment]), reachable.high[stretches] - gap / 2.0)
+    free = free[local_segment] & (high >= low - 1e-9)
+    return _FreeRanges(
+        (begin[local_segment] + low)[free], (begin[local_segment] + np.maximum(low, high))[free]
+    )

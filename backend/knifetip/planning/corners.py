@@ -58,14 +58,14 @@ def check_choices(corners: Corners) -> None:
     """
     if corners.interference not in INTERFERENCES:
         raise PlanError("corner.bad-interference", interference=corners.interference)
-    for kind, k, where in [(corners.type, corners.k, None)] + [
+    for kind, k, location in [(corners.type, corners.k, None)] + [
         (choice.type, choice.k, Message("corner.at", x=choice.x, y=choice.y))
         for choice in corners.at
     ]:
         if kind not in TYPES:
-            raise PlanError("corner.unknown-type-at", type=str(kind)[:20], where=where)
+            raise PlanError("corner.unknown-type-at", type=str(kind)[:20], where=location)
         if k is not None and not 0.0 < k < 1.0:
-            raise PlanError("corner.bad-k-at", where=where, k=f"{k:g}")
+            raise PlanError("corner.bad-k-at", where=location, k=f"{k:g}")
     for choice in corners.at:
         if not np.isfinite([choice.x, choice.y]).all():
             raise PlanError("corner.bad-place", x=choice.x, y=choice.y)
@@ -93,17 +93,17 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     convex = turn > _STRAIGHT
     nearest = np.full(len(corners.at), np.inf)
     for row, choice in enumerate(corners.at):
-        away = np.hypot(*(position - np.add((choice.x, choice.y), corners.placement)).T)
-        nearest[row] = away[convex].min(initial=np.inf)
+        distance = np.hypot(*(position - np.add((choice.x, choice.y), corners.placement)).T)
+        nearest[row] = distance[convex].min(initial=np.inf)
         if nearest[row] <= NEAR:
             continue
-        if (away[turn < -_STRAIGHT] <= NEAR).any():
+        if (distance[turn < -_STRAIGHT] <= NEAR).any():
             raise PlanError("corner.inside", x=choice.x, y=choice.y)
-        order = np.argsort(away[convex])[:_LISTED]
-        known = [
+        order = np.argsort(distance[convex])[:_LISTED]
+        nearby = [
             f"({x:.2f}, {y:.2f})" for x, y in position[convex][order] - np.array(corners.placement)
         ]
-        if not known:
+        if not nearby:
             raise PlanError("corner.no-contour", within=NEAR, x=choice.x, y=choice.y)
         raise PlanError(
             "corner.not-found",
@@ -111,7 +111,7 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
             x=choice.x,
             y=choice.y,
             distance=nearest[row],
-            known=known,
+            known=nearby,
         )
     return nearest
 
@@ -134,9 +134,9 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
     """
     kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
     k = np.full(len(bends.turn), np.nan)
-    for choice, away in zip(corners.at, nearest, strict=True):
-        off = np.hypot(*(bends.position - np.add((choice.x, choice.y), corners.placement)).T)
-        here: Bool = (bends.turn > _STRAIGHT) & (off <= away + JOIN)
+    for choice, corner_distance in zip(corners.at, nearest, strict=True):
+        distance = np.hypot(*(bends.position - np.add((choice.x, choice.y), corners.placement)).T)
+        here: Bool = (bends.turn > _STRAIGHT) & (distance <= corner_distance + JOIN)
         kind[here] = TYPES.index(choice.type)
         k[here] = np.nan if choice.k is None else choice.k
     return kind, k

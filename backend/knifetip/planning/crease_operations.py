@@ -68,6 +68,6 @@ def _crease_paths(dieline: Dieline, rows: I32) -> tuple[Paths, I32, tuple[U8, U8
     start, finish = end_kinds(paths, continued, End.CONTINUED)
     path_of = paths.path_of
     paths, segment, split = split_at_cuts(paths, cut_ends, cut_bulge)
-    whole = path_of[segment[paths.first[:-1]]]
-    kinds = np.where(split, End.FREE, np.stack([start, finish], axis=1)[whole]).astype(np.uint8)
+    old_path = path_of[segment[paths.first[:-1]]]
+    kinds = np.where(split, End.FREE, np.stack([start, finish], axis=1)[old_path]).astype(np.uint8)
     return paths, source[segment], (kinds[:, 0], kinds[:, 1])

@@ -45,18 +45,23 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     split : (q, 2)
         Whether each new path starts, and ends, at a split.
     """
-    segment, share = find_cut_crossings(paths, ends, bulge)
+    segment, fraction = find_cut_crossings(paths, ends, bulge)
     count = len(paths.bulge)
     row = np.concatenate([np.arange(count), segment])
-    low = np.concatenate([np.zeros(count), share])
+    low = np.concatenate([np.zeros(count), fraction])
     added = np.arange(len(row)) >= count
     order = np.lexsort((added, low, row))
     row, low, added = row[order], low[order], added[order]
     high = np.where(np.append(row[1:] != row[:-1], True), 1.0, np.roll(low, -1))
     # Drop stretches between two cuts at one point, and before a cut through a joint.
     size = arc.length(paths.start, paths.end, paths.bulge)[row] * (high - low)
-    some = (size > GAP) | ((low == 0.0) & (high == 1.0))
-    row, low, high, added = row[some], low[some], high[some], added[some]
+    long_enough = (size > GAP) | ((low == 0.0) & (high == 1.0))
+    row, low, high, added = (
+        row[long_enough],
+        low[long_enough],
+        high[long_enough],
+        added[long_enough],
+    )
     near_end, far_end, bent = arc.sub_arc(
         paths.start[row], paths.end[row], paths.bulge[row], low, high
     )
@@ -90,9 +95,9 @@ def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
-    segment, _, share = inner_crossings(paths, ends, bulge)
-    at_vertex, on = _crossings_at_cut_ends(paths, ends, bulge)
-    return np.concatenate([segment, at_vertex]), np.concatenate([share, on])
+    segment, _, fraction = inner_crossings(paths, ends, bulge)
+    at_vertex, vertex_fraction = _crossings_at_cut_ends(paths, ends, bulge)
+    return np.concatenate([segment, at_vertex]), np.concatenate([fraction, vertex_fraction])
 
 
 def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
@@ -106,32 +111,34 @@ def _crossings_at_cut_ends(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F6
     end, row = box_pairs(np.hstack([points, points]), boxes, GAP)
     if len(end) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
-    whole = paths.start[row], paths.end[row], paths.bulge[row]
-    share = arc.nearest_fraction(*whole, points[end])
-    place = arc.point_at(*whole, share)
+    segments = paths.start[row], paths.end[row], paths.bulge[row]
+    fraction = arc.nearest_fraction(*segments, points[end])
+    foot = arc.point_at(*segments, fraction)
     stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
     path = paths.path_of[row]
-    on = np.hypot(*(place - points[end]).T) <= GAP
+    touches = np.hypot(*(foot - points[end]).T) <= GAP
     for stop in (stops[path, 0], stops[path, 1]):
-        on &= np.hypot(*(place - stop).T) > GAP
+        touches &= np.hypot(*(foot - stop).T) > GAP
     # A point on a joint counts for the segment after it.
-    on &= share < 1.0 - 1e-9
-    end, row, share = end[on], row[on], share[on]
-    ahead = unit_vectors(arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], share))
+    touches &= fraction < 1.0 - 1e-9
+    end, row, fraction = end[touches], row[touches], fraction[touches]
+    ahead = unit_vectors(
+        arc.tangent_at(paths.start[row], paths.end[row], paths.bulge[row], fraction)
+    )
     side = (left_normal(ahead) * outward_directions(ends, bulge).reshape(-1, 2)[end]).sum(axis=1)
     # A cut that leaves the crease by less than GAP was only drawn slightly too long.
     size = arc.length(ends[:, 0], ends[:, 1], bulge)[end // 2]
     side[np.abs(side) * size <= GAP] = 0.0
-    order = np.lexsort((share, row))
-    row, share, side = row[order], share[order], side[order]
-    along = share * arc.length(paths.start, paths.end, paths.bulge)[row]
+    order = np.lexsort((fraction, row))
+    row, fraction, side = row[order], fraction[order], side[order]
+    along = fraction * arc.length(paths.start, paths.end, paths.bulge)[row]
     new = np.append(True, (row[1:] != row[:-1]) | (np.diff(along) > GAP))[: len(row)]
     group = np.cumsum(new) - 1
     both = np.zeros((int(new.sum()), 2), np.bool_)
     both[group[side > _ACROSS], 0] = True
     both[group[side < -_ACROSS], 1] = True
     crossed = np.flatnonzero(new)[both.all(axis=1)]
-    return row[crossed], share[crossed]
+    return row[crossed], fraction[crossed]
 
 
 def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]:
@@ -149,30 +156,30 @@ def inner_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I64, F64]
 
     Returns
     -------
-    segment, cut, share : (k,), (k,) and (k,)
+    segment, cut, fraction : (k,), (k,) and (k,)
         Index of the segment and index of the cut of each crossing, and the position of the crossing
         on the segment as a parameter from 0 at its start to 1 at its end.
     """
-    mine, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
+    chords, owner, low, size = _split_into_chords(paths.start, paths.end, paths.bulge)
     cuts, cut, _, _ = _split_into_chords(ends[:, 0], ends[:, 1], bulge)
-    i, j = box_pairs(_boxes(mine), _boxes(cuts), 0.0)
-    p, r = mine[i, 0], mine[i, 1] - mine[i, 0]
+    i, j = box_pairs(_bounding_boxes(chords), _bounding_boxes(cuts), 0.0)
+    p, r = chords[i, 0], chords[i, 1] - chords[i, 0]
     q, s = cuts[j, 0], cuts[j, 1] - cuts[j, 0]
     turn = r[:, 0] * s[:, 1] - r[:, 1] * s[:, 0]
     crossing = np.abs(turn) > 1e-9 * np.hypot(*r.T) * np.hypot(*s.T)
     safe = np.where(crossing, turn, 1.0)
-    off = q - p
-    along = (off[:, 0] * s[:, 1] - off[:, 1] * s[:, 0]) / safe
-    across = (off[:, 0] * r[:, 1] - off[:, 1] * r[:, 0]) / safe
+    offset = q - p
+    along = (offset[:, 0] * s[:, 1] - offset[:, 1] * s[:, 0]) / safe
+    across = (offset[:, 0] * r[:, 1] - offset[:, 1] * r[:, 0]) / safe
     crossing &= (along >= 0.0) & (along < 1.0) & (across >= 0.0) & (across < 1.0)
-    place = p + r * along[:, None]
+    position = p + r * along[:, None]
     path = paths.path_of[owner[i]]
     stops = np.stack([paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]], axis=1)
     for touched in (stops[path, 0], stops[path, 1], ends[cut[j], 0], ends[cut[j], 1]):
-        crossing &= np.hypot(*(place - touched).T) > GAP
+        crossing &= np.hypot(*(position - touched).T) > GAP
     hit = np.flatnonzero(crossing)
-    at = i[hit]
-    return owner[at], cut[j[hit]], low[at] + along[hit] * size[at]
+    chord = i[hit]
+    return owner[chord], cut[j[hit]], low[chord] + along[hit] * size[chord]
 
 
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
@@ -192,22 +199,22 @@ def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64,
     owner = np.repeat(np.arange(len(bulge)), count)
     low = (np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)) / count[owner]
     size = 1.0 / count[owner]
-    whole = start[owner], end[owner], bulge[owner]
-    points = np.stack([arc.point_at(*whole, low), arc.point_at(*whole, low + size)], axis=1)
+    curves = start[owner], end[owner], bulge[owner]
+    points = np.stack([arc.point_at(*curves, low), arc.point_at(*curves, low + size)], axis=1)
     return points, owner, low, size
 
 
-def _boxes(chords: F64) -> F64:
+def _bounding_boxes(chords: F64) -> F64:
     """Return the bounding boxes of chords, (k, 4) mm: x min, y min, x max, y max."""
     return np.hstack([chords.min(axis=1), chords.max(axis=1)])
 
 
-def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32, I32]:
+def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I32, I32]:
     """Replace each path by two parallel paths.
 
     Parameters
     ----------
-    apart : mm
+    distance : mm
         Distance between the two lines; the drawn line lies in their middle.
     source : (n,)
         Edge of each segment; errors name it.
@@ -220,9 +227,9 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
     Raises
     ------
     EdgeTooShort
-        A crease has a bend with a radius of less than half of ``apart``.
+        A crease has a bend with a radius of less than half of ``distance``.
     """
-    half = apart / 2.0
+    half = distance / 2.0
     radius = arc.radius(paths.start, paths.end, paths.bulge)
     tight = np.flatnonzero(radius <= half * 1.001)
     if len(tight):
@@ -233,8 +240,8 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
             offset=half,
             source=[str(source[row]) for row in tight[:10]],
         )
-    which = np.repeat(np.arange(len(paths), dtype=np.int32), 2)
-    pair, rows = select_paths(paths, which)
+    old_path = np.repeat(np.arange(len(paths), dtype=np.int32), 2)
+    pair, rows = select_paths(paths, old_path)
     owner = pair.path_of
     ahead, last = arc.tangents(pair.start, pair.end, pair.bulge)
     ahead, last = left_normal(unit_vectors(ahead)), left_normal(unit_vectors(last))
@@ -253,7 +260,7 @@ def double_creases(paths: Paths, apart: float, source: I32) -> tuple[Paths, I32,
             pair.bulge,
             pair.first,
         ),
-        which,
+        old_path,
         rows,
     )
 

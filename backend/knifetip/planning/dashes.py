@@ -86,8 +86,8 @@ def merge_dashes(
         """
         span = (high[last[piece]] - low[first[piece]])[:, None]
         way = far[last[piece]] - near[first[piece]]
-        place: F64 = near[first[piece]] + way * (along - low[first[piece]])[:, None] / span
-        return place
+        point: F64 = near[first[piece]] + way * (along - low[first[piece]])[:, None] / span
+        return point
 
     piece = np.flatnonzero(kept)
     dashed = first[piece] != last[piece]
@@ -144,8 +144,8 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
     middle = ends[rows].mean(axis=1)
     offset = common[:, 0] * middle[:, 1] - common[:, 1] * middle[:, 0]
     line = _cluster(bundle, offset, JOIN)
-    places = (ends[rows] * common[:, None]).sum(axis=2)
-    return line, places.min(axis=1), places.max(axis=1)
+    positions = (ends[rows] * common[:, None]).sum(axis=2)
+    return line, positions.min(axis=1), positions.max(axis=1)
 
 
 def _cluster(group: I64, value: F64, gap: float) -> I64:

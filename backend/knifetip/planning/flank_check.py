@@ -47,22 +47,23 @@ class _NearbyChords:
         """
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
-    def clip(self, column: F64, least: F64 | float, most: F64 | float) -> _NearbyChords:
-        """Return the parts of chords on which a coordinate lies between ``least`` and ``most`` mm.
+    def clip(self, column: F64, least: F64 | float, greatest: F64 | float) -> _NearbyChords:
+        """Return the parts of chords on which a coordinate lies between ``least`` and ``greatest``
+        mm.
 
         ``column`` has this coordinate at the two ends of each chord, (k, 2) mm: ``self.along`` or
         ``self.offset``.  A chord without such a part is left out, and so is a chord whose ``least``
-        exceeds its ``most``.
+        exceeds its ``greatest``.
         """
         first, step = column[:, 0], column[:, 1] - column[:, 0]
         level = np.abs(step) < 1e-12
         safe = np.where(level, 1.0, step)
-        one, other = (least - first) / safe, (most - first) / safe
-        inside = (first >= least) & (first <= most)
+        one, other = (least - first) / safe, (greatest - first) / safe
+        inside = (first >= least) & (first <= greatest)
         low = np.where(level, np.where(inside, 0.0, 2.0), np.minimum(one, other))
         high = np.where(level, 1.0, np.maximum(one, other))
         low, high = np.maximum(self.low, low), np.minimum(self.high, high)
-        rows = np.flatnonzero((low <= high) & (least <= most))
+        rows = np.flatnonzero((low <= high) & (least <= greatest))
         cut = self.select(rows)
         return _NearbyChords(cut.path, cut.cut, cut.along, cut.offset, low[rows], high[rows])
 
@@ -72,8 +73,8 @@ class _NearbyChords:
         ``column`` has this coordinate at the two ends of each chord, (k, 2) mm: ``self.along`` or
         ``self.offset``.
         """
-        share = np.stack([self.low, self.high], axis=1)
-        result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * share
+        fraction = np.stack([self.low, self.high], axis=1)
+        result: F64 = column[:, :1] + (column[:, 1:] - column[:, :1]) * fraction
         return result
 
 
@@ -119,12 +120,12 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
     worst = int(np.argmin(nearest))
     groove, cut = int(source[paths.first[strip.path[worst]]]), int(strip.cut[worst])
     position = strip.at_ends(strip.along)[worst].mean()
-    through = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
+    excess = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
     raise FlankOutside(
         "groove.through-cut-at-it" if nearest[worst] <= GAP else "groove.through-cut",
         groove=groove,
         width=2.0 * reach,
-        through=through,
+        through=excess,
         cut=cut,
         distance=nearest[worst],
         place=position,
@@ -153,19 +154,24 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     boxes = np.hstack([np.minimum(first, last), np.maximum(first, last)])
     path, cut = box_pairs(boxes, arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), reach)
 
-    whole = ends[cut, 0], ends[cut, 1], bulge[cut]
+    cut_curves = ends[cut, 0], ends[cut, 1], bulge[cut]
     bent = np.abs(bulge[cut]) >= BULGE
-    radius = np.where(bent, arc.radius(*whole), 1.0)
+    radius = np.where(bent, arc.radius(*cut_curves), 1.0)
     widest = 2.0 * np.arccos(np.clip(1.0 - _CHORD / radius, 0.0, 1.0))
     pieces = np.where(bent, np.ceil(np.abs(arc.sweep(bulge[cut])) / widest), 1.0).astype(np.int64)
     pair = np.repeat(np.arange(len(cut)), pieces)
     piece = np.arange(len(pair)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    whole = whole[0][pair], whole[1][pair], whole[2][pair]
+    cut_curves = cut_curves[0][pair], cut_curves[1][pair], cut_curves[2][pair]
     sides = []
-    for share in (piece / pieces[pair], (piece + 1) / pieces[pair]):
-        off = arc.point_at(*whole, share) - begin[path[pair]]
+    for fraction in (piece / pieces[pair], (piece + 1) / pieces[pair]):
+        from_begin = arc.point_at(*cut_curves, fraction) - begin[path[pair]]
         direction = ahead[path[pair]]
-        sides.append(((off * direction).sum(axis=1), (off * left_normal(direction)).sum(axis=1)))
+        sides.append(
+            (
+                (from_begin * direction).sum(axis=1),
+                (from_begin * left_normal(direction)).sum(axis=1),
+            )
+        )
     along, offset = (np.stack(column, axis=1) for column in zip(*sides, strict=True))
     count = len(pair)
     return _NearbyChords(
@@ -181,12 +187,14 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
     (p,) mm; ``run_out`` is the run-out at each end, (p, 2) mm.
     """
     result = np.zeros((len(length), 2), np.bool_)
-    on = nearby.clip(nearby.offset, -GAP, GAP)
+    on_line = nearby.clip(nearby.offset, -GAP, GAP)
     past = 2.0 * reach
     inside = np.maximum(past, run_out * 1.001 + GAP)
-    begins = on.clip(on.along, -past, inside[on.path, 0])
+    begins = on_line.clip(on_line.along, -past, inside[on_line.path, 0])
     result[begins.path, 0] = True
-    ends = on.clip(on.along, (length - inside[:, 1])[on.path], (length + past)[on.path])
+    ends = on_line.clip(
+        on_line.along, (length - inside[:, 1])[on_line.path], (length + past)[on_line.path]
+    )
     result[ends.path, 1] = True
     return result
 

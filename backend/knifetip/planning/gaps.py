@@ -48,38 +48,38 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     tip, row = box_pairs(
         np.tile(points[tips], 2), arc.bounding_boxes(start, end, bulge), CONTOUR_GAP
     )
-    share = arc.nearest_fraction(start[row], end[row], bulge[row], points[tips[tip]])
-    target = arc.point_at(start[row], end[row], bulge[row], share)
+    fraction = arc.nearest_fraction(start[row], end[row], bulge[row], points[tips[tip]])
+    target = arc.point_at(start[row], end[row], bulge[row], fraction)
     for side in range(2):
         there = np.hypot(*(target - ends[row, side]).T) <= JOIN
-        target[there], share[there] = ends[row[there], side], float(side)
+        target[there], fraction[there] = ends[row[there], side], float(side)
     node = number_vertices(points).astype(np.int64)
     by_node = np.argsort(node, kind="stable")
     begin = np.searchsorted(node[by_node], np.arange(node.max() + 2))
     one, other = box_pairs(np.tile(points[tips], 2), np.tile(points[tips], 2), CONTOUR_GAP)
     tip, row = np.concatenate([tip, one]), np.concatenate([row, tips[other] // 2])
-    share = np.concatenate([share, tips[other] % 2])
+    fraction = np.concatenate([fraction, tips[other] % 2])
     target = np.concatenate([target, points[tips[other]]])
     to_end = np.arange(len(tip)) >= len(tip) - len(one)
     order = np.argsort(tip, kind="stable")
     first = np.searchsorted(tip[order], np.arange(len(tips) + 1))
     linked = _choose_links(
-        tips, first, row[order], share[order], target[order], to_end[order], points,
+        tips, first, row[order], fraction[order], target[order], to_end[order], points,
         arc.length(start, end, bulge), node, by_node, begin,
     )  # fmt: skip
-    kept = order[linked]
-    found = np.stack([points[tips[tip[kept]]], target[kept]], axis=1)
+    link_rows = order[linked]
+    links = np.stack([points[tips[tip[link_rows]]], target[link_rows]], axis=1)
     # Two ends that are linked to each other need only one link.
-    swap = (found[:, 0, 0] > found[:, 1, 0]) | (
-        (found[:, 0, 0] == found[:, 1, 0]) & (found[:, 0, 1] > found[:, 1, 1])
+    swap = (links[:, 0, 0] > links[:, 1, 0]) | (
+        (links[:, 0, 0] == links[:, 1, 0]) & (links[:, 0, 1] > links[:, 1, 1])
     )
-    found[swap] = found[swap][:, ::-1]
-    return np.unique(found.reshape(-1, 4), axis=0).reshape(-1, 2, 2)
+    links[swap] = links[swap][:, ::-1]
+    return np.unique(links.reshape(-1, 4), axis=0).reshape(-1, 2, 2)
 
 
 @kernel
 def _choose_links(
-    tips: I64_1, first: I64_1, row: I64_1, share: F64_1, target: F64_2, to_end: Bool_1,
+    tips: I64_1, first: I64_1, row: I64_1, fraction: F64_1, target: F64_2, to_end: Bool_1,
     points: F64_2, length: F64_1,
     node: I64_1, by_node: I64_1, begin: I64_1,
 ) -> Any:  # fmt: skip
@@ -92,7 +92,7 @@ def _choose_links(
     ----------
     tips, first : (t,) and (t + 1,)
         Dangling ends, and the index of the first candidate of each dangling end.
-    row, share, target, to_end : (k,), (k,), (k, 2) mm and (k,)
+    row, fraction, target, to_end : (k,), (k,), (k, 2) mm and (k,)
         Edge on which each candidate lies, its parameter on that edge (0 … 1), its position, and
         whether it is a dangling end.
     points, length : (2n, 2) and (n,) mm
@@ -102,28 +102,30 @@ def _choose_links(
         end.
     """
     linked = np.zeros(len(row), np.bool_)
-    seen = np.full(len(length), -1, np.int64)
+    reached_from = np.full(len(length), -1, np.int64)
     # Distance along the chain from the tip to each edge, and whether that edge is run backwards.
     along_chain = np.empty(len(length))
     back = np.empty(len(length), np.bool_)
     for number in range(len(tips)):
         tip = tips[number]
         half, walked = tip, 0.0
-        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and seen[half // 2] != number:
+        while walked <= _CHAIN_FACTOR * CONTOUR_GAP and reached_from[half // 2] != number:
             edge = half // 2
-            seen[edge], along_chain[edge], back[edge] = number, walked, half % 2 == 1
+            reached_from[edge], along_chain[edge], back[edge] = number, walked, half % 2 == 1
             walked += length[edge]
-            at = node[half ^ 1]
-            if begin[at + 1] - begin[at] != 2:
+            vertex = node[half ^ 1]
+            if begin[vertex + 1] - begin[vertex] != 2:
                 break
-            one, other = by_node[begin[at]], by_node[begin[at] + 1]
+            one, other = by_node[begin[vertex]], by_node[begin[vertex] + 1]
             half = other if one == half ^ 1 else one
         nearest, best = CONTOUR_GAP, -1
         for k in range(first[number], first[number + 1]):
             gap = math.hypot(target[k, 0] - points[tip, 0], target[k, 1] - points[tip, 1])
             if gap <= JOIN or gap > CONTOUR_GAP:
                 continue
-            if not _far_along_chain(row[k], share[k], gap, number, seen, along_chain, back, length):
+            if not _far_along_chain(
+                row[k], fraction[k], gap, number, reached_from, along_chain, back, length
+            ):
                 continue
             if to_end[k]:
                 linked[k] = not _has_end_between(
@@ -170,10 +172,10 @@ def _has_end_between(
 @kernel
 def _far_along_chain(
     edge: int,
-    share: float,
+    fraction: float,
     gap: float,
     number: int,
-    seen: I64_1,
+    reached_from: I64_1,
     along_chain: F64_1,
     back: Bool_1,
     length: F64_1,
@@ -185,20 +187,20 @@ def _far_along_chain(
 
     Parameters
     ----------
-    edge, share
+    edge, fraction
         Edge on which the point lies, and the parameter of the point on it, 0 … 1.
     gap : mm
         Straight distance of the point from the dangling end.
     number
         Number of the dangling end.
-    seen, along_chain, back : (n,)
+    reached_from, along_chain, back : (n,)
         For each edge: the number of the dangling end from which the edge was reached last, the
         distance along the chain from that end to the edge (mm), and whether the chain runs from the
         edge's end to its start.
     length : (n,) mm
         Length of each edge.
     """
-    if seen[edge] != number:
+    if reached_from[edge] != number:
         return True
-    along = (1.0 - share if back[edge] else share) * length[edge]
+    along = (1.0 - fraction if back[edge] else fraction) * length[edge]
     return bool(along_chain[edge] + along >= _CHAIN_FACTOR * gap)

@@ -52,19 +52,21 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     pieces, bent, row = split_at_crossings(
         np.concatenate([ends, closing]), np.concatenate([bulge, np.zeros(len(closing))])
     )
-    found = subdivide(pieces, bent)
+    subdivision = subdivide(pieces, bent)
     # Face 0 is the plane outside.
-    face = found.merged[found.face] + 1
+    face = subdivision.merged[subdivision.face] + 1
     sides = face.ravel()
     by_face = np.argsort(sides, kind="stable")
-    first = np.searchsorted(sides[by_face], np.arange(len(found.outer) + 2))
+    first = np.searchsorted(sides[by_face], np.arange(len(subdivision.outer) + 2))
     size = arc.length(pieces[:, 0], pieces[:, 1], bent)
-    alone = np.arange(count)
-    work = np.unique(np.where(contour < 0, alone, count + contour), return_inverse=True)[1].ravel()
+    single_units = np.arange(count)
+    work = np.unique(np.where(contour < 0, single_units, count + contour), return_inverse=True)[
+        1
+    ].ravel()
     owner = np.append(work, -1)[np.where(row < count, row, -1)]
     layer, ordered = _assign_layers(face, owner, size, by_face // 2, first, int(work.max()) + 1)
     if not ordered:
-        work = alone
+        work = single_units
         owner = np.where(row < count, row, -1)
         layer, _ = _assign_layers(face, owner, size, by_face // 2, first, count)
     result: I64 = layer[work]
@@ -112,52 +114,52 @@ def _assign_layers(
     ready = np.zeros(len(unit_of), np.bool_)
     reached = np.empty(len(held), np.int64)
     queue = np.empty(count, np.int64)
-    begun = np.empty(len(unit_of), np.int64)
-    brief = np.empty(len(unit_of), np.int64)
-    started = tried = scraps = tried_brief = done = 0
+    long_units = np.empty(len(unit_of), np.int64)
+    short_units = np.empty(len(unit_of), np.int64)
+    long_count = long_tried = short_count = short_tried = finished = 0
     faces = 1
     held[0] = True
     reached[0] = 0
-    looked = 0
+    face_index = 0
     number = 0
     size = 0
     ordered = True
-    while done < count:
+    while finished < count:
         # Stretches beside newly held faces become ready.
-        while looked < faces:
-            for place in range(first[reached[looked]], first[reached[looked] + 1]):
-                piece = piece_of[place]
+        while face_index < faces:
+            for slot in range(first[reached[face_index]], first[reached[face_index] + 1]):
+                piece = piece_of[slot]
                 unit = unit_of[piece]
                 if ready[piece] or unit < 0:
                     continue
                 ready[piece] = True
                 if size_of[piece] > CONTOUR_GAP:
-                    begun[started] = unit
-                    started += 1
+                    long_units[long_count] = unit
+                    long_count += 1
                 else:
-                    brief[scraps] = unit
-                    scraps += 1
+                    short_units[short_count] = unit
+                    short_count += 1
                 waiting[unit] -= 1
                 if waiting[unit] == 0:
                     queue[size] = unit
                     size += 1
-            looked += 1
-        if size == done:
+            face_index += 1
+        if size == finished:
             ordered = False
             # A cycle: queue the units with a ready stretch or, if there are none, all units.
-            for place in range(tried, started):
-                size = _enqueue(begun[place], layer, waiting, queue, size)
-            tried = started
-            if size == done:
-                for place in range(tried_brief, scraps):
-                    size = _enqueue(brief[place], layer, waiting, queue, size)
-                tried_brief = scraps
-            if size == done:
+            for slot in range(long_tried, long_count):
+                size = _enqueue(long_units[slot], layer, waiting, queue, size)
+            long_tried = long_count
+            if size == finished:
+                for slot in range(short_tried, short_count):
+                    size = _enqueue(short_units[slot], layer, waiting, queue, size)
+                short_tried = short_count
+            if size == finished:
                 for unit in range(count):
                     size = _enqueue(unit, layer, waiting, queue, size)
-        until = size
-        for place in range(done, until):
-            unit = queue[place]
+        stop = size
+        for slot in range(finished, stop):
+            unit = queue[slot]
             layer[unit] = number
             for k in range(starts[unit], starts[unit + 1]):
                 for side in range(2):
@@ -166,7 +168,7 @@ def _assign_layers(
                         held[name] = True
                         reached[faces] = name
                         faces += 1
-        done = until
+        finished = stop
         number += 1
     return layer, ordered
 

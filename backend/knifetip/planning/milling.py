@@ -80,20 +80,20 @@ def plan_milling(
     source = source[order]
     depth = cutter.passes(setup.through)
     operations = []
-    turn = 2 * (number.max(initial=0) - number) + np.abs(side)
-    for place in np.unique(turn):
-        which = np.flatnonzero(turn == place).astype(np.int32)
-        some, kept = select_paths(paths, which)
-        end = np.where(some.closed, End.CLOSED, End.FREE).astype(np.uint8)
-        held = some.closed & (waste[which] != 0)
-        bridges = _bridge_positions(some, held, board, cutter, source[kept], avoid)
-        depths = np.tile(depth, (len(kept), 1))
-        operation = setup.operation(LineType.CUT, some, source[kept], depths, (end, end))
+    path_rank = 2 * (number.max(initial=0) - number) + np.abs(side)
+    for rank in np.unique(path_rank):
+        path_rows = np.flatnonzero(path_rank == rank).astype(np.int32)
+        subset, segment_rows = select_paths(paths, path_rows)
+        end = np.where(subset.closed, End.CLOSED, End.FREE).astype(np.uint8)
+        held = subset.closed & (waste[path_rows] != 0)
+        bridges = _bridge_positions(subset, held, board, cutter, source[segment_rows], avoid)
+        depths = np.tile(depth, (len(segment_rows), 1))
+        operation = setup.operation(LineType.CUT, subset, source[segment_rows], depths, (end, end))
         operations.append(
             replace(
                 operation,
                 clearance=cutter.clearance(machine.clearance),
-                side=int(place % 2),
+                side=int(rank % 2),
                 bridges=bridges,
                 bridge_width=board.bridge_width,
                 corner=corners.type,
@@ -111,7 +111,7 @@ def plan_milling(
 
 def _bridge_positions(
     paths: Paths,
-    held: Bool,
+    selected: Bool,
     board: Board,
     cutter: DiscTool,
     source: I32,
@@ -126,7 +126,7 @@ def _bridge_positions(
 
     Parameters
     ----------
-    held : (p,)
+    selected : (p,)
         Mask of the paths that get bridges.
     source : (n,)
         Index in the dieline of the edge of each segment, for error messages.
@@ -138,14 +138,16 @@ def _bridge_positions(
     gap = board.bridge_width + 2.0 * cutter.radius
     # A slot narrower than two discs is cleared completely from its other side.
     room = reachable_by_disc(paths, 2.0 * cutter.radius)
-    path, place = place_bridges(
-        paths, held, Spacing(gap, board.bridge_spacing), source, avoid, room
+    path, distance = place_bridges(
+        paths, selected, Spacing(gap, board.bridge_spacing), source, avoid, room
     )
     reached = np.cumsum(arc.length(paths.start, paths.end, paths.bulge))
     before = np.concatenate([[0.0], reached])
-    at = before[paths.first[:-1][path]] + place
-    segment = np.clip(np.searchsorted(reached, at), paths.first[path], paths.first[path + 1] - 1)
-    return np.column_stack([segment, at - before[segment]])
+    position = before[paths.first[:-1][path]] + distance
+    segment = np.clip(
+        np.searchsorted(reached, position), paths.first[path], paths.first[path + 1] - 1
+    )
+    return np.column_stack([segment, position - before[segment]])
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
@@ -187,12 +189,12 @@ def _find_sides(dieline: Dieline) -> tuple[I8, I64, Bool]:
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     # A line between the insides of two edges separates two parts without a vertex on the edges.
     ends, bulge, row = split_at_ends(dieline.ends[cuts], dieline.bulge[cuts])
-    lies = cut_sides(ends, bulge)
+    bounds = cut_sides(ends, bulge)
     count = len(dieline.bulge)
     side, face = np.zeros(count, np.int8), np.full(count, -1, np.int64)
     shared = np.zeros(count, np.bool_)
-    side[cuts[row]], face[cuts[row]] = lies.waste, lies.face
-    shared[cuts[row[lies.shared]]] = True
+    side[cuts[row]], face[cuts[row]] = bounds.waste, bounds.face
+    shared[cuts[row[bounds.shared]]] = True
     return side, face, shared
 
 

@@ -67,19 +67,19 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
     Returns
     -------
-    edge, share, point : (k,), (k,) and (k, 2) mm
+    edge, fraction, point : (k,), (k,) and (k, 2) mm
         Edge, parameter of the point on it (0 … 1), and the position of the other edge's end.
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
         np.hstack([points, points]), arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge), JOIN
     )
-    whole = ends[row, 0], ends[row, 1], bulge[row]
-    share = arc.nearest_fraction(*whole, points[end])
-    on = np.hypot(*(arc.point_at(*whole, share) - points[end]).T) <= JOIN
+    segments = ends[row, 0], ends[row, 1], bulge[row]
+    fraction = arc.nearest_fraction(*segments, points[end])
+    touches = np.hypot(*(arc.point_at(*segments, fraction) - points[end]).T) <= JOIN
     for side in range(2):
-        on &= np.hypot(*(points[end] - ends[row, side]).T) > JOIN
-    return row[on], share[on], points[end[on]]
+        touches &= np.hypot(*(points[end] - ends[row, side]).T) > JOIN
+    return row[touches], fraction[touches], points[end[touches]]
 
 
 def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
@@ -87,7 +87,7 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
     Returns
     -------
-    edge, share, point : (k,), (k,) and (k, 2) mm
+    edge, fraction, point : (k,), (k,) and (k, 2) mm
         Edge, parameter of the point on it (0 … 1), and the position of the point.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
@@ -96,30 +96,30 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
         raise PlanError("cut.too-many-crossings", limit=_MOST_PAIRS)
     once = one < other
     one, other = one[once], other[once]
-    found = intersect_pairs(ends[one, 0], ends[one, 1], bulge[one],
+    crossings = intersect_pairs(ends[one, 0], ends[one, 1], bulge[one],
                     ends[other, 0], ends[other, 1], bulge[other])  # fmt: skip
-    pair, which = np.nonzero(np.arange(found.points.shape[1]) < found.count[:, None])
-    point = found.points[pair, which]
+    pair, column = np.nonzero(np.arange(crossings.points.shape[1]) < crossings.count[:, None])
+    point = crossings.points[pair, column]
     inner = np.ones(len(pair), np.bool_)
     for edge in (one, other):
         for side in range(2):
             inner &= np.hypot(*(point - ends[edge[pair], side]).T) > JOIN
-    pair, which, point = pair[inner], which[inner], point[inner]
+    pair, column, point = pair[inner], column[inner], point[inner]
     return (
         np.concatenate([one[pair], other[pair]]),
-        np.concatenate([found.first[pair, which], found.second[pair, which]]),
+        np.concatenate([crossings.first[pair, column], crossings.second[pair, column]]),
         np.concatenate([point, point]),
     )
 
 
-def _split_at(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[F64, F64, I64]:
+def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tuple[F64, F64, I64]:
     """Return edges, split at given points.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
         Ends and bulges of the edges.
-    row, share, point : (k,), (k,) and (k, 2) mm
+    row, fraction, point : (k,), (k,) and (k, 2) mm
         Edge of each point, parameter of the point on it (0 … 1), and position of the point.
 
     Returns
@@ -127,15 +127,15 @@ def _split_at(ends: F64, bulge: F64, row: I64, share: F64, point: F64) -> tuple[
     Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
     """
     rows = np.concatenate([np.arange(len(ends)), row])
-    low = np.concatenate([np.zeros(len(ends)), share])
+    low = np.concatenate([np.zeros(len(ends)), fraction])
     begin = np.concatenate([ends[:, 0], point])
     order = np.lexsort((low, rows))
     rows, low, begin = rows[order], low[order], begin[order]
     last = np.append(rows[1:] != rows[:-1], True)[: len(rows)]
     high = np.where(last, 1.0, np.roll(low, -1))
     finish = np.where(last[:, None], ends[rows, 1], np.roll(begin, -1, axis=0))
-    some = np.hypot(*(finish - begin).T) > JOIN
+    long_enough = np.hypot(*(finish - begin).T) > JOIN
     # An edge that is not split is kept, however short.
-    some |= (low == 0.0) & (high == 1.0)
+    long_enough |= (low == 0.0) & (high == 1.0)
     bent = np.tan(np.arctan(bulge[rows]) * (high - low))
-    return np.stack([begin, finish], axis=1)[some], bent[some], rows[some]
+    return np.stack([begin, finish], axis=1)[long_enough], bent[long_enough], rows[long_enough]

@@ -21,8 +21,8 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     TravelExceeded
         The drawing is larger than the table.
     """
-    worked = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
-    low_x, low_y, high_x, high_y = extents(dieline.ends[worked], dieline.bulge[worked])
+    has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
+    low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
     x, y = machine.origin
     if high_x - low_x > machine.width - x or high_y - low_y > machine.height - y:
         raise TravelExceeded(

@@ -51,10 +51,10 @@ def reachable_by_disc(paths: Paths, radius: float) -> ReachableStretches:
         return all_reachable(paths)
     row = np.flatnonzero(~offset.inserted)
     segment = offset.source[row].astype(np.int64)
-    whole = paths.start[segment], paths.end[segment], paths.bulge[segment]
-    size = arc.length(*whole)
+    segments = paths.start[segment], paths.end[segment], paths.bulge[segment]
+    size = arc.length(*segments)
     begin, end = (
-        size * arc.nearest_fraction(*whole, points[row])
+        size * arc.nearest_fraction(*segments, points[row])
         for points in (offset.paths.start, offset.paths.end)
     )
     order = np.lexsort((begin, segment))

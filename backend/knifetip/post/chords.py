@@ -32,8 +32,8 @@ def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:
     if len(rows) == len(bulge):
         return pose, rows
     ordinal = np.arange(len(rows)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
-    share = ordinal / pieces[rows]
-    between = pose[rows] + (pose[rows + 1] - pose[rows]) * share[:, None]
+    fraction = ordinal / pieces[rows]
+    between = pose[rows] + (pose[rows + 1] - pose[rows]) * fraction[:, None]
     start, end = pose[:-1, :2], pose[1:, :2]
-    between[:, :2] = arc.point_at(start[rows], end[rows], bulge[rows], share)
+    between[:, :2] = arc.point_at(start[rows], end[rows], bulge[rows], fraction)
     return np.concatenate([pose[:1], between]), rows

@@ -32,20 +32,20 @@ def digit_columns(values: I64, decimals: int, *, brief: bool) -> Characters:
         Whether to leave out zeros at the end of the decimals.
     """
     rest = np.abs(values)
-    whole = max(1, len(str(int(rest.max(initial=0)))) - decimals)
-    field = np.zeros((len(values), 2 + whole + decimals), np.uint8)
+    integer_digits = max(1, len(str(int(rest.max(initial=0)))) - decimals)
+    field = np.zeros((len(values), 2 + integer_digits + decimals), np.uint8)
     field[:, 0] = np.where(values < 0, ord("-"), 0)
     shown = np.full(len(values), not brief)
-    for column in range(whole + decimals + 1, whole + 1, -1):
+    for column in range(integer_digits + decimals + 1, integer_digits + 1, -1):
         tenth = rest // 10
         digit = rest - 10 * tenth
         shown = shown | (digit != 0)
         field[:, column] = np.where(shown, digit + ord("0"), 0)
         rest = tenth
-    field[:, whole + 1] = np.where(shown, ord("."), 0)
-    for column in range(whole, 0, -1):
+    field[:, integer_digits + 1] = np.where(shown, ord("."), 0)
+    for column in range(integer_digits, 0, -1):
         tenth = rest // 10
         digit = rest - 10 * tenth
-        field[:, column] = np.where((rest > 0) | (column == whole), digit + ord("0"), 0)
+        field[:, column] = np.where((rest > 0) | (column == integer_digits), digit + ord("0"), 0)
         rest = tenth
     return field

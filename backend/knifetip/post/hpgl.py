@@ -167,9 +167,9 @@ def _check_motions(toolpath: Toolpath) -> None:
             "hpgl.press",
         ),
     )
-    for where, code in refused:
-        if where.any():
-            row = int(np.argmax(where))
+    for is_refused, code in refused:
+        if is_refused.any():
+            row = int(np.argmax(is_refused))
             edge = int(toolpath.source[row])
             raise ProgramError(
                 code, place=describe_row(toolpath, row), source=[str(edge)] if edge >= 0 else []
@@ -200,10 +200,10 @@ def _plotter_moves(
     if device.speed:
         wanted_speed = toolpath.feed[row] / CM_PER_SECOND
         speed[works] = np.rint(wanted_speed[works]).astype(np.int64)
-        off = works & (np.abs(wanted_speed - speed) > 1e-6)
-        off |= works & ((speed < device.speed[0]) | (speed > device.speed[1]))
-        if off.any():
-            at = int(row[np.argmax(off)])
+        is_wrong = works & (np.abs(wanted_speed - speed) > 1e-6)
+        is_wrong |= works & ((speed < device.speed[0]) | (speed > device.speed[1]))
+        if is_wrong.any():
+            at = int(row[np.argmax(is_wrong)])
             raise ProgramError(
                 "hpgl.bad-feed",
                 place=describe_row(toolpath, at),
@@ -230,10 +230,10 @@ def _pens_of_rows(toolpath: Toolpath, machine: Machine, plotter: Plotter) -> I64
     plunge = np.flatnonzero(toolpath.motion == Motion.PLUNGE)
     if len(plunge) == 0:
         raise ProgramError("hpgl.never-down")
-    through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= HEIGHT_TOLERANCE
-    key = toolpath.tool[plunge].astype(np.int64) * 2 + through
-    distinct_keys, which = np.unique(key, return_inverse=True)
-    pens = np.array([_find_pen(int(one), machine, plotter) for one in distinct_keys])[which]
+    is_through = np.abs(toolpath.pose[plunge + 1, 2] + machine.into_mat) <= HEIGHT_TOLERANCE
+    key = toolpath.tool[plunge].astype(np.int64) * 2 + is_through
+    distinct_keys, key_index = np.unique(key, return_inverse=True)
+    pens = np.array([_find_pen(int(one), machine, plotter) for one in distinct_keys])[key_index]
     # Rapids at the end of a station have no pass after them: they keep the last pen.
     at = np.searchsorted(pass_number[plunge], np.arange(pass_number[-1] + 1), side="right") - 1
     first = np.searchsorted(pass_number[plunge], np.arange(pass_number[-1] + 1))
@@ -295,10 +295,10 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
     return text, np.insert(moves.row[rows], np.flatnonzero(with_speed), np.int32(-1))
 
 
-def _text_columns(text: bytes, where: Bool) -> Characters:
+def _text_columns(text: bytes, has_text: Bool) -> Characters:
     """Return a matrix of characters, (n, k) bytes, in which the rows of a mask contain a text.
 
-    ``text`` has k bytes.  All rows that are not in the mask ``where``, (n,), contain zero bytes.
+    ``text`` has k bytes.  All rows that are not in the mask ``has_text``, (n,), contain zero bytes.
     """
-    result: Characters = np.frombuffer(text, np.uint8) * where[:, None]
+    result: Characters = np.frombuffer(text, np.uint8) * has_text[:, None]
     return result

@@ -91,8 +91,10 @@ def interference(pose: F64, circle: TipCircle, face: float, outline: Paths | Non
         return deep
     heading = np.radians(pose[:, 3])
     centre = pose[:, :2] + circle.aside * np.column_stack([-np.sin(heading), np.cos(heading)])
-    off = _distances_outside(centre, outline.start, outline.end, outline.bulge) > circle.radius
-    return np.where(off, 0.0, deep)
+    is_outside = (
+        _distances_outside(centre, outline.start, outline.end, outline.bulge) > circle.radius
+    )
+    return np.where(is_outside, 0.0, deep)
 
 
 def lift_clear(pose: F64, depth: F64, circle: TipCircle) -> F64:
@@ -171,11 +173,11 @@ def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
     down = rapid & (toolpath.pose[1:, 2] < height)
     size = 1 + up.astype(np.int64) + down
     rows = np.repeat(np.arange(len(toolpath)), size)
-    place = np.arange(len(rows)) - np.repeat(np.cumsum(size) - size, size)
+    ordinal = np.arange(len(rows)) - np.repeat(np.cumsum(size) - size, size)
     pose = toolpath.pose[rows + 1].copy()
-    first = up[rows] & (place == 0)
+    first = up[rows] & (ordinal == 0)
     pose[first, :] = toolpath.pose[rows[first]]
-    pose[(up[rows] | down[rows]) & (place < size[rows] - down[rows]), 2] = height
+    pose[(up[rows] | down[rows]) & (ordinal < size[rows] - down[rows]), 2] = height
     return replace(
         toolpath,
         pose=np.concatenate([toolpath.pose[:1], pose]),
@@ -192,8 +194,8 @@ def with_full_retracts(toolpath: Toolpath, machine: Machine) -> Toolpath:
 def unwind(
     start: F64_1,
     end: F64_1,
-    least: F64_1,
-    most: F64_1,
+    smallest: F64_1,
+    largest: F64_1,
     heading: float,
     low: float,
     high: float,
@@ -207,7 +209,7 @@ def unwind(
 
     Parameters
     ----------
-    start, end, least, most : (t,) degrees
+    start, end, smallest, largest : (t,) degrees
         First, last, smallest and largest heading of each pass.
     heading : degrees
         Heading before the first pass.
@@ -218,16 +220,16 @@ def unwind(
     """
     shift = np.empty(len(start))
     for number in range(len(start)):
-        wanted = (heading - start[number]) / period
-        turns = np.floor(wanted + 0.5)
+        ideal = (heading - start[number]) / period
+        turns = np.floor(ideal + 0.5)
         # Half a period, within the rounding of the compensation.
-        if abs(wanted - np.floor(wanted) - 0.5) < 1e-9:
-            below = np.floor(wanted)
-            middle = (low + high) / 2.0 - (least[number] + most[number]) / 2.0
+        if abs(ideal - np.floor(ideal) - 0.5) < 1e-9:
+            below = np.floor(ideal)
+            middle = (low + high) / 2.0 - (smallest[number] + largest[number]) / 2.0
             near = abs(below * period - middle) <= abs((below + 1.0) * period - middle)
             turns = below if near else below + 1.0
-        turns = max(turns, np.ceil((low - least[number]) / period))
-        turns = min(turns, np.floor((high - most[number]) / period))
+        turns = max(turns, np.ceil((low - smallest[number]) / period))
+        turns = min(turns, np.floor((high - largest[number]) / period))
         shift[number] = turns * period
         heading = end[number] + shift[number]
     return shift
@@ -285,10 +287,10 @@ def _distances_outside(point: F64_2, start: F64_2, end: F64_2, bulge: F64_1) -> 
     ``point`` are the n points (mm); ``start``, ``end`` (mm) and ``bulge`` are the start points, end
     points and bulges of the lines and arcs of all chains.
     """
-    off = np.empty(len(point))
+    distance = np.empty(len(point))
     for row in range(len(point)):
-        off[row] = _distance_outside(point[row, 0], point[row, 1], start, end, bulge)
-    return off
+        distance[row] = _distance_outside(point[row, 0], point[row, 1], start, end, bulge)
+    return distance
 
 
 @kernel(checks_division=True)
@@ -311,9 +313,9 @@ def _turns_outside(
     for row in range(len(start)):
         travel = end[row] - start[row]
         fastest = math.hypot(travel[0], travel[1]) + aside * abs(math.radians(travel[3]))
-        done = 0.0
+        travelled = 0.0
         while True:
-            pose = start[row] + travel * done
+            pose = start[row] + travel * travelled
             heading = math.radians(pose[3])
             x = pose[0] - aside * math.sin(heading)
             y = pose[1] + aside * math.cos(heading)
@@ -321,8 +323,8 @@ def _turns_outside(
             # Below 0.01 mm the steps would become too short.
             if not gap > 0.01:
                 break
-            if done >= 1.0 or gap >= fastest * (1.0 - done):
+            if travelled >= 1.0 or gap >= fastest * (1.0 - travelled):
                 clear[row] = True
                 break
-            done = min(1.0, done + gap / fastest)
+            travelled = min(1.0, travelled + gap / fastest)
     return clear

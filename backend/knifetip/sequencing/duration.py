@@ -76,10 +76,10 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     axes = (machine.x, machine.y, machine.z, machine.c)
     fastest = np.array([axis.velocity for axis in axes])
     hardest = np.array([axis.acceleration for axis in axes])
-    share = reach / safe[:, None]
+    fraction = reach / safe[:, None]
     with np.errstate(divide="ignore"):
-        velocity = np.min(fastest / share, axis=1)
-        acceleration = np.min(hardest / share, axis=1)
+        velocity = np.min(fastest / fraction, axis=1)
+        acceleration = np.min(hardest / fraction, axis=1)
     feed_time = _feed_times(toolpath, np.hypot(flat, change[:, 2]), change[:, 3])
     velocity = np.minimum(
         velocity, np.divide(safe, feed_time, out=velocity.copy(), where=feed_time > 0.0)
@@ -117,9 +117,9 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     for station in machine.stations:
         beams[station.number] = station.beams
         pierce[station.number] = station.tool.pierce_time
-    on = beams[toolpath.tool] & (toolpath.motion != Motion.RAPID)
-    before = np.concatenate([[False], on[:-1]])
-    return on != before, np.where(on & ~before, pierce[toolpath.tool], 0.0)
+    beam_on = beams[toolpath.tool] & (toolpath.motion != Motion.RAPID)
+    before = np.concatenate([[False], beam_on[:-1]])
+    return beam_on != before, np.where(beam_on & ~before, pierce[toolpath.tool], 0.0)
 
 
 def _feed_times(toolpath: Toolpath, travel: F64, degrees: F64) -> F64:

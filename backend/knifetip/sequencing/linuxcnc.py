@@ -35,7 +35,7 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     """
     turn = np.radians(np.diff(toolpath.pose[:, 3]))
     moves = travel > STILL
-    alone = ~moves & (np.abs(turn) > STILL)
+    in_place = ~moves & (np.abs(turn) > STILL)
     bend = np.divide(turn, travel, out=np.zeros_like(turn), where=moves)
     speed = np.divide(travel, seconds, out=np.zeros_like(travel), where=seconds > 0.0)
     change = np.abs(np.diff(bend))
@@ -43,9 +43,11 @@ def halts(toolpath: Toolpath, travel: F64, seconds: F64, machine: Machine) -> F6
     twist = np.radians(machine.c.acceleration)
     thrust = min(machine.x.acceleration, machine.y.acceleration)
     time = np.maximum(fastest / thrust, fastest * change / twist)
-    aside = change * (fastest * time) ** 2 / 2.0
+    deviation = change * (fastest * time) ** 2 / 2.0
     rapid = toolpath.motion == Motion.RAPID
     air, both = rapid[1:] | rapid[:-1], rapid[1:] & rapid[:-1]
     result = np.zeros(len(turn))
-    result[:-1] = HALT * np.where(alone[1:] != alone[:-1], ~both, ~air & (aside > BLENDED))
+    result[:-1] = HALT * np.where(
+        in_place[1:] != in_place[:-1], ~both, ~air & (deviation > BLENDED)
+    )
     return result

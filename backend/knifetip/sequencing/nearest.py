@@ -108,8 +108,8 @@ def _search_rings(
                 while j <= row + ring:
                     if 0 <= j < side:
                         cell = i * side + j
-                        for place in range(first[cell], first[cell] + left[cell]):
-                            track = listed[place]
+                        for entry in range(first[cell], first[cell] + left[cell]):
+                            track = listed[entry]
                             distance = math.hypot(start[track, 0] - x, start[track, 1] - y)
                             if distance < reach or (distance == reach and track < best):
                                 reach = distance
@@ -119,10 +119,10 @@ def _search_rings(
         order[step] = best
         for twin in range(best % count, len(start), count):
             cell = key[twin]
-            for place in range(first[cell], first[cell] + left[cell]):
-                if listed[place] == twin:
+            for entry in range(first[cell], first[cell] + left[cell]):
+                if listed[entry] == twin:
                     left[cell] -= 1
-                    listed[place] = listed[first[cell] + left[cell]]
+                    listed[entry] = listed[first[cell] + left[cell]]
                     break
         x = end[best, 0]
         y = end[best, 1]
@@ -130,8 +130,8 @@ def _search_rings(
 
 
 @kernel(checks_division=True)
-def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
-    """Return the ``wanted`` nearest other tracks of each of t tracks, and their distances (mm).
+def find_neighbours(start: F64_2, end: F64_2, number: int) -> Any:
+    """Return the ``number`` nearest other tracks of each of t tracks, and their distances (mm).
 
     Both arrays are (t, wanted), nearest first.  The distance of two tracks is the shortest distance
     between a start or end of one track and a start or end of the other.  ``start`` and ``end`` are
@@ -150,16 +150,16 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
         row[k] = cell_of(point[k, 1], low_y, high, side)
         cell[k] = column[k] * side + row[k]
     first, listed = group_by_cell(cell, side * side, np.arange(2 * count).astype(np.int32))
-    near = np.empty((count, wanted), np.int32)
-    far = np.empty((count, wanted))
+    near = np.empty((count, number), np.int32)
+    far = np.empty((count, number))
     for track in range(count):
         best = far[track]
-        found = 0
+        length = 0
         for own in (track, track + count):
             x, y = point[own, 0], point[own, 1]
             ring = 0
             while ring < side:
-                if found == wanted and (ring - 1) * min(wide, high) > best[wanted - 1]:
+                if length == number and (ring - 1) * min(wide, high) > best[number - 1]:
                     break
                 for i in range(max(column[own] - ring, 0), min(column[own] + ring, side - 1) + 1):
                     edge = abs(i - column[own]) == ring
@@ -167,21 +167,23 @@ def find_neighbours(start: F64_2, end: F64_2, wanted: int) -> Any:
                     while j <= row[own] + ring:
                         if 0 <= j < side:
                             cell = i * side + j
-                            for place in range(first[cell], first[cell + 1]):
-                                other = listed[place] % count
+                            for entry in range(first[cell], first[cell + 1]):
+                                other = listed[entry] % count
                                 if other == track:
                                     continue
                                 distance = math.hypot(
-                                    point[listed[place], 0] - x, point[listed[place], 1] - y
+                                    point[listed[entry], 0] - x, point[listed[entry], 1] - y
                                 )
-                                found = _insert_nearest(near[track], best, found, other, distance)
+                                length = _insert_nearest(near[track], best, length, other, distance)
                         j += 1 if edge or ring == 0 else 2 * ring
                 ring += 1
     return near, far
 
 
 @kernel
-def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, distance: float) -> int:
+def _insert_nearest(
+    near: OutI32_1, best: OutF64_1, length: int, other: int, distance: float
+) -> int:
     """Insert a track into the list of the nearest tracks found so far; return the list's new
     length.
 
@@ -192,27 +194,27 @@ def _insert_nearest(near: OutI32_1, best: OutF64_1, found: int, other: int, dist
     ----------
     near, best
         Tracks in the list and their distances (mm); both are changed in place.
-    found
+    length
         Number of tracks in the list before the call; later entries of the arrays are unused.
     other, distance
         Track to be inserted, and its distance (mm).
     """
-    at = found
-    for place in range(found):
-        if near[place] == other:
-            if best[place] <= distance:
-                return found
-            at = place
+    slot = length
+    for entry in range(length):
+        if near[entry] == other:
+            if best[entry] <= distance:
+                return length
+            slot = entry
             break
-    if at == found:
-        if found == len(near):
-            if distance >= best[found - 1]:
-                return found
-            at = found - 1
+    if slot == length:
+        if length == len(near):
+            if distance >= best[length - 1]:
+                return length
+            slot = length - 1
         else:
-            found += 1
-    while at > 0 and best[at - 1] > distance:
-        best[at], near[at] = best[at - 1], near[at - 1]
-        at -= 1
-    best[at], near[at] = distance, other
-    return found
+            length += 1
+    while slot > 0 and best[slot - 1] > distance:
+        best[slot], near[slot] = best[slot - 1], near[slot - 1]
+        slot -= 1
+    best[slot], near[slot] = distance, other
+    return length

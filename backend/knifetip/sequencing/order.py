@@ -68,9 +68,13 @@ def short_order(
     if count < 2:
         return order, flip
     # The origin is one more track, fixed in the first position.
-    place = np.broadcast_to(origin, (2, 1, 3))
+    origin_pose = np.broadcast_to(origin, (2, 1, 3))
     ends = np.stack(
-        [np.concatenate([entry, place], axis=1), np.concatenate([leave, place], axis=1)], axis=1
+        [
+            np.concatenate([entry, origin_pose], axis=1),
+            np.concatenate([leave, origin_pose], axis=1),
+        ],
+        axis=1,
     )
     ends[..., 2] %= period
     tour = np.concatenate([[count], order]).astype(np.int32)
@@ -116,8 +120,8 @@ def link_times(entry: F64, leave: F64, origin: F64, pace: F64, period: float) ->
     time.
     """
     change = np.abs(entry - np.concatenate([origin[None], leave[:-1]]))
-    around = change[:, 2] % period
-    change[:, 2] = np.minimum(around, period - around)
+    turn = change[:, 2] % period
+    change[:, 2] = np.minimum(turn, period - turn)
     times = _travel_times(change, pace[0], pace[1])
     slowest: F64 = times.max(axis=1)
     return slowest

@@ -182,11 +182,11 @@ def _order_tracks(
     )
     # The passes in new order: those of a reversed track are reversed, or swapped in pairs.
     owner = np.repeat(np.arange(len(order)), passes[order])
-    place = np.arange(len(first)) - np.repeat(
+    ordinal = np.arange(len(first)) - np.repeat(
         np.cumsum(passes[order]) - passes[order], passes[order]
     )
-    other = place ^ 1 if reversal == Reversal.SIDES else passes[order][owner] - 1 - place
-    pass_of = opens[order][owner] + np.where(flip[owner], other, place)
+    other = ordinal ^ 1 if reversal == Reversal.SIDES else passes[order][owner] - 1 - ordinal
+    pass_of = opens[order][owner] + np.where(flip[owner], other, ordinal)
     back = flip[owner] & (reversal == Reversal.EITHER)
     # Row 0 of each pass is the rapid to its start.
     size = last[pass_of] - first[pass_of] + 2
@@ -216,7 +216,7 @@ def _order_tracks(
         period,
     )
     pose[:, 3] += shift[run]
-    link = head & (place == 0)[run]
+    link = head & (ordinal == 0)[run]
     bulge = np.where(reverse, -toolpath.bulge[rows], toolpath.bulge[rows])
     return _Moves(
         pose=pose,
@@ -263,15 +263,15 @@ def _lower_turns(toolpath: Toolpath, machine: Machine, outline: Paths | None) ->
     idle = np.zeros(len(toolpath), np.bool_)
     ends = np.concatenate([turns - 1, turns + 1])
     idle[ends] = (pose[ends + 1] == pose[ends]).all(axis=1)
-    kept = np.flatnonzero(~idle)
+    rows = np.flatnonzero(~idle)
     return Toolpath(
-        pose=np.concatenate([pose[:1], pose[kept + 1]]),
-        bulge=toolpath.bulge[kept],
-        motion=toolpath.motion[kept],
-        feed=toolpath.feed[kept],
-        source=toolpath.source[kept],
-        tool=toolpath.tool[kept],
-        track=toolpath.track[kept],
+        pose=np.concatenate([pose[:1], pose[rows + 1]]),
+        bulge=toolpath.bulge[rows],
+        motion=toolpath.motion[rows],
+        feed=toolpath.feed[rows],
+        source=toolpath.source[rows],
+        tool=toolpath.tool[rows],
+        track=toolpath.track[rows],
     )
 
 

@@ -100,8 +100,8 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
 
 def beam_moves(moves: Moves, machine: Machine) -> Bool:
     """Return the mask of the n moves whose selected station carries a laser, shape (n,)."""
-    held = [expected_tool(station.tool).beam is not None for station in machine.stations]
-    result: Bool = np.array([*held, False])[moves.station]
+    is_beam = [expected_tool(station.tool).beam is not None for station in machine.stations]
+    result: Bool = np.array([*is_beam, False])[moves.station]
     return result
 
 
@@ -136,11 +136,13 @@ def tip_paths(
     goes_on = np.zeros(len(stay), np.bool_)
     goes_on[:-1] = travels[1:] & (track[1:] == track[:-1])
     point = stay & (drop < -LEVEL) & ~goes_on
-    rows, curve, share = _path_pieces(moves, tip, np.flatnonzero(travels | point), point, machine)
+    rows, curve, fraction = _path_pieces(
+        moves, tip, np.flatnonzero(travels | point), point, machine
+    )
     order = np.argsort(rows, kind="stable")
-    rows, curve, share = rows[order], curve[order], share[order]
+    rows, curve, fraction = rows[order], curve[order], fraction[order]
     turn = tip.start[rows, 3][:, None]
-    heading = turn + (tip.end[rows, 3][:, None] - turn) * share
+    heading = turn + (tip.end[rows, 3][:, None] - turn) * fraction
     z = tip.end[rows, 2]
     return TipPaths(
         curve=curve,
@@ -194,12 +196,12 @@ def _path_pieces(
     ]
     shares = [np.tile([0.0, 1.0], (len(part), 1)) for part in listed]
     if bent.any():
-        which, curve, share = _flatten_paths(
+        chord_rows, curve, fraction = _flatten_paths(
             moves, tip, rows, np.flatnonzero(bent), offset, machine
         )
-        listed.append(which)
+        listed.append(chord_rows)
         curves.append(curve)
-        shares.append(share)
+        shares.append(fraction)
     picked = np.concatenate(listed)
     return rows[picked], np.concatenate(curves), np.concatenate(shares)
 
@@ -225,37 +227,39 @@ def _flatten_paths(
     """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])
-    out = moves.start[own, :2] - moves.centre[own]
-    radius = np.where(moves.sweep[own] != 0.0, np.hypot(*out.T), 0.0)
+    radial = moves.start[own, :2] - moves.centre[own]
+    radius = np.where(moves.sweep[own] != 0.0, np.hypot(*radial.T), 0.0)
     bow = radius * moves.sweep[own] ** 2 + offset[bent] * turn**2
     pieces = np.clip(np.ceil(np.sqrt(bow / (8.0 * CHORD))), 1, _MAX_CHORDS).astype(np.int64)
     place = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
-    which = np.repeat(np.arange(len(bent)), pieces)
-    share = np.stack([place, place + 1], axis=1) / pieces[which][:, None]
+    owner = np.repeat(np.arange(len(bent)), pieces)
+    fraction = np.stack([place, place + 1], axis=1) / pieces[owner][:, None]
     sides = []
     for side in range(2):
-        at = share[:, side]
-        move = own[which]
-        joints = moves.start[move] + (moves.end[move] - moves.start[move]) * at[:, None]
-        angle = np.arctan2(out[which, 1], out[which, 0]) + moves.sweep[move] * at
+        position = fraction[:, side]
+        move = own[owner]
+        joints = moves.start[move] + (moves.end[move] - moves.start[move]) * position[:, None]
+        angle = np.arctan2(radial[owner, 1], radial[owner, 0]) + moves.sweep[move] * position
         round_ = moves.sweep[move] != 0.0
-        swept = moves.centre[move] + radius[which][:, None] * np.stack(
+        swept = moves.centre[move] + radius[owner][:, None] * np.stack(
             [np.cos(angle), np.sin(angle)], axis=1
         )
         joints[round_, :2] = swept[round_]
         xy = np.zeros((len(move), 2))
         for index, station in enumerate(machine.stations):
-            mine = moves.station[move] == index
-            heading = joints[mine, 3] - station.c
-            xy[mine] = joints[mine, :2] - (station.x, station.y) + tip_offset(heading, station)
+            station_rows = moves.station[move] == index
+            heading = joints[station_rows, 3] - station.c
+            xy[station_rows] = (
+                joints[station_rows, :2] - (station.x, station.y) + tip_offset(heading, station)
+            )
         sides.append(xy)
     # Consecutive chords share their points exactly.
-    return bent[which], line_curves(sides[0], sides[1]), share
+    return bent[owner], line_curves(sides[0], sides[1]), fraction
 
 
 def _operations(z: F64, station: I32, machine: Machine, board: Board) -> U8:
-    held = [expected_tool(station.tool) for station in machine.stations]
-    kinds = np.array([(tool.through_kind, tool.partial_kind) for tool in held], np.uint8).reshape(
+    tools = [expected_tool(station.tool) for station in machine.stations]
+    kinds = np.array([(tool.through_kind, tool.partial_kind) for tool in tools], np.uint8).reshape(
         -1, 2
     )
     # A knife has two depths; choose the operation with the nearer one.

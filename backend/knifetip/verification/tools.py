@@ -155,13 +155,13 @@ def extra_outputs(machine: Machine) -> tuple[int, ...]:
     ascending.
     """
     return tuple(
-        sorted({one for held in machine.stations for one in expected_tool(held.tool).outputs})
+        sorted({one for station in machine.stations for one in expected_tool(station.tool).outputs})
     )
 
 
 def has_beam(machine: Machine) -> bool:
     """Return whether a station of the machine carries a laser."""
-    return any(expected_tool(held.tool).beam is not None for held in machine.stations)
+    return any(expected_tool(station.tool).beam is not None for station in machine.stations)
 
 
 def expected_tool(tool: Tool) -> ExpectedTool:

@@ -167,8 +167,8 @@ def _check_placement(
     stated = read_placement(text, machine)
     if stated is None:
         return
-    off = math.hypot(stated[0] - placement[0], stated[1] - placement[1])
-    if off > 1e-3:
+    distance = math.hypot(stated[0] - placement[0], stated[1] - placement[1])
+    if distance > 1e-3:
         findings.add(
             "program",
             Message(
@@ -178,7 +178,7 @@ def _check_placement(
                 job_x=placement[0],
                 job_y=placement[1],
             ),
-            off,
+            distance,
         )
 
 

@@ -42,20 +42,26 @@ def switch_beam(
     edges = np.diff(cuts.astype(np.int8), prepend=0, append=0)
     first, last = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     ends = np.concatenate([[0], np.flatnonzero(np.frombuffer(text, np.uint8) == ord("\n")) + 1])
-    on, off = [f"M3 S{tool.spindle}"], ["M5"]
+    switch_on, switch_off = [f"M3 S{tool.spindle}"], ["M5"]
     if tool.pierce_time > 0.0:
-        on.append(gcode.dwell_line(tool.pierce_time))
+        switch_on.append(gcode.dwell_line(tool.pierce_time))
     parts, at = [], 0
     for begin, end in zip(first.tolist(), last.tolist(), strict=True):
         row = int(source[begin])
         feed = gcode.format_number(float(toolpath.feed[row])).rstrip("0").rstrip(".")
         start = f"G1 Z{gcode.format_number(float(toolpath.pose[row, 2]) + height)} F{feed}"
-        parts += [text[at : ends[begin]], _encode([start, *on]), text[ends[begin] : ends[end]]]
-        parts.append(_encode(off))
+        parts += [
+            text[at : ends[begin]],
+            _encode([start, *switch_on]),
+            text[ends[begin] : ends[end]],
+        ]
+        parts.append(_encode(switch_off))
         at = int(ends[end])
     parts.append(text[at:])
-    places = np.concatenate([np.repeat(first, 1 + len(on)), np.repeat(last, len(off))])
-    return b"".join(parts), np.insert(source, np.sort(places, kind="stable"), np.int32(-1))
+    positions = np.concatenate(
+        [np.repeat(first, 1 + len(switch_on)), np.repeat(last, len(switch_off))]
+    )
+    return b"".join(parts), np.insert(source, np.sort(positions, kind="stable"), np.int32(-1))
 
 
 def _encode(lines: list[str]) -> bytes:

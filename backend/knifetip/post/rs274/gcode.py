@@ -262,7 +262,7 @@ def _exact_stops(
     blending : float, mm
         Greatest deviation that is permitted without a stop.
     """
-    alone = (travel == 0.0) & (turn != 0.0)
+    in_place = (travel == 0.0) & (turn != 0.0)
     bend = np.divide(turn, travel, out=np.zeros_like(turn), where=travel > 0.0)
     speed = travel / (60.0 * minutes)
     change = np.abs(np.diff(bend))
@@ -275,7 +275,7 @@ def _exact_stops(
     air = rapid[1:] | rapid[:-1]
     both = rapid[1:] & rapid[:-1]
     result = np.zeros(len(turn), np.bool_)
-    result[:-1] = np.where(alone[1:] != alone[:-1], ~both, ~air & (deviation > blending))
+    result[:-1] = np.where(in_place[1:] != in_place[:-1], ~both, ~air & (deviation > blending))
     return result
 
 
@@ -286,8 +286,8 @@ def _feed_units(feed: F64) -> I64:
     """
     safe = np.maximum(feed, 1e-3)
     decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
-    whole = np.rint(safe * 10.0**decimals).astype(np.int64)
-    units: I64 = whole * 10 ** (FEED_DECIMALS - decimals).astype(np.int64)
+    digits = np.rint(safe * 10.0**decimals).astype(np.int64)
+    units: I64 = digits * 10 ** (FEED_DECIMALS - decimals).astype(np.int64)
     return units
 
 
@@ -367,7 +367,7 @@ def _feed_mode_columns(inverse: Bool, ends_inverse: Bool) -> Characters:
 
 
 def _word_columns(
-    letter: str, values: I64, where: Bool, decimals: int, *, brief: bool = False
+    letter: str, values: I64, has_word: Bool, decimals: int, *, brief: bool = False
 ) -> Iterator[Characters]:
     """Yield the characters of one G-code word in n program lines: a space, the letter, and the
     number.
@@ -378,15 +378,15 @@ def _word_columns(
     ----------
     values : (n,)
         Number of the word in each program line, in units of its last decimal place.
-    where : (n,)
+    has_word : (n,)
         Mask of the program lines that have the word.
     decimals
         Number of decimals.
     brief
         Whether to leave out zeros at the end of the decimals.
     """
-    if not where.any():
+    if not has_word.any():
         return
     head = np.frombuffer(f" {letter}".encode(), np.uint8)
-    yield head * where[:, None]
-    yield digit_columns(np.where(where, values, 0), decimals, brief=brief) * where[:, None]
+    yield head * has_word[:, None]
+    yield digit_columns(np.where(has_word, values, 0), decimals, brief=brief) * has_word[:, None]

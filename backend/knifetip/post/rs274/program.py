@@ -213,13 +213,13 @@ def _station_at(toolpath: Toolpath, machine: Machine, first: int) -> Station:
     try:
         station = machine.station(number)
     except KeyError:
-        known = [str(station.number) for station in machine.stations]
+        numbers = [str(station.number) for station in machine.stations]
         raise ProgramError(
             "toolpath.unknown-station",
             place=describe_row(toolpath, first),
             station=number,
             machine=machine.name,
-            known=known,
+            known=numbers,
         ) from None
     if reason := station.tool.spindle_missing:
         raise ProgramError(

@@ -44,7 +44,7 @@ class Bridges:
 
 
 def find_bridges(
-    overlaps: Overlaps, paths: EdgePaths, held: Bool, edges: Edges, lead: float
+    overlaps: Overlaps, paths: EdgePaths, searched: Bool, edges: Edges, lead: float
 ) -> Bridges:
     """Return the bridges of closed paths: the gaps between the stretches that the knife has cut.
 
@@ -54,41 +54,46 @@ def find_bridges(
         Overlaps of the paths of the knife's tip with the edges.
     paths, edges
         The c paths that the edges form, and the edges.
-    held : (c,)
+    searched : (c,)
         Mask of the paths that are searched for bridges.
     lead : mm
         Length by which the blade cuts the top face ahead of its tip.
     """
     size = edges.curve[:, 5]
-    some = overlaps.best & (np.diff(overlaps.along)[:, 0] > SHORT)
-    some &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
+    counted = overlaps.best & (np.diff(overlaps.along)[:, 0] > SHORT)
+    counted &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
     edge = np.maximum(overlaps.edge, 0)
-    some &= held[paths.path[edge]]
-    edge, place = overlaps.edge[some], overlaps.place[some]
+    counted &= searched[paths.path[edge]]
+    edge, place = overlaps.edge[counted], overlaps.place[counted]
     flipped = paths.flipped[edge][:, None]
-    at = paths.begin[edge][:, None] + np.where(flipped, size[edge][:, None] - place, place)
+    position = paths.begin[edge][:, None] + np.where(flipped, size[edge][:, None] - place, place)
     path = paths.path[edge]
-    forward = at[:, 1] > at[:, 0]
-    low, high = at.min(axis=1), at.max(axis=1)
-    which, begin, end = uncovered_edges(path, low, high, np.where(held, paths.length, 0.0))
-    length = paths.length[which]
+    forward = position[:, 1] > position[:, 0]
+    low, high = position.min(axis=1), position.max(axis=1)
+    gap_path, begin, end = uncovered_edges(path, low, high, np.where(searched, paths.length, 0.0))
+    length = paths.length[gap_path]
     # Join the two parts of a gap across the start of the path.
     first, last = begin <= 1e-9, end >= length - 1e-9
     for k in np.flatnonzero(first & ~last):
-        other = np.flatnonzero((which == which[k]) & last & ~first)
+        other = np.flatnonzero((gap_path == gap_path[k]) & last & ~first)
         if len(other):
             end[other[0]] += end[k]
-            which[k] = -1
+            gap_path[k] = -1
     # A gap between two paths that meet is rounding, not a bridge.
-    kept = (which >= 0) & (end - begin > SHORT)
-    which, begin, end, length = which[kept], begin[kept], end[kept], length[kept]
+    is_bridge = (gap_path >= 0) & (end - begin > SHORT)
+    gap_path, begin, end, length = (
+        gap_path[is_bridge],
+        begin[is_bridge],
+        end[is_bridge],
+        length[is_bridge],
+    )
 
-    ahead = _reached_from(path[forward], high[forward], which, begin, length)
-    back = _reached_from(path[~forward], low[~forward], which, end, length)
+    ahead = _reached_from(path[forward], high[forward], gap_path, begin, length)
+    back = _reached_from(path[~forward], low[~forward], gap_path, end, length)
     top_begin, top_end = begin + lead * ahead, end - lead * back
     middle = (top_begin + top_end) / 2.0 % np.where(length > 0.0, length, 1.0)
     width = top_end - top_begin
-    return order_bridges(which, middle, width, end - begin, width, paths.length)
+    return order_bridges(gap_path, middle, width, end - begin, width, paths.length)
 
 
 def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, length: F64) -> Bridges:
@@ -112,33 +117,35 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
     following = np.append(middle[1:], 0.0)[: len(path)]
     closing = np.append(start[1:], len(path))[: len(start)] - 1
     following[closing] = middle[start] + length[path[start]]
-    away = following - middle
-    before = np.roll(away, 1)
-    before[start] = away[closing]
-    return Bridges(path, middle, width[order], bare[order], need[order], away, away + before)
+    spacing = following - middle
+    before = np.roll(spacing, 1)
+    before[start] = spacing[closing]
+    return Bridges(path, middle, width[order], bare[order], need[order], spacing, spacing + before)
 
 
-def _reached_from(path: I64, at: F64, which: I64, place: F64, length: F64) -> F64:
+def _reached_from(
+    path: I64, end_position: F64, test_path: I64, test_position: F64, length: F64
+) -> F64:
     """Return whether a cut stretch ends at each of k positions on closed paths: 1.0 or 0.0, (k,).
 
     Parameters
     ----------
-    path, at : (n,)
+    path, end_position : (n,)
         Path of each of n cut stretches, and the position of its end along that path (mm).
-    which, place : (k,)
+    test_path, test_position : (k,)
         Path of each position to test, and the position along that path (mm).
     length : (k,) mm
         Length of the path of each position to test.
     """
-    result = np.zeros(len(which))
-    for k in range(len(which)):
-        off = np.abs(at[path == which[k]] - place[k]) % length[k]
-        result[k] = bool((np.minimum(off, length[k] - off) < 1e-6).any())
+    result = np.zeros(len(test_path))
+    for k in range(len(test_path)):
+        difference = np.abs(end_position[path == test_path[k]] - test_position[k]) % length[k]
+        result[k] = bool((np.minimum(difference, length[k] - difference) < 1e-6).any())
     return result
 
 
 def check_bridges(
-    found: Bridges, paths: EdgePaths, edges: Edges, held: Bool, board: Board, slack: float
+    bridges: Bridges, paths: EdgePaths, edges: Edges, required: Bool, board: Board, slack: float
 ) -> Iterator[tuple[str, int, Message, float]]:
     """Check all bridges; for each fault yield the kind of finding, the index of an edge, the
     message, and the size of the fault.
@@ -149,57 +156,57 @@ def check_bridges(
 
     Parameters
     ----------
-    found
+    bridges
         All bridges.
     paths, edges
         The c paths that the edges form, and the edges.
-    held : (c,)
+    required : (c,)
         Mask of the paths that must have bridges.
     board
         Board whose record states the required width and spacing of bridges.
     slack : mm
         A width, distance or spacing that is wrong by at most this length is no fault.
     """
-    edge, short = _corner_shortfall(found, paths, edges)
-    wide = found.width - board.bridge_width
-    many = np.bincount(found.path, minlength=len(held))
+    edge, short = _corner_shortfall(bridges, paths, edges)
+    wide = bridges.width - board.bridge_width
+    many = np.bincount(bridges.path, minlength=len(required))
     # A bridge is superfluous if its two neighbours are within the spacing without it.
-    spare = many[found.path] > MIN_BRIDGES
-    spare &= found.gap_without <= board.bridge_spacing - slack
+    spare = many[bridges.path] > MIN_BRIDGES
+    spare &= bridges.gap_without <= board.bridge_spacing - slack
     bad = (np.abs(wide) > slack) | (short > slack) | spare
-    bad |= found.spacing > board.bridge_spacing + slack
+    bad |= bridges.spacing > board.bridge_spacing + slack
     for k in np.flatnonzero(bad)[:MAX_FINDINGS]:
-        place, e = found.middle[k], int(edge[k])
+        place, e = bridges.middle[k], int(edge[k])
         if abs(wide[k]) > slack:
             message = Message(
                 "verify.bridge-width",
                 place=place,
-                width=found.width[k],
+                width=bridges.width[k],
                 planned=board.bridge_width,
             )
             yield "uncut" if wide[k] > 0.0 else "overcut", e, message, float(abs(wide[k]))
         if short[k] > slack:
             message = Message("verify.bridge-near-corner", place=place, distance=short[k])
             yield "deviation", e, message, float(short[k])
-        past = float(found.spacing[k] - board.bridge_spacing)
+        past = float(bridges.spacing[k] - board.bridge_spacing)
         if past > slack:
             message = Message(
                 "verify.bridge-spacing",
                 place=place,
-                distance=found.spacing[k],
+                distance=bridges.spacing[k],
                 most=board.bridge_spacing,
             )
             yield "overcut", e, message, past
         if spare[k]:
-            message = Message("verify.bridge-spare", place=place, distance=found.gap_without[k])
-            yield "uncut", e, message, float(found.width[k])
-    for path in np.flatnonzero(held & (many < MIN_BRIDGES))[:MAX_FINDINGS]:
+            message = Message("verify.bridge-spare", place=place, distance=bridges.gap_without[k])
+            yield "uncut", e, message, float(bridges.width[k])
+    for path in np.flatnonzero(required & (many < MIN_BRIDGES))[:MAX_FINDINGS]:
         e = int(np.flatnonzero(paths.path == path)[0])
         message = Message("verify.too-few-bridges", bridges=many[path], fewest=MIN_BRIDGES)
         yield "overcut", e, message, 0.0
 
 
-def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
+def _corner_shortfall(bridges: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I64, F64]:
     """Return the index of the edge that each of k bridges lies on, (k,), and the missing distance
     from a sharp corner, (k,) mm.
 
@@ -207,12 +214,12 @@ def _corner_shortfall(found: Bridges, paths: EdgePaths, edges: Edges) -> tuple[I
     of that edge, and 0 if the bridge is far enough from both ends.
     """
     size = edges.curve[:, 5]
-    edge, place = paths.locate(found.path, found.middle, edges.curve)
-    least = np.minimum(CORNER_DISTANCE + found.need / 2.0, size[edge] / 2.0)
+    edge, place = paths.locate(bridges.path, bridges.middle, edges.curve)
+    least = np.minimum(CORNER_DISTANCE + bridges.need / 2.0, size[edge] / 2.0)
     sharp = _sharp_corners(paths, edges)
     short = np.zeros(len(edge))
-    for side, away in ((0, place), (1, size[edge] - place)):
-        short = np.maximum(short, np.where(sharp[2 * edge + side], least - away, 0.0))
+    for side, distance in ((0, place), (1, size[edge] - place)):
+        short = np.maximum(short, np.where(sharp[2 * edge + side], least - distance, 0.0))
     return edge, short
 
 

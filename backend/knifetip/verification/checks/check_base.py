@@ -106,7 +106,7 @@ class StationCheck(ABC):
         if len(self.station):
             tool = stations[int(self.station[0])].tool
             return tool if isinstance(tool, kind) else None
-        return next((held.tool for held in stations if isinstance(held.tool, kind)), None)
+        return next((station.tool for station in stations if isinstance(station.tool, kind)), None)
 
     def add_finding(
         self,
@@ -188,11 +188,11 @@ class StationCheck(ABC):
                 work[row],
             )
         drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
-        for share in (0.0, 0.5, 1.0):
-            along = overlaps.along[best] @ (1.0 - share, share)
-            off = left_distance(self.curve[work], along, self.edges.curve[edge])
-            place = overlaps.place[best] @ (1.0 - share, share) - self.before[edge]
-            self.context.samples.append((self.edges.row[edge], place / drawn, off))
+        for fraction in (0.0, 0.5, 1.0):
+            along = overlaps.along[best] @ (1.0 - fraction, fraction)
+            offset = left_distance(self.curve[work], along, self.edges.curve[edge])
+            place = overlaps.place[best] @ (1.0 - fraction, fraction) - self.before[edge]
+            self.context.samples.append((self.edges.row[edge], place / drawn, offset))
         if "Z" not in self.context.programmed:
             return
         deep = self.context.board.caliper - self.z[work]
@@ -244,39 +244,43 @@ class StationCheck(ABC):
         back = np.where(span < 0.0, 180.0, 0.0)
         worst = np.zeros(len(best))
         for side in range(2):
-            share = along[:, side] / np.where(point, 1.0, length)
+            fraction = along[:, side] / np.where(point, 1.0, length)
             first, last = self.heading[work, 0], self.heading[work, 1]
-            heading = first + (last - first) * share
+            heading = first + (last - first) * fraction
             drawn = azimuth_at(self.edges.curve[edge], place[:, side]) + back
             if chorded is not None:
                 own = azimuth_at(self.curve[work], along[:, side])
                 drawn = np.where(chorded[edge], own, drawn)
-            off = angle_between(heading, drawn, turn)
-            worst = np.maximum(worst, np.where(follows | pressed, off, 0.0))
+            error = angle_between(heading, drawn, turn)
+            worst = np.maximum(worst, np.where(follows | pressed, error, 0.0))
         self.check_swing(worst, reach[work], np.zeros(len(best)), work, edge)
 
         # A path past an edge has no edge to compare with, only its own direction.
-        which, spans = uncovered_curves(overlaps, self.curve)
+        path_rows, spans = uncovered_curves(overlaps, self.curve)
         long = np.flatnonzero(spans[:, 1] - spans[:, 0] > self.tolerance)
-        which, spans = which[long], spans[long]
-        off = np.zeros(len(which))
+        path_rows, spans = path_rows[long], spans[long]
+        error = np.zeros(len(path_rows))
         for side in range(2):
-            share = spans[:, side] / self.curve[which, 5]
-            heading = self.heading[which, 0] * (1.0 - share) + self.heading[which, 1] * share
-            off = np.maximum(
-                off, angle_between(heading, azimuth_at(self.curve[which], spans[:, side]), turn)
+            fraction = spans[:, side] / self.curve[path_rows, 5]
+            heading = (
+                self.heading[path_rows, 0] * (1.0 - fraction)
+                + self.heading[path_rows, 1] * fraction
             )
-        slack = np.degrees(PRINT_TURN / np.maximum(self.curve[which, 5], PRINT_TURN))
-        self.check_swing(off, reach[which], slack, which, np.full(len(which), -1))
+            error = np.maximum(
+                error,
+                angle_between(heading, azimuth_at(self.curve[path_rows], spans[:, side]), turn),
+            )
+        slack = np.degrees(PRINT_TURN / np.maximum(self.curve[path_rows, 5], PRINT_TURN))
+        self.check_swing(error, reach[path_rows], slack, path_rows, np.full(len(path_rows), -1))
 
     def check_swing(
-        self, off: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64
+        self, error: F64, reach: F64, slack: F64, work: I32 | I64, edge: I32 | I64
     ) -> None:
         """Add a finding for each wrong heading that swings the tool by more than the tolerance.
 
         Parameters
         ----------
-        off, slack : (k,) degrees
+        error, slack : (k,) degrees
             k differences between the heading and the planned direction, and the part of each
             difference that is permitted because coordinates are rounded.
         reach : (k,) mm
@@ -286,7 +290,7 @@ class StationCheck(ABC):
         """
         if "C" not in self.context.programmed:
             return
-        turned = np.maximum(off - slack, 0.0)
+        turned = np.maximum(error - slack, 0.0)
         swing = 2.0 * reach * np.sin(np.radians(turned) / 2.0)
         for row in np.flatnonzero(swing > self.tolerance)[:MAX_FINDINGS]:
             self.add_finding(
@@ -295,15 +299,19 @@ class StationCheck(ABC):
                 Message(
                     "verify.wrong-heading",
                     tool=self.operation.tool,
-                    degrees=off[row],
+                    degrees=error[row],
                     swing=swing[row],
                 ),
-                off[row],
+                error[row],
                 work[row],
             )
 
     def check_uncut(
-        self, overlaps: Overlaps, which: I64, only: Bool | None = None, forward: bool | None = None
+        self,
+        overlaps: Overlaps,
+        edge_rows: I64,
+        counted: Bool | None = None,
+        forward: bool | None = None,
     ) -> None:
         """Check that tip paths cover edges completely; add a finding for each gap, and record the
         uncovered length of each edge.
@@ -314,23 +322,23 @@ class StationCheck(ABC):
         ----------
         overlaps
             Overlaps of the tip paths with the edges.
-        which
+        edge_rows
             Indices of the edges to check.
-        only
+        counted
             Mask of the overlaps that count as covering an edge; None if all count.
         forward
             The direction that the message names: True if the counted tip paths run from the start
             to the end of the edges, False if they run back, None for either direction.
         """
         size = self.size
-        wanted = np.zeros(len(self.edges), np.bool_)
-        wanted[which] = True
-        wanted &= self.high >= self.low
-        keep = wanted[overlaps.edge]
-        if only is not None:
-            keep &= only
+        is_checked = np.zeros(len(self.edges), np.bool_)
+        is_checked[edge_rows] = True
+        is_checked &= self.high >= self.low
+        keep = is_checked[overlaps.edge]
+        if counted is not None:
+            keep &= counted
         wide, edge, begin, line = self.edge_gaps(
-            overlaps, np.flatnonzero(keep), np.flatnonzero(wanted)
+            overlaps, np.flatnonzero(keep), np.flatnonzero(is_checked)
         )
         bare = wide > self.slack
         # A pressed crease is a point without length: it is made or not.
@@ -341,14 +349,14 @@ class StationCheck(ABC):
         for row in np.flatnonzero(bare)[:MAX_FINDINGS]:
             e = int(edge[row])
             place = begin[row] - self.before[e]
-            where = Message("verify.where-from-start", place=place)
+            location = Message("verify.where-from-start", place=place)
             if place < -self.slack:
-                where = Message("verify.where-past-start")
+                location = Message("verify.where-past-start")
             elif self.spare[e, 1] > 0.0 and begin[row] > self.low[e] + self.slack:
                 drawn = self.size[e] - self.spare[e, 1]
                 if drawn - begin[row] <= missed[row] + self.slack:
-                    where = Message("verify.where-past-end")
-            message = Message("verify.not-worked", length=missed[row], work=phrase, where=where)
+                    location = Message("verify.where-past-end")
+            message = Message("verify.not-worked", length=missed[row], work=phrase, where=location)
             self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
     def _work_phrase(self, forward: bool | None) -> Message:
@@ -367,7 +375,9 @@ class StationCheck(ABC):
             "verify.work-grooved-from-start" if forward else "verify.work-grooved-from-end"
         )
 
-    def edge_gaps(self, overlaps: Overlaps, keep: I64, wanted: I64) -> tuple[F64, I64, F64, I64]:
+    def edge_gaps(
+        self, overlaps: Overlaps, overlap_rows: I64, edge_rows: I64
+    ) -> tuple[F64, I64, F64, I64]:
         """Return the gaps between the stretches of edges that tip paths cover.
 
         There is one gap before each stretch and one after the last stretch of each edge.  Many gaps
@@ -375,9 +385,9 @@ class StationCheck(ABC):
 
         Parameters
         ----------
-        overlaps, keep
+        overlaps, overlap_rows
             Overlaps of the tip paths with the edges, and the indices of the overlaps that count.
-        wanted
+        edge_rows
             Indices of the edges that are searched for gaps.
 
         Returns
@@ -386,14 +396,17 @@ class StationCheck(ABC):
         edge (mm), and the program line of a stretch next to the gap, -1 for an edge without
         stretches.
         """
-        edge = overlaps.edge[keep].astype(np.int64)
-        low, high = overlaps.place[keep].min(axis=1), overlaps.place[keep].max(axis=1)
-        line = self.line[overlaps.curve[keep]].astype(np.int64)
+        edge = overlaps.edge[overlap_rows].astype(np.int64)
+        low, high = (
+            overlaps.place[overlap_rows].min(axis=1),
+            overlaps.place[overlap_rows].max(axis=1),
+        )
+        line = self.line[overlaps.curve[overlap_rows]].astype(np.int64)
         # Add an empty stretch at the end of each edge, so that every gap lies before a stretch.
-        edge = np.concatenate([edge, wanted])
-        low = np.concatenate([low, self.high[wanted]])
-        high = np.concatenate([high, self.high[wanted]])
-        line = np.concatenate([line, np.full(len(wanted), -1)])
+        edge = np.concatenate([edge, edge_rows])
+        low = np.concatenate([low, self.high[edge_rows]])
+        high = np.concatenate([high, self.high[edge_rows]])
+        line = np.concatenate([line, np.full(len(edge_rows), -1)])
         order = np.lexsort((high, low, edge))
         edge, low, high, line = edge[order], low[order], high[order], line[order]
         # Offset each edge, so that one running maximum serves all edges.

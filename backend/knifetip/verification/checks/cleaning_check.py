@@ -60,19 +60,19 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     At most fifty findings are returned.  ``drawn`` is the dieline before cleaning; ``cleaned`` is
     the dieline after cleaning, with the cleaned edge that each drawn stretch became.
     """
-    found: list[Finding] = []
+    findings: list[Finding] = []
     after, parts = cleaned.dieline, cleaned.stretches
     length = _edge_lengths(drawn.ends, drawn.bulge)
-    worked = ~np.isin(drawn.line_type, _NO_WORK)
+    has_work = ~np.isin(drawn.line_type, _NO_WORK)
 
     def report(edge: int, measure: float, message: Message) -> None:
-        if len(found) < _MAX_CLEANING_FINDINGS:
-            found.append(Finding("uncut", message, measure, edge))
+        if len(findings) < _MAX_CLEANING_FINDINGS:
+            findings.append(Finding("uncut", message, measure, edge))
 
     # The stretches of each edge that is cut or creased must add up to its length.
     recorded = np.bincount(parts.row, (parts.end - parts.begin) * length[parts.row], len(drawn))
     for edge in np.flatnonzero(
-        np.abs(np.where(worked, length, 0.0) - recorded) > _ROUNDING
+        np.abs(np.where(has_work, length, 0.0) - recorded) > _ROUNDING
     ).tolist():
         report(edge, float(length[edge] - recorded[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
@@ -88,8 +88,8 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
         table[one, list(others)] = True
     right = (first == second) | (parts.given[there] & table[first, second])
     for at in np.flatnonzero(~right):
-        what, was = LineType(first[at]).word, LineType(second[at]).word
-        message = Message("verify.cleaning-type", drawn=was, worked=what)
+        cleaned_type, drawn_type = LineType(first[at]).word, LineType(second[at]).word
+        message = Message("verify.cleaning-type", drawn=drawn_type, worked=cleaned_type)
         report(int(row[at]), float(length[row[at]]), message)
     limit = np.where(cleaned.moved[row] > 0.0, GAP, SAME) + np.where(
         cleaned.moved[after.source[target]] > 0.0, GAP, 0.0
@@ -99,7 +99,7 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
         report(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
     own = ~parts.given[there]
     _check_added_work(after, target[own], along[own], report)
-    return found
+    return findings
 
 
 def _edge_lengths(ends: F64, bulge: F64) -> F64:
@@ -110,20 +110,20 @@ def _edge_lengths(ends: F64, bulge: F64) -> F64:
     return length
 
 
-def _points_at(ends: F64, bulge: F64, share: F64) -> F64:
+def _points_at(ends: F64, bulge: F64, fraction: F64) -> F64:
     """Return one point on each of n lines and arcs, (n, 2) mm.
 
     ``ends`` are the start and end points of the lines and arcs, (n, 2, 2) mm, and ``bulge`` their
-    bulges, (n,).  ``share`` is the position of each point as a fraction of the length of its line
-    or arc, (n,).
+    bulges, (n,).  ``fraction`` is the position of each point as a fraction of the length of its
+    line or arc, (n,).
     """
     start, chord = ends[:, 0], ends[:, 1] - ends[:, 0]
     half = 2.0 * np.arctan(bulge)
     bent = np.abs(bulge) > _BULGE
     # Complex numbers: the chord to the point is the whole chord, scaled and turned.
     vector = chord[:, 0] + 1j * chord[:, 1]
-    size = np.where(bent, np.sin(share * half) / np.sin(np.where(bent, half, 1.0)), share)
-    point = vector * size * np.exp(1j * (share - 1.0) * half)
+    size = np.where(bent, np.sin(fraction * half) / np.sin(np.where(bent, half, 1.0)), fraction)
+    point = vector * size * np.exp(1j * (fraction - 1.0) * half)
     placed: F64 = start + np.column_stack([point.real, point.imag])
     return placed
 
@@ -155,29 +155,29 @@ def _measure_stretches(
         after.bulge[target] == drawn.bulge[row]
     )
     along[same, 0], along[same, 1] = begin[same], end[same]
-    some = np.flatnonzero(~same)
-    ends, bulge = drawn.ends[row[some]], drawn.bulge[row[some]]
-    on, bow = after.ends[target[some]], after.bulge[target[some]]
-    chord = on[:, 1] - on[:, 0]
+    moved = np.flatnonzero(~same)
+    ends, bulge = drawn.ends[row[moved]], drawn.bulge[row[moved]]
+    target_ends, bow = after.ends[target[moved]], after.bulge[target[moved]]
+    chord = target_ends[:, 1] - target_ends[:, 0]
     square = (chord**2).sum(axis=1)
     bent = np.abs(bow) > _BULGE
     safe = np.where(bent, bow, 1.0)
     left = np.column_stack([-chord[:, 1], chord[:, 0]])
-    centre = on.mean(axis=1) + left * ((1.0 - safe * safe) / (4.0 * safe))[:, None]
-    first = np.arctan2(*(on[:, 0] - centre).T[::-1])
+    centre = target_ends.mean(axis=1) + left * ((1.0 - safe * safe) / (4.0 * safe))[:, None]
+    first = np.arctan2(*(target_ends[:, 0] - centre).T[::-1])
     sweep = 4.0 * np.arctan(safe)
     for probe in _PROBES:
-        point = _points_at(ends, bulge, begin[some] + probe * (end[some] - begin[some]))
-        place = ((point - on[:, 0]) * chord).sum(axis=1) / square
+        point = _points_at(ends, bulge, begin[moved] + probe * (end[moved] - begin[moved]))
+        place = ((point - target_ends[:, 0]) * chord).sum(axis=1) / square
         angle = (np.arctan2(*(point - centre).T[::-1]) - first) * np.sign(sweep)
         # Centre the range of angles on the arc, so that angles before its start are negative.
         middle = np.abs(sweep) / 2.0
         angle = (angle - middle + math.pi) % (2.0 * math.pi) - math.pi + middle
         place = np.clip(np.where(bent, angle / np.abs(sweep), place), 0.0, 1.0)
-        gap = np.hypot(*(point - _points_at(on, bow, place)).T)
-        far[some] = np.maximum(far[some], gap)
+        gap = np.hypot(*(point - _points_at(target_ends, bow, place)).T)
+        far[moved] = np.maximum(far[moved], gap)
         if probe in (0.0, 1.0):
-            along[some, int(probe)] = place
+            along[moved, int(probe)] = place
     return far, along
 
 
@@ -202,7 +202,7 @@ def _check_added_work(
         edge was made, the length of the fault (mm), and a message.
     """
     length = _edge_lengths(after.ends, after.bulge)
-    worked = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))
+    work_rows = np.flatnonzero(~np.isin(after.line_type, _NO_WORK))
     low, high = along.min(axis=1), along.max(axis=1)
     order = np.lexsort((low, target))
     edge, low, high = target[order], low[order], high[order]
@@ -216,5 +216,5 @@ def _check_added_work(
     for at in np.flatnonzero(np.maximum(open_, beyond) > 2.0 * GAP + _ROUNDING):
         shown = int(after.source[edge[at]])
         report(shown, float(max(open_[at], beyond[at])), Message("verify.cleaning-beyond"))
-    for row in np.setdiff1d(worked, edge):
+    for row in np.setdiff1d(work_rows, edge):
         report(int(after.source[row]), float(length[row]), Message("verify.cleaning-invented"))

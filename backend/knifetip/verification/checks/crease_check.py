@@ -33,7 +33,7 @@ class CreaseCheck(StationCheck):
         if wheel is None:
             self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
-        around = self.context.edges.with_types(*WORKED_TYPES[OperationKind.CREASE])
+        all_creases = self.context.edges.with_types(*WORKED_TYPES[OperationKind.CREASE])
         pair = self.context.board.double_crease
         between = creased_gaps(
             self.edges,
@@ -41,22 +41,22 @@ class CreaseCheck(StationCheck):
             self.curve,
             0.5 * pair + self.tolerance,
         )
-        single, places = split_at_cuts(
+        single, crossings = split_at_cuts(
             concatenate_edges(self.edges, between), self.context.edges.with_types(LineType.CUT)
         )
-        around, _ = split_at_cuts(
-            concatenate_edges(around, between), self.context.edges.with_types(LineType.CUT)
+        all_creases, _ = split_at_cuts(
+            concatenate_edges(all_creases, between), self.context.edges.with_types(LineType.CUT)
         )
-        parts = ends_at(single, places)
+        parts = ends_at(single, crossings)
         many = 2 if pair > 0.0 else 1
         if pair > 0.0:
-            single, around, parts = (
+            single, all_creases, parts = (
                 double_lines(single, pair),
-                double_lines(around, pair),
+                double_lines(all_creases, pair),
                 np.tile(parts, 2),
             )
         self.set_edges(single)
-        expected = expected_creases(self.edges, self.context.board, wheel, around, parts)
+        expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
         self.low, self.high, self.depth = expected.low, expected.high, expected.depth
         for edge in np.flatnonzero(expected.refused)[:MAX_FINDINGS]:
             self.add_finding("uncut", edge, Message("verify.crease-too-short"), self.size[edge])

@@ -64,9 +64,11 @@ class CutFaces:
 
         ``points`` is (m, 2) mm; the index is 0 for a point outside all cuts.
         """
-        alone = self.unique
-        met, rising = _first_curve_left(points, np.full(len(points), -1), self.curve[alone], alone)
-        side = self.face[alone[met], np.where(rising, 1, 0)]
+        unique = self.unique
+        met, rising = _first_curve_left(
+            points, np.full(len(points), -1), self.curve[unique], unique
+        )
+        side = self.face[unique[met], np.where(rising, 1, 0)]
         result: I64 = np.where(met < 0, 0, side)
         return result
 
@@ -81,16 +83,16 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
     ends = np.stack([point_at(piece, zero), point_at(piece, piece[:, 5])], axis=1)
     outward = np.stack([azimuth_at(piece, zero) + 180.0, azimuth_at(piece, piece[:, 5])], axis=1)
     row = np.arange(len(piece), dtype=np.int32)
-    alone, twin, first = without_duplicates(
+    unique, twin, first = without_duplicates(
         Edges(row, piece, nothing, ends.reshape(-1, 2), outward.ravel(), zero)
     )
-    cycle, swept, component = face_cycles(alone)
+    cycle, swept, component = face_cycles(unique)
     face = np.empty((len(piece), 2), np.int64)
-    face[alone.row], count = _assign_faces(
-        alone.curve, cycle.reshape(-1, 2), swept < _MIN_AREA, component
+    face[unique.row], count = _assign_faces(
+        unique.curve, cycle.reshape(-1, 2), swept < _MIN_AREA, component
     )
     face[twin] = face[first]
-    return CutFaces(piece, edge, begin, face, count, alone.row.astype(np.int64))
+    return CutFaces(piece, edge, begin, face, count, unique.row.astype(np.int64))
 
 
 def _gap_links(cuts: Edges) -> F64:
@@ -102,10 +104,12 @@ def _gap_links(cuts: Edges) -> F64:
     """
     a, b = pairs_within(cuts.ends, cuts.ends, JOIN_DISTANCE)
     size, nothing = cuts.curve[:, 5], np.zeros(len(cuts))
-    at = find_overlaps(line_curves(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOIN_DISTANCE)
+    touches = find_overlaps(
+        line_curves(cuts.ends, cuts.ends), cuts.curve, nothing, size, JOIN_DISTANCE
+    )
     loose = np.ones(len(cuts.ends), np.bool_)
     loose[a[a // 2 != b // 2]] = False
-    loose[at.curve[at.curve // 2 != at.edge]] = False
+    loose[touches.curve[touches.curve // 2 != touches.edge]] = False
     tips = np.flatnonzero(loose)
     points = cuts.ends[tips]
     near = find_overlaps(line_curves(points, points), cuts.curve, nothing, size, GAP_LENGTH)
@@ -134,9 +138,9 @@ def _gap_links(cuts: Edges) -> F64:
     inner = strung.begin[edge] + np.where(strung.flipped[edge], size[edge] - place, place)
     begins = strung.first[strung.path[own]] == tips[tip]
     along = np.where(begins, inner, strung.length[strung.path[own]] - inner)
-    apart = (strung.path[edge] != strung.path[own]) | (along >= _DETOUR_RATIO * gap)
+    far_along = (strung.path[edge] != strung.path[own]) | (along >= _DETOUR_RATIO * gap)
     keep = np.flatnonzero(
-        (gap > JOIN_DISTANCE) & (gap <= GAP_LENGTH) & apart & (to_end | (edge != own))
+        (gap > JOIN_DISTANCE) & (gap <= GAP_LENGTH) & far_along & (to_end | (edge != own))
     )
     keep = keep[np.lexsort((gap[keep], to_end[keep], tip[keep]))]
     new = np.append(True, np.diff(tip[keep]) != 0)[: len(keep)]
@@ -185,31 +189,33 @@ def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
     """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
-    on = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
-    inner = (on.place[:, 0] > JOIN_DISTANCE) & (on.place[:, 0] < size[on.edge] - JOIN_DISTANCE)
+    touches = find_overlaps(line_curves(ends, ends), curve, nothing, size, JOIN_DISTANCE)
+    inner = (touches.place[:, 0] > JOIN_DISTANCE) & (
+        touches.place[:, 0] < size[touches.edge] - JOIN_DISTANCE
+    )
     cross = find_overlaps(curve, curve, nothing, size, JOIN_DISTANCE)
     # If an end of one lies on the other, they touch and do not cross.
     low, high = cross.place.min(axis=1), cross.place.max(axis=1)
-    whole = (cross.along[:, 0] > JOIN_DISTANCE) & (
+    crosses = (cross.along[:, 0] > JOIN_DISTANCE) & (
         cross.along[:, 1] < size[cross.curve] - JOIN_DISTANCE
     )
-    whole &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
-    which = np.concatenate([np.arange(len(curve)), on.edge[inner], cross.edge[whole]])
-    at = np.concatenate([nothing, on.place[inner, 0], (0.5 * (low + high))[whole]])
-    order = np.lexsort((at, which))
-    which, at = which[order].astype(np.int64), at[order]
-    last = np.append(which[1:] != which[:-1], True)[: len(which)]
-    until = np.where(last, size[which], np.append(at[1:], 0.0)[: len(at)])
-    some = (until - at > JOIN_DISTANCE) | (last & (at == 0.0))
-    which, at, until = which[some], at[some], until[some]
-    piece = curve[which].copy()
+    crosses &= (low > JOIN_DISTANCE) & (high < size[cross.edge] - JOIN_DISTANCE)
+    owner = np.concatenate([np.arange(len(curve)), touches.edge[inner], cross.edge[crosses]])
+    position = np.concatenate([nothing, touches.place[inner, 0], (0.5 * (low + high))[crosses]])
+    order = np.lexsort((position, owner))
+    owner, position = owner[order].astype(np.int64), position[order]
+    last = np.append(owner[1:] != owner[:-1], True)[: len(owner)]
+    stop = np.where(last, size[owner], np.append(position[1:], 0.0)[: len(position)])
+    long_enough = (stop - position > JOIN_DISTANCE) | (last & (position == 0.0))
+    owner, position, stop = owner[long_enough], position[long_enough], stop[long_enough]
+    piece = curve[owner].copy()
     straight = piece[:, 0] == 0.0
-    moved = point_at(piece, at)
+    moved = point_at(piece, position)
     piece[straight, 1:3] = moved[straight]
-    turned = piece[:, 0] * at / np.where(straight, 1.0, piece[:, 3])
+    turned = piece[:, 0] * position / np.where(straight, 1.0, piece[:, 3])
     piece[~straight, 4] += turned[~straight]
-    piece[:, 5] = until - at
-    return piece, which, at
+    piece[:, 5] = stop - position
+    return piece, owner, position
 
 
 def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tuple[I64, int]:
@@ -243,10 +249,10 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     face_of = np.where(outside, 0, np.cumsum(~outside))
     component_of = np.zeros(len(outside), np.int64)
     component_of[cycle] = component[:, None]
-    around = _enclosing_faces(
+    enclosing = _enclosing_faces(
         np.argsort(probe[:, 0], kind="stable"), beside, outside, component_of, face_of
     )
-    face: I64 = np.where(outside, around[component_of], face_of)[cycle]
+    face: I64 = np.where(outside, enclosing[component_of], face_of)[cycle]
     return face, int((~outside).sum()) + 1
 
 
@@ -266,16 +272,16 @@ def _enclosing_faces(
         For each of w cycles: whether it runs round the outside of a component, the index of its
         component, and the index of its face.
     """
-    around = np.zeros(len(order), np.int64)
+    enclosing = np.zeros(len(order), np.int64)
     for c in order:
         beside_cycle = beside[c]
         if beside_cycle >= 0:
-            around[c] = (
-                around[component_of[beside_cycle]]
+            enclosing[c] = (
+                enclosing[component_of[beside_cycle]]
                 if outside[beside_cycle]
                 else face_of[beside_cycle]
             )
-    return around
+    return enclosing
 
 
 def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I64, Bool]:
@@ -314,7 +320,7 @@ def _search_left(
     tall: int,
 ) -> Any:
     first = np.zeros(wide * tall + 1, np.int64)
-    seen = np.full(wide * tall, -1, np.int64)
+    searched_for = np.full(wide * tall, -1, np.int64)
     cells = np.empty(1024, np.int64)
     listed = np.empty(0, np.int32)
     for writes in range(2):
@@ -322,9 +328,9 @@ def _search_left(
             cells, many = cells_near_curve(curve[i], 1e-6, corner, size, wide, tall, cells)
             for k in range(many):
                 cell = cells[k]
-                if seen[cell] == 2 * i + writes:
+                if searched_for[cell] == 2 * i + writes:
                     continue
-                seen[cell] = 2 * i + writes
+                searched_for[cell] = 2 * i + writes
                 if writes:
                     first[cell] -= 1
                     listed[first[cell]] = i
@@ -349,9 +355,9 @@ def _search_left(
                 i = listed[k]
                 if owner[i] == own[p] and own[p] >= 0:
                     continue
-                at, up = _crossing_left(curve[i], x, y)
-                if at > best:
-                    best, met[p], rising[p] = at, i, up
+                crossing_x, up = _crossing_left(curve[i], x, y)
+                if crossing_x > best:
+                    best, met[p], rising[p] = crossing_x, i, up
             if met[p] >= 0 and best >= corner[0] + column * size:
                 break
             column -= 1
@@ -369,18 +375,18 @@ def _crossing_left(curve: F64_1, x: float, y: float) -> Any:
     if curve[0] == 0.0:
         y1 = curve[2] + curve[4] * curve[5]
         if (curve[2] > y) != (y1 > y):
-            at = curve[1] + (y - curve[2]) / curve[4] * curve[3]
-            if at < x:
-                best, up = at, curve[4] > 0.0
+            crossing_x = curve[1] + (y - curve[2]) / curve[4] * curve[3]
+            if crossing_x < x:
+                best, up = crossing_x, curve[4] > 0.0
         return best, up
     rise = curve[3] * curve[3] - (y - curve[2]) ** 2
     if rise <= 0.0:
         return best, up
     half = math.sqrt(rise)
     for sign in (-1.0, 1.0):
-        at = curve[1] + sign * half
+        crossing_x = curve[1] + sign * half
         turn = (math.atan2(y - curve[2], sign * half) - curve[4]) * curve[0] % (2.0 * math.pi)
-        if best < at < x and turn * curve[3] <= curve[5]:
+        if best < crossing_x < x and turn * curve[3] <= curve[5]:
             # The right half of an anticlockwise circle runs upwards.
-            best, up = at, sign * curve[0] > 0.0
+            best, up = crossing_x, sign * curve[0] > 0.0
     return best, up

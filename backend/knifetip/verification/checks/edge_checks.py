@@ -31,8 +31,10 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
 
     Findings, and the measured figures of each edge, are added to ``context``.
     """
-    held = {expected_tool(station.tool).through_kind for station in context.machine.stations}
-    knives, cutters = OperationKind.CUT in held, OperationKind.MILL in held
+    cutting_kinds = {
+        expected_tool(station.tool).through_kind for station in context.machine.stations
+    }
+    knives, cutters = OperationKind.CUT in cutting_kinds, OperationKind.MILL in cutting_kinds
     for operation, kinds in WORKED_TYPES.items():
         edges = context.edges.with_types(*kinds)
         if operation == OperationKind.CUT and cutters and not knives:
@@ -44,9 +46,13 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
         rows = np.flatnonzero(work.operation == operation)
         owner = _edge_stations(work, rows, edges, context.tolerance)
         for station in np.unique(work.station[rows]) if len(rows) else (-1,):
-            mine = rows[work.station[rows] == station]
+            station_rows = rows[work.station[rows] == station]
             _CHECKS[operation](
-                context, work, mine, operation, edges.select(np.flatnonzero(owner == station))
+                context,
+                work,
+                station_rows,
+                operation,
+                edges.select(np.flatnonzero(owner == station)),
             ).run()
         # An edge that is drawn twice is cut or creased once; both rows get its figures.
         context.figures.copy_rows(first, twin)
@@ -88,12 +94,12 @@ class _MillingStationCheck(StationCheck):
     """
 
     def check(self) -> None:
-        held = self.context.machine.stations[int(self.station[0])] if len(self.station) else None
-        if held is None or expected_tool(held.tool).disc is None:
+        station = self.context.machine.stations[int(self.station[0])] if len(self.station) else None
+        if station is None or expected_tool(station.tool).disc is None:
             self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
             return
         centres = CentrePaths(self.curve, self.z, self.track, self.line, self.blend)
-        check_milling(self.context, self.edges, centres, held, self.slack)
+        check_milling(self.context, self.edges, centres, station, self.slack)
 
 
 _CHECKS: Final[dict[OperationKind, type[StationCheck]]] = {

@@ -70,10 +70,10 @@ class GrooveCheck(StationCheck):
         self.check_heading(overlaps, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
         self._check_flanks(overlaps, final, blade, wide)
         self._check_cuts_beside(drawn, blade)
-        worked = np.zeros(len(self.edges), np.bool_)
-        worked[overlaps.edge[overlaps.best]] = True
+        is_grooved = np.zeros(len(self.edges), np.bool_)
+        is_grooved[overlaps.edge[overlaps.best]] = True
         inside = ~(boundary | groove_continues(self.edges).reshape(-1, 2)).all(axis=1)
-        past: F64 = np.where(worked & inside, 2.0 * blade.half_width, 0.0)
+        past: F64 = np.where(is_grooved & inside, 2.0 * blade.half_width, 0.0)
         self.record_overcut(np.arange(len(self.edges)), past)
         limit = self.context.board.groove_overcut
         for edge in np.flatnonzero(past > limit + self.tolerance)[:MAX_FINDINGS]:
@@ -149,10 +149,10 @@ class GrooveCheck(StationCheck):
         if step <= 0.0:
             return
         deep = self.context.board.caliper - self.z
-        which, spans = too_deep_spans(self.curve, deep, step, self.tolerance, one_way=True)
+        path_rows, spans = too_deep_spans(self.curve, deep, step, self.tolerance, one_way=True)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            row = int(which[k])
+            row = int(path_rows[k])
             self.add_finding(
                 "depth",
                 -1,
@@ -186,15 +186,15 @@ class GrooveCheck(StationCheck):
             Greatest permitted error of the distance, for each edge.
         """
         size = np.abs(np.diff(overlaps.place)[:, 0])
-        which = np.flatnonzero(overlaps.best & final & (size > SHORT))
-        work, edge = overlaps.curve[which], overlaps.edge[which]
-        forward = overlaps.place[which, 1] > overlaps.place[which, 0]
+        rows = np.flatnonzero(overlaps.best & final & (size > SHORT))
+        work, edge = overlaps.curve[rows], overlaps.edge[rows]
+        forward = overlaps.place[rows, 1] > overlaps.place[rows, 0]
         deep = self.context.board.caliper - self.z[work]
         lean = (deep - self.depth[edge]) * blade.slope
-        error = np.zeros(len(which))
+        error = np.zeros(len(rows))
         for side in range(2):
             left = left_distance(
-                self.curve[work], overlaps.along[which, side], self.edges.curve[edge]
+                self.curve[work], overlaps.along[rows, side], self.edges.curve[edge]
             )
             right = np.where(forward, -left, left) + lean
             error = np.where(np.abs(right) > np.abs(error), right, error)
@@ -226,20 +226,20 @@ class GrooveCheck(StationCheck):
         """
         cuts = self.context.edges.with_types(LineType.CUT)
         reach = self.context.board.groove_depth * blade.slope
-        out = self.before[:, None] - self.spare
-        out[:, 1] = self.size - drawn.curve[:, 5] - self.before - self.spare[:, 1]
-        damaged = damaged_cuts(drawn, cuts, reach, out)
-        through = reach - damaged.nearest
-        for k in np.flatnonzero(through > self.tolerance)[:MAX_FINDINGS]:
+        run_out = self.before[:, None] - self.spare
+        run_out[:, 1] = self.size - drawn.curve[:, 5] - self.before - self.spare[:, 1]
+        damaged = damaged_cuts(drawn, cuts, reach, run_out)
+        excess = reach - damaged.nearest
+        for k in np.flatnonzero(excess > self.tolerance)[:MAX_FINDINGS]:
             self.add_finding(
                 "overcut",
                 int(damaged.groove[k]),
                 Message(
                     "verify.flank-through-cut",
-                    depth=through[k],
+                    depth=excess[k],
                     edge=cuts.row[damaged.cut[k]],
                     distance=damaged.nearest[k],
                     place=damaged.place[k],
                 ),
-                float(through[k]),
+                float(excess[k]),
             )

@@ -35,7 +35,7 @@ class DamagedCuts:
     nearest: F64  #: (k,) mm, smallest distance of the cut from the groove's line
 
 
-def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> DamagedCuts:
+def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> DamagedCuts:
     """Return the pairs of a groove and a cut inside the groove's strip in the top face.
 
     The strip covers ``reach`` on both sides of the groove's line.  If a cut meets that line within
@@ -48,7 +48,7 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
         The n V-grooves, and the cuts, as drawn.
     reach : mm
         Distance from a groove's line to its flanks in the top face.
-    out : (n, 2) mm
+    run_out : (n, 2) mm
         Required run-out of each groove past its start and past its end.
     """
     margin = 2.0 * reach
@@ -58,10 +58,10 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, out: F64) -> Damaged
     near = np.unique(find_overlaps(cuts.curve, strip, nothing, size, reach + CHORD_ERROR).curve)
     pieces, owner = _flatten(cuts.curve, near.astype(np.int64))
 
-    zone = np.maximum(margin, 1.001 * out) + TOUCH_DISTANCE
-    on = find_overlaps(pieces, strip, nothing, size, TOUCH_DISTANCE)
-    groove = on.edge.astype(np.int64)
-    low, high = np.sort(on.place, axis=1).T
+    zone = np.maximum(margin, 1.001 * run_out) + TOUCH_DISTANCE
+    touches = find_overlaps(pieces, strip, nothing, size, TOUCH_DISTANCE)
+    groove = touches.edge.astype(np.int64)
+    low, high = np.sort(touches.place, axis=1).T
     met = np.zeros((len(strip), 2), np.bool_)
     met[groove[low - before[groove] <= zone[groove, 0]], 0] = True
     met[groove[high - before[groove] >= (drawn - zone[:, 1])[groove]], 1] = True
@@ -93,35 +93,35 @@ def _nearest_points(
         n grooves lengthened at both ends, in the same format, and the length added at the start of
         each (mm).
     """
-    share = np.linspace(0.0, 1.0, SAMPLE_COUNT)
-    aside = np.stack(
+    fraction = np.linspace(0.0, 1.0, SAMPLE_COUNT)
+    offset = np.stack(
         [
             left_distance(
                 pieces[overlaps.curve], overlaps.along @ (1.0 - s, s), strip[overlaps.edge]
             )
-            for s in share
+            for s in fraction
         ],
         axis=1,
     )
-    place = overlaps.place[:, :1] * (1.0 - share) + overlaps.place[:, 1:] * share
+    place = overlaps.place[:, :1] * (1.0 - fraction) + overlaps.place[:, 1:] * fraction
     pair, group = np.unique(
         np.stack([overlaps.edge.astype(np.int64), owner[overlaps.curve]], axis=1),
         axis=0,
         return_inverse=True,
     )
     group = group.reshape(-1)
-    left, right = _group_extremes(aside, group, len(pair))
+    left, right = _group_extremes(offset, group, len(pair))
     first, last = _group_extremes(place, group, len(pair))
     crosses = (left <= 0.0) & (right >= 0.0)
     across: Bool = crosses & (last - first <= right - left)
     # A cut with points on both sides of the line touches the line.
-    least = np.abs(aside).min(axis=1)
-    least[(aside.min(axis=1) <= 0.0) & (aside.max(axis=1) >= 0.0)] = 0.0
+    least = np.abs(offset).min(axis=1)
+    least[(offset.min(axis=1) <= 0.0) & (offset.max(axis=1) >= 0.0)] = 0.0
     order = np.lexsort((least, group))
     best = order[np.unique(group[order], return_index=True)[1]][~across]
     pair = pair[~across]
-    at = place[best, np.argmin(np.abs(aside[best]), axis=1)]
-    return DamagedCuts(pair[:, 0], pair[:, 1], at - before[pair[:, 0]], least[best])
+    position = place[best, np.argmin(np.abs(offset[best]), axis=1)]
+    return DamagedCuts(pair[:, 0], pair[:, 1], position - before[pair[:, 0]], least[best])
 
 
 def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:

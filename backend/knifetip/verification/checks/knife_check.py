@@ -40,25 +40,25 @@ class KnifeCheck(StationCheck):
             self._check_half_cuts()
 
     def _check_cuts(self) -> None:
-        into = self.context.machine.into_mat
+        into_mat = self.context.machine.into_mat
         caliper = self.context.board.caliper
-        self.depth[:] = caliper + into
-        self._check_work(caliper + into, caliper)
+        self.depth[:] = caliper + into_mat
+        self._check_work(caliper + into_mat, caliper)
 
     def _check_half_cuts(self) -> None:
         depth = self.context.board.half_cut_depth
         self.depth[:] = depth
         self._check_work(depth, depth)
 
-    def _check_work(self, leads: float, runs: float) -> None:
+    def _check_work(self, lead_depth: float, overrun_depth: float) -> None:
         """Compare the knife's tip paths with the edges; add findings and figures.
 
         Parameters
         ----------
-        leads : mm
+        lead_depth : mm
             Depth of the tip below the top face.  The lead, the length by which the blade cuts the
             top face ahead of its tip, is this depth times tan(slant).
-        runs : mm
+        overrun_depth : mm
             Depth from which the planned overrun past an end that meets a cut is computed, also by
             multiplying with tan(slant).
         """
@@ -66,38 +66,44 @@ class KnifeCheck(StationCheck):
         slant = math.tan(math.radians(blade.blade_angle)) if blade else 0.0
         cuts = self.context.edges.with_types(LineType.CUT)
         perforated = np.isin(self.edges.line_type, (LineType.PERFORATION, LineType.COMBI))
-        solid = np.flatnonzero(~perforated)
-        whole = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
-        ring = find_outlines(whole).outer if self._needs_bridges else None
-        ends = knife_ends(whole, cuts, leads * slant, runs * slant, ring)
-        rounds = self._paths_with_bridges(whole, ends.paths)
-        held = np.zeros(len(self.edges), np.bool_)
-        held[solid[rounds[ends.paths.path]]] = True
+        solid_rows = np.flatnonzero(~perforated)
+        solid_edges = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
+        ring = find_outlines(solid_edges).outer if self._needs_bridges else None
+        ends = knife_ends(solid_edges, cuts, lead_depth * slant, overrun_depth * slant, ring)
+        rounds = self._paths_with_bridges(solid_edges, ends.paths)
+        has_bridges = np.zeros(len(self.edges), np.bool_)
+        has_bridges[solid_rows[rounds[ends.paths.path]]] = True
         if blade and self.operation == OperationKind.CUT:
             self._remove_leads(blade)
         overlaps = self.match_edges()
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
         dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True
-        dashed |= self._tracks_along(overlaps, held)
-        over = check_track_ends(self, whole, solid, ends, dashed, leads * slant, runs * slant)
+        dashed |= self._tracks_along(overlaps, has_bridges)
+        over = check_track_ends(
+            self, solid_edges, solid_rows, ends, dashed, lead_depth * slant, overrun_depth * slant
+        )
         # An overrun crosses other edges, but it does not cut along them.
-        until = overrun_starts(self, over)
-        overlaps = mark_nearest(overlaps, self.curve, until)
+        overrun_start = overrun_starts(self, over)
+        overlaps = mark_nearest(overlaps, self.curve, overrun_start)
         self.check_position(overlaps)
-        check_stray_work(self, overlaps, until)
-        self.check_uncut(overlaps, np.flatnonzero(~perforated & ~held))
-        if held.any():
-            self._check_bridge_gaps(overlaps, whole, solid, ends.paths, rounds, leads * slant)
+        check_stray_work(self, overlaps, overrun_start)
+        self.check_uncut(overlaps, np.flatnonzero(~perforated & ~has_bridges))
+        if has_bridges.any():
+            self._check_bridge_gaps(
+                overlaps, solid_edges, solid_rows, ends.paths, rounds, lead_depth * slant
+            )
         if perforated.any():
             self._check_perforations(
                 overlaps,
                 np.flatnonzero(perforated),
-                dashed & ~self._tracks_along(overlaps, held),
-                leads * slant,
+                dashed & ~self._tracks_along(overlaps, has_bridges),
+                lead_depth * slant,
             )
         if blade:
             self.check_heading(overlaps, np.full(len(self.z), blade.blade_width), 360.0)
-            self._record_faces(overlaps, over, leads * slant, (leads - runs) * slant)
+            self._record_faces(
+                overlaps, over, lead_depth * slant, (lead_depth - overrun_depth) * slant
+            )
 
     def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:
         """Record the uncut length of each edge in the bottom face, and its overcut in the top face.
@@ -118,19 +124,21 @@ class KnifeCheck(StationCheck):
         work, edge = overlaps.curve, overlaps.edge
         low, high = overlaps.place.min(axis=1), overlaps.place.max(axis=1)
         forward = overlaps.place[:, 1] > overlaps.place[:, 0]
-        until = self.curve[work, 5] - over[self.track[work]]
-        ends = overlaps.best & last[work] & (np.abs(overlaps.along[:, 1] - until) <= SHORT)
+        overrun_start = self.curve[work, 5] - over[self.track[work]]
+        ends = overlaps.best & last[work] & (np.abs(overlaps.along[:, 1] - overrun_start) <= SHORT)
         ends &= np.diff(overlaps.along)[:, 0] > SHORT
         ahead = np.where(ends, bottom + over[self.track[work]], 0.0)
         size = self.size[edge]
         keep = overlaps.best
-        bare = uncovered_edges(
+        uncovered = uncovered_edges(
             edge[keep].astype(np.int64),
             np.where(forward, low, low - ahead)[keep],
             np.where(forward, high + ahead, high)[keep],
             self.size,
         )
-        np.add.at(self.figures.bottom_uncut, self.edges.row[bare[0]], bare[2] - bare[1])
+        np.add.at(
+            self.figures.bottom_uncut, self.edges.row[uncovered[0]], uncovered[2] - uncovered[1]
+        )
         short = np.where(forward, size - high, low)
         past = np.where(ends, top + over[self.track[work]] - short, 0.0)
         goes_on = continues_straight(self.edges)[2 * edge.astype(np.int64) + forward]
@@ -151,40 +159,40 @@ class KnifeCheck(StationCheck):
             and board.bridge_spacing > 0.0
         )
 
-    def _paths_with_bridges(self, whole: Edges, paths: EdgePaths) -> Bool:
+    def _paths_with_bridges(self, solid_edges: Edges, paths: EdgePaths) -> Bool:
         """Return the mask of the closed paths of edges that must have bridges, shape (c,).
 
-        ``paths`` are c paths, and ``whole`` are the edges that form them.
+        ``paths`` are c paths, and ``solid_edges`` are the edges that form them.
         """
         result = np.zeros(len(paths.length), np.bool_)
         if self._needs_bridges:
             result |= paths.first < 0
-            inner = ~find_outlines(whole).outer
+            inner = ~find_outlines(solid_edges).outer
             result[paths.path[inner]] = False
         return result
 
-    def _tracks_along(self, overlaps: Overlaps, some: Bool) -> Bool:
+    def _tracks_along(self, overlaps: Overlaps, marked: Bool) -> Bool:
         """Return the mask of the t tracks that follow marked edges for more than half of their
         length, (t,).
 
         A track is a chain of tip paths between two lifts.  ``overlaps`` are the overlaps of the tip
-        paths with all n edges; ``some`` is the mask of the marked edges, (n,).
+        paths with all n edges; ``marked`` is the mask of the marked edges, (n,).
         """
         count = int(self.track.max(initial=-1)) + 1
         size = np.bincount(self.track, self.curve[:, 5], minlength=count)
-        mine = overlaps.best & some[overlaps.edge]
-        along = np.diff(overlaps.along[mine])[:, 0]
-        on = np.bincount(self.track[overlaps.curve[mine]], along, minlength=count)
-        result: Bool = on > 0.5 * size
+        counted = overlaps.best & marked[overlaps.edge]
+        along = np.diff(overlaps.along[counted])[:, 0]
+        length_along = np.bincount(self.track[overlaps.curve[counted]], along, minlength=count)
+        result: Bool = length_along > 0.5 * size
         return result
 
     def _check_bridge_gaps(
         self,
         overlaps: Overlaps,
-        whole: Edges,
-        solid: I64,
+        solid_edges: Edges,
+        solid_rows: I64,
         paths: EdgePaths,
-        rounds: Bool,
+        required: Bool,
         lead: float,
     ) -> None:
         """Check the width, number and spacing of bridges, and their distance from corners; add
@@ -194,37 +202,41 @@ class KnifeCheck(StationCheck):
         ----------
         overlaps
             Overlaps of the tip paths with all edges of this check.
-        whole, solid
+        solid_edges, solid_rows
             Edges that may have bridges, and the index of each among all edges of this check.
         paths
-            The c paths that the edges ``whole`` form.
-        rounds : (c,)
+            The c paths that the edges ``solid_edges`` form.
+        required : (c,)
             Mask of the paths that must have bridges.
         lead : mm
             Length by which the blade cuts the top face ahead of its tip.
         """
         board = self.context.board
         place = np.full(len(self.edges), -1, np.int32)
-        place[solid] = np.arange(len(solid))
-        found = find_bridges(
+        place[solid_rows] = np.arange(len(solid_rows))
+        bridges = find_bridges(
             replace(
                 overlaps,
                 edge=place[overlaps.edge],
                 best=overlaps.best & (place[overlaps.edge] >= 0),
             ),
             paths,
-            rounds,
-            whole,
+            required,
+            solid_edges,
             lead,
         )
-        edge = paths.locate(found.path, found.middle, whole.curve)[0]
-        np.add.at(self.figures.setback, whole.row[edge], np.minimum(found.bare, lead + found.width))
-        wide = found.width - board.bridge_width
-        np.add.at(self.figures.uncut, whole.row[edge], np.where(wide > self.slack, wide, 0.0))
-        for kind, at, message, measure in check_bridges(
-            found, paths, whole, rounds, board, self.slack
+        edge = paths.locate(bridges.path, bridges.middle, solid_edges.curve)[0]
+        np.add.at(
+            self.figures.setback,
+            solid_edges.row[edge],
+            np.minimum(bridges.bare, lead + bridges.width),
+        )
+        wide = bridges.width - board.bridge_width
+        np.add.at(self.figures.uncut, solid_edges.row[edge], np.where(wide > self.slack, wide, 0.0))
+        for kind, edge_row, message, measure in check_bridges(
+            bridges, paths, solid_edges, required, board, self.slack
         ):
-            self.add_finding(kind, int(solid[at]), message, measure)
+            self.add_finding(kind, int(solid_rows[edge_row]), message, measure)
 
     def _remove_leads(self, blade: Knife) -> None:
         """Check the headings on lead-ins and lead-outs, and then remove the tip paths of these from
@@ -247,48 +259,52 @@ class KnifeCheck(StationCheck):
             new[1:] = track[1:] != track[:-1]
             total = np.cumsum(length[order])
             before = (total - length[order])[new][np.cumsum(new) - 1]
-            done = total - before
-            mine = order[done <= lead + self.slack]
+            track_length = total - before
+            lead_rows = order[track_length <= lead + self.slack]
             # A lead starts in waste, away from every cut, and ends on an outer cut.
-            ends = [point_at(self.curve[mine], np.zeros(len(mine)))]
-            ends.append(point_at(self.curve[mine], length[mine]))
+            ends = [point_at(self.curve[lead_rows], np.zeros(len(lead_rows)))]
+            ends.append(point_at(self.curve[lead_rows], length[lead_rows]))
             far, near = (ends[1], ends[0]) if last else (ends[0], ends[1])
-            on = np.zeros(len(mine), np.bool_)
-            on[find_overlaps(line_curves(far, far), cuts, nothing, size, self.tolerance).curve] = (
-                True
-            )
-            waste = ~on & (count_enclosing(far, bounds) % 2 == 0)
-            meets = np.zeros(len(mine), np.bool_)
+            on_cut = np.zeros(len(lead_rows), np.bool_)
+            on_cut[
+                find_overlaps(line_curves(far, far), cuts, nothing, size, self.tolerance).curve
+            ] = True
+            waste = ~on_cut & (count_enclosing(far, bounds) % 2 == 0)
+            meets = np.zeros(len(lead_rows), np.bool_)
             touch = find_overlaps(line_curves(near, near), cuts, nothing, size, self.tolerance)
             meets[touch.curve[bounds.outer[touch.edge]]] = True
-            whole = np.abs(done[done <= lead + self.slack] - lead) <= self.slack
+            has_full_length = (
+                np.abs(track_length[track_length <= lead + self.slack] - lead) <= self.slack
+            )
             complete = np.zeros(int(self.track.max()) + 1, np.bool_)
-            complete[self.track[mine[whole & meets & waste]]] = True
+            complete[self.track[lead_rows[has_full_length & meets & waste]]] = True
             bad = np.zeros(len(complete), np.bool_)
-            bad[self.track[mine[~waste]]] = True
-            led = (complete & ~bad)[self.track[mine]]
-            keep[mine[led]] = False
+            bad[self.track[lead_rows[~waste]]] = True
+            led = (complete & ~bad)[self.track[lead_rows]]
+            keep[lead_rows[led]] = False
         self._check_lead_headings(np.flatnonzero(~keep), blade)
         self.curve, self.z, self.heading = self.curve[keep], self.z[keep], self.heading[keep]
         self.station, self.line = self.station[keep], self.line[keep]
         self.blend = self.blend[keep]
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
-    def _check_lead_headings(self, which: I64, blade: Knife) -> None:
+    def _check_lead_headings(self, path_rows: I64, blade: Knife) -> None:
         """Check that the blade is parallel to its path on lead-ins and lead-outs.
 
-        A blade turned across its path tears the board.  ``which`` are the indices of the tip paths
-        of lead-ins and lead-outs.
+        A blade turned across its path tears the board.  ``path_rows`` are the indices of the tip
+        paths of lead-ins and lead-outs.
         """
-        off = np.zeros(len(which))
-        for side, along in enumerate((np.zeros(len(which)), self.curve[which, 5])):
-            own = azimuth_at(self.curve[which], along)
-            off = np.maximum(off, angle_between(self.heading[which, side], own))
-        reach = np.full(len(which), blade.blade_width)
-        self.check_swing(off, reach, np.zeros(len(which)), which, np.full(len(which), -1))
+        error = np.zeros(len(path_rows))
+        for side, along in enumerate((np.zeros(len(path_rows)), self.curve[path_rows, 5])):
+            own = azimuth_at(self.curve[path_rows], along)
+            error = np.maximum(error, angle_between(self.heading[path_rows, side], own))
+        reach = np.full(len(path_rows), blade.blade_width)
+        self.check_swing(
+            error, reach, np.zeros(len(path_rows)), path_rows, np.full(len(path_rows), -1)
+        )
 
     def _check_perforations(
-        self, overlaps: Overlaps, which: I64, dashed: Bool, lead: float
+        self, overlaps: Overlaps, edge_rows: I64, dashed: Bool, lead: float
     ) -> None:
         """Check the lengths of the cuts of perforations and of the gaps between these cuts; add
         findings.
@@ -299,7 +315,7 @@ class KnifeCheck(StationCheck):
         ----------
         overlaps
             Overlaps of the tip paths with the edges.
-        which
+        edge_rows
             Indices of the perforated edges.
         dashed
             Mask of the tracks that are cuts of perforations.  A track is a chain of tip paths
@@ -309,9 +325,9 @@ class KnifeCheck(StationCheck):
         """
         cut, gap = self.context.board.perforation
         perforated = np.zeros(len(self.edges), np.bool_)
-        perforated[which] = True
+        perforated[edge_rows] = True
         keep = np.flatnonzero(perforated[overlaps.edge])
-        gaps, edge, begin, line = self.edge_gaps(overlaps, keep, which)
+        gaps, edge, begin, line = self.edge_gaps(overlaps, keep, edge_rows)
         wide = gaps > gap + lead + self.slack
         np.add.at(self.figures.uncut, self.edges.row[edge[wide]], gaps[wide])
         for row in np.flatnonzero(wide)[:MAX_FINDINGS]:

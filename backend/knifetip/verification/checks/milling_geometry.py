@@ -33,19 +33,19 @@ def spans_near_points(curve: F64, point: F64, limit: float) -> tuple[F64, F64]:
     radius = np.where(straight, 1.0, curve[:, 3])
     foot = (to * curve[:, 3:5]).sum(axis=1)
     square = limit**2 - np.where(straight, (to**2).sum(axis=1) - foot**2, 0.0)
-    away = np.maximum(np.hypot(*to.T), EPSILON)
-    cosine = (radius**2 + away**2 - limit**2) / (2.0 * radius * away)
+    distance = np.maximum(np.hypot(*to.T), EPSILON)
+    cosine = (radius**2 + distance**2 - limit**2) / (2.0 * radius * distance)
     turn = np.arccos(np.clip(cosine, -1.0, 1.0)) * radius
     turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
     middle = 0.5 * curve[:, 5] / radius
     turned = ((turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle) * radius
-    at = np.where(straight, foot, turned)
+    position = np.where(straight, foot, turned)
     half = np.where(straight, np.sqrt(np.maximum(square, 0.0)), turn)
     half = np.where(np.where(straight, square <= 0.0, cosine >= 1.0), -1.0, half)
     # All of the circle is within the distance.
     half = np.where(~straight & (cosine <= -1.0), np.inf, half)
-    low = np.where(half < 0.0, 1.0, np.maximum(at - half, 0.0))
-    return low, np.where(half < 0.0, 0.0, np.minimum(at + half, curve[:, 5]))
+    low = np.where(half < 0.0, 1.0, np.maximum(position - half, 0.0))
+    return low, np.where(half < 0.0, 0.0, np.minimum(position + half, curve[:, 5]))
 
 
 def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Iterator[F64]:
@@ -75,8 +75,8 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
         turned = curve[:, 0] * (towards + half - curve[:, 4]) % (2.0 * np.pi)
         yield np.clip(np.where(straight, foot, turned * curve[:, 3]), low, high)
     if not round_:
-        for share in np.linspace(0.0, 1.0, 9)[1:-1]:
-            yield low + (high - low) * share
+        for fraction in np.linspace(0.0, 1.0, 9)[1:-1]:
+            yield low + (high - low) * fraction
 
 
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
@@ -95,8 +95,8 @@ def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
     turned = curve[:, 0] * (np.arctan2(to[:, 1], to[:, 0]) - curve[:, 4])
     middle = 0.5 * curve[:, 5] / np.where(straight, 1.0, curve[:, 3])
     turned = (turned - middle + np.pi) % (2.0 * np.pi) - np.pi + middle
-    at = np.where(straight, line, turned * curve[:, 3])
-    result: F64 = np.clip(at, 0.0, curve[:, 5])
+    position = np.where(straight, line, turned * curve[:, 3])
+    result: F64 = np.clip(position, 0.0, curve[:, 5])
     return result
 
 
@@ -116,11 +116,11 @@ def disc_penetration(points: F64, edge: F64, reach: F64) -> F64:
     to = points - edge[:, 1:3]
     straight = edge[:, 0] == 0.0
     normal = np.where(straight[:, None], edge[:, [4, 3]] * (-1.0, 1.0), 0.0)
-    off = np.abs((normal * to).sum(axis=1))
-    flat = (normal**2 * reach).sum(axis=1) - off
+    line_distance = np.abs((normal * to).sum(axis=1))
+    flat = (normal**2 * reach).sum(axis=1) - line_distance
     # Beside an arc the path of the centre is an ellipse with these half-axes.
-    away = np.hypot(*to.T)
-    outer = away >= edge[:, 3]
+    distance = np.hypot(*to.T)
+    outer = distance >= edge[:, 3]
     axes = edge[:, 3, None] + np.where(outer, 1.0, -1.0)[:, None] * reach
     scaled = np.hypot(*(to / np.where(np.abs(axes) > EPSILON, axes, EPSILON)).T)
     size = np.abs(axes).min(axis=1)

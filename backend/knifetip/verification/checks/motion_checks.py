@@ -99,14 +99,14 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     least = np.maximum(np.where(swivel, 0.0, length / own), degrees / (60.0 * machine.c.velocity))
     minutes = np.where(moves.inverse, 1.0 / moves.feed, length / moves.feed)
     feeding = (moves.code > 0) & ~np.isnan(own) & ~np.isnan(length) & ~np.isnan(moves.feed)
-    off = np.abs(minutes - least) > TIME_TOLERANCE * least + np.where(
+    is_wrong = np.abs(minutes - least) > TIME_TOLERANCE * least + np.where(
         swivel, 0.0, LENGTH_TOLERANCE / own
     )
-    off &= ~((minutes <= MIN_MINUTES) & (minutes > least))
+    is_wrong &= ~((minutes <= MIN_MINUTES) & (minutes > least))
     # A move that is not timed has the feed of its F word.
     plain = ~moves.inverse
-    off = np.where(plain, np.abs(moves.feed - own) > FEED_TOLERANCE * own, off)
-    for row in np.flatnonzero(feeding & off)[:MAX_FINDINGS]:
+    is_wrong = np.where(plain, np.abs(moves.feed - own) > FEED_TOLERANCE * own, is_wrong)
+    for row in np.flatnonzero(feeding & is_wrong)[:MAX_FINDINGS]:
         number = _number(moves, machine, row)
         if moves.inverse[row]:
             message = Message(
@@ -152,11 +152,11 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findi
     wrong: list[tuple[Bool, Message]] = []
     extra = extra_outputs(machine)
     for index, station in enumerate(machine.stations):
-        mine = tip.inside & (moves.station == index)
+        inside = tip.inside & (moves.station == index)
         if station.output >= 0:
             wrong.append(
                 (
-                    mine & ~moves.lowered[:, index],
+                    inside & ~moves.lowered[:, index],
                     Message("verify.output-off", station=station.number, output=station.output),
                 )
             )
@@ -164,7 +164,7 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findi
             if other != index and rival.output >= 0:
                 wrong.append(
                     (
-                        mine & moves.lowered[:, other],
+                        inside & moves.lowered[:, other],
                         Message(
                             "verify.two-lowered",
                             station=station.number,
@@ -175,19 +175,19 @@ def check_outputs(moves: Moves, tip: TipPoses, machine: Machine, findings: Findi
                 )
         tool = expected_tool(station.tool)
         for output in tool.outputs:
-            on = moves.extra[:, extra.index(output)]
-            off = Message("verify.output-off", station=station.number, output=output)
-            wrong.append((mine & ~on, off))
+            is_on = moves.extra[:, extra.index(output)]
+            message_off = Message("verify.output-off", station=station.number, output=output)
+            wrong.append((inside & ~is_on, message_off))
         if tool.needs_spindle:
-            wrong.append((mine & ~moves.oscillating, Message(tool.stopped_code)))
+            wrong.append((inside & ~moves.oscillating, Message(tool.stopped_code)))
         else:
             running = Message("verify.oscillation-on", station=station.number)
-            wrong.append((mine & moves.oscillating, running))
+            wrong.append((inside & moves.oscillating, running))
     unchosen = (moves.station < 0) & (moves.code > 0)
     wrong.append((unchosen, Message("verify.no-station")))
-    for where, message in wrong:
+    for rows, message in wrong:
         # A state that lasts is one finding, where it begins.
-        begins = where & ~np.concatenate([[False], where[:-1]])
+        begins = rows & ~np.concatenate([[False], rows[:-1]])
         for row in np.flatnonzero(begins)[:MAX_FINDINGS]:
             findings.add("program", message, 0.0, line=moves.line[row])
 
@@ -224,12 +224,12 @@ def check_board_moves(
     drop = tip.end[:, 2] - tip.start[:, 2]
     slanted = stay & ~beam & (np.abs(drop) > LEVEL)
     top = np.minimum(np.maximum(tip.start[:, 2], tip.end[:, 2]), board.caliper)
-    share = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
+    fraction = np.divide(top - lowest, np.abs(drop), out=np.zeros(len(drop)), where=slanted)
     slope = np.array([expected_tool(station.tool).slope for station in machine.stations])
     heading = np.radians(tip.end[:, 3])
     right = np.stack([np.sin(heading), -np.cos(heading)], axis=1)
-    wanted = right * (drop * slope[moves.station])[:, None]
-    astray = np.hypot(*((tip.end - tip.start)[:, :2] - wanted).T) * share
+    planned = right * (drop * slope[moves.station])[:, None]
+    astray = np.hypot(*((tip.end - tip.start)[:, :2] - planned).T) * fraction
     for row in np.flatnonzero(slanted & ((astray > tolerance) | (moves.sweep != 0.0)))[
         :MAX_FINDINGS
     ]:
@@ -244,19 +244,19 @@ def _check_beam(moves: Moves, tip: TipPoses, beam: Bool, findings: Findings) -> 
 
     Adds findings.  ``beam`` is the mask of the n moves whose station carries a laser, (n,).
     """
-    on = beam & tip.inside
+    beam_on = beam & tip.inside
     distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
     drop = np.abs(tip.end[:, 2] - tip.start[:, 2])
-    for row in np.flatnonzero(on & (moves.code == 0))[:MAX_FINDINGS]:
+    for row in np.flatnonzero(beam_on & (moves.code == 0))[:MAX_FINDINGS]:
         message = Message("verify.beam-on-rapid", length=distance[row])
         findings.add("stray", message, distance[row], line=moves.line[row])
-    for row in np.flatnonzero(on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
+    for row in np.flatnonzero(beam_on & (moves.code > 0) & (drop > LEVEL))[:MAX_FINDINGS]:
         message = Message("verify.beam-refocused", height=drop[row])
         findings.add("depth", message, drop[row], line=moves.line[row])
 
 
 def _check_turns(
-    moves: Moves, tip: TipPoses, machine: Machine, stay: Bool, slanted: Bool, findings: Findings
+    moves: Moves, tip: TipPoses, machine: Machine, in_board: Bool, slanted: Bool, findings: Findings
 ) -> None:
     """Check that C turns by the same angle as the direction of travel in the board; add findings.
 
@@ -267,30 +267,30 @@ def _check_turns(
 
     Parameters
     ----------
-    stay, slanted : (n,)
+    in_board, slanted : (n,)
         Mask of the feed moves in the board, and mask of those feed moves that also change the
         height.
     """
-    held = [expected_tool(station.tool) for station in machine.stations]
-    widest = np.array([tool.swivel for tool in held])
-    max_turn = np.array([tool.max_turn for tool in held])
-    follows = np.array([tool.follows_path for tool in held])
+    tools = [expected_tool(station.tool) for station in machine.stations]
+    widest = np.array([tool.swivel for tool in tools])
+    max_turn = np.array([tool.max_turn for tool in tools])
+    follows = np.array([tool.follows_path for tool in tools])
     turn = tip.end[:, 3] - tip.start[:, 3]
     in_place = slanted | _resting_tips(moves, tip, machine)
     path = np.where(follows[moves.station] & ~in_place, np.degrees(moves.sweep), 0.0)
-    off = np.abs(turn - path)
+    error = np.abs(turn - path)
     limit = np.where(slanted, ANGLE_TOLERANCE, widest[moves.station])
     length = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    straight = stay & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
+    straight = in_board & ~in_place & (moves.sweep == 0.0) & (length > 0.0)
     # The angle of an arc over this chord with a sagitta of MAX_BOW.
     limit[straight] += np.degrees(8.0 * MAX_BOW / length[straight])
     limit = np.minimum(limit, max_turn[moves.station] + ANGLE_TOLERANCE)
-    for row in np.flatnonzero(stay & (off > limit))[:MAX_FINDINGS]:
+    for row in np.flatnonzero(in_board & (error > limit))[:MAX_FINDINGS]:
         if in_place[row]:
-            message = Message("verify.turn-in-board", degrees=off[row], most=limit[row])
+            message = Message("verify.turn-in-board", degrees=error[row], most=limit[row])
         else:
             message = Message("verify.turn-off-path", degrees=turn[row], path=path[row])
-        findings.add("heading", message, off[row], line=moves.line[row])
+        findings.add("heading", message, error[row], line=moves.line[row])
 
 
 def nominal_seconds(moves: Moves, machine: Machine) -> float:

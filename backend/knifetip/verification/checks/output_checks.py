@@ -107,7 +107,7 @@ def _check_heights(
     low = ~(height >= needed - PRINT_ROUNDING)
     # A beam does not touch the board, so it may be switched at any height.
     beams = np.array(
-        [expected_tool(held.tool).beam is not None for held in machine.stations] + [False]
+        [expected_tool(mounted.tool).beam is not None for mounted in machine.stations] + [False]
     )
     unused = (station < 0) & beams.any()
     low &= ~(switches.spindle & (beams[station] | unused))
@@ -126,8 +126,8 @@ def _check_lowered_alone(moves: Moves, machine: Machine, findings: Findings) -> 
     switches = moves.switches
     output = np.array([station.output for station in machine.stations])
     beside = switches.beside & (output != output[switches.lowers][:, None])
-    alone = ~beside.any(axis=1)
-    for row in np.flatnonzero((switches.lowers >= 0) & ~alone)[:MAX_FINDINGS]:
+    is_single = ~beside.any(axis=1)
+    for row in np.flatnonzero((switches.lowers >= 0) & ~is_single)[:MAX_FINDINGS]:
         other = machine.stations[int(np.argmax(beside[row]))]
         number = machine.stations[switches.lowers[row]].number
         line = int(switches.line[row])

@@ -48,6 +48,6 @@ def too_deep_spans(
         ready &= (
             angle_between(own, azimuth_at(curve[overlaps.edge], overlaps.place.mean(axis=1))) < 90.0
         )
-    kept = replace(overlaps, curve=overlaps.curve[ready], along=overlaps.along[ready])
-    which, spans = uncovered_curves(kept, curve[late])
-    return late[which].astype(np.int32), spans
+    earlier = replace(overlaps, curve=overlaps.curve[ready], along=overlaps.along[ready])
+    path_rows, spans = uncovered_curves(earlier, curve[late])
+    return late[path_rows].astype(np.int32), spans

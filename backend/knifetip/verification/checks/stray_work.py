@@ -23,7 +23,7 @@ from knifetip.verification.tools import OperationKind
 
 
 def check_stray_work(
-    check: StationCheck, overlaps: Overlaps, until: F64, past: float = 0.0
+    check: StationCheck, overlaps: Overlaps, checked_length: F64, max_outside: float = 0.0
 ) -> None:
     """Add findings for stretches of tip paths on no edge, or outside the limits of their edge.
 
@@ -36,41 +36,43 @@ def check_stray_work(
         added.
     overlaps
         Overlaps of the tip paths with the edges.
-    until : (n,) mm
+    checked_length : (n,) mm
         Length of each of n tip paths that is checked; the rest is a planned overrun.
-    past : mm
+    max_outside : mm
         Greatest length of a stretch outside the board that is permitted.
     """
-    which, spans = uncovered_curves(overlaps, check.curve)
-    spans[:, 1] = np.minimum(spans[:, 1], until[which])
-    point = check.curve[which, 5] < 1e-6
+    path_rows, spans = uncovered_curves(overlaps, check.curve)
+    spans[:, 1] = np.minimum(spans[:, 1], checked_length[path_rows])
+    point = check.curve[path_rows, 5] < 1e-6
     keep = point | (spans[:, 1] - spans[:, 0] > 1e-7)
-    if past > 0.0 and len(which):
+    if max_outside > 0.0 and len(path_rows):
         bounds = find_outlines(check.context.edges.with_types(LineType.CUT))
-        middle = point_at(check.curve[which], spans.mean(axis=1))
-        short = spans[:, 1] - spans[:, 0] <= past
+        middle = point_at(check.curve[path_rows], spans.mean(axis=1))
+        short = spans[:, 1] - spans[:, 0] <= max_outside
         keep &= ~(short & bounds.outer.any() & (count_enclosing(middle, bounds) == 0))
-    which, spans = which[keep], spans[keep]
-    if len(which) == 0:
+    path_rows, spans = path_rows[keep], spans[keep]
+    if len(path_rows) == 0:
         return
     size = spans[:, 1] - spans[:, 0]
-    track = check.track[which]
+    track = check.track[path_rows]
     # Join stretches that follow each other.
-    joined = np.zeros(len(which), np.bool_)
+    joined = np.zeros(len(path_rows), np.bool_)
     joined[1:] = (
-        (which[1:] == which[:-1] + 1)
+        (path_rows[1:] == path_rows[:-1] + 1)
         & (track[1:] == track[:-1])
         & (spans[1:, 0] <= 1e-7)
-        & (spans[:-1, 1] >= check.curve[which[:-1], 5] - 1e-7)
+        & (spans[:-1, 1] >= check.curve[path_rows[:-1], 5] - 1e-7)
     )
     first = np.flatnonzero(~joined)
     total: F64 = np.add.reduceat(size, first)
-    lone = check.curve[which[first], 5] < 1e-6
-    _report_stray(check, which, spans, first, total, np.flatnonzero((total > check.slack) | lone))
+    lone = check.curve[path_rows[first], 5] < 1e-6
+    _report_stray(
+        check, path_rows, spans, first, total, np.flatnonzero((total > check.slack) | lone)
+    )
 
 
 def _report_stray(
-    check: StationCheck, which: I32, spans: F64, first: I64, total: F64, bad: I64
+    check: StationCheck, path_rows: I32, spans: F64, first: I64, total: F64, bad: I64
 ) -> None:
     """Add a finding for each group of stretches that lie on no edge.
 
@@ -80,7 +82,7 @@ def _report_stray(
     ----------
     check
         The check of one station, to which the findings are added.
-    which, spans : (k,), (k, 2) mm
+    path_rows, spans : (k,), (k, 2) mm
         Index of the tip path of each of k stretches, and the stretch's start and end along it.
     first, total : (g,), (g,) mm
         Index of the first stretch of each of g groups of consecutive stretches, and the total
@@ -91,9 +93,9 @@ def _report_stray(
     bad = bad[:MAX_FINDINGS]
     if len(bad) == 0 or check.findings.full:
         return
-    curve, all_edges = check.curve[which[first[bad]]], check.context.edges
+    curve, all_edges = check.curve[path_rows[first[bad]]], check.context.edges
     nothing = np.zeros(len(check.edges))
-    on = find_overlaps(curve, check.edges.curve, nothing, check.size, check.tolerance)
+    touches = find_overlaps(curve, check.edges.curve, nothing, check.size, check.tolerance)
     near = find_overlaps(curve, check.edges.curve, nothing, check.size, NEAR_EDGE)
     other = find_overlaps(
         curve, all_edges.curve, np.zeros(len(all_edges)), all_edges.curve[:, 5], TOUCH_DISTANCE
@@ -101,9 +103,9 @@ def _report_stray(
     clear = check.context.board.end_clearance if check.operation == OperationKind.CREASE else 0.0
     tool = check.operation.tool
     for k, group in enumerate(bad):
-        line, length = int(check.line[which[first[group]]]), float(total[group])
+        line, length = int(check.line[path_rows[first[group]]]), float(total[group])
         span = spans[first[group]]
-        if (edge := _edge_along(on, k, span)) >= 0:
+        if (edge := _edge_along(touches, k, span)) >= 0:
             check.record_overcut(np.array([edge]), np.array([max(length - clear, 0.0)]))
             message = Message("verify.past-stop", tool=tool, length=length)
             check.add_finding("overcut", edge, message, length, line=line)
@@ -115,7 +117,7 @@ def _report_stray(
             message = Message("verify.beside-line", tool=tool, distance=measure)
             check.add_finding("deviation", edge, message, measure, line=line)
             continue
-        if (edge := _edge_touched(on, k, span)) >= 0:
+        if (edge := _edge_touched(touches, k, span)) >= 0:
             check.record_overcut(np.array([edge]), np.array([length]))
             message = Message("verify.past-end", tool=tool, length=length)
             check.add_finding("overcut", edge, message, length, line=line)
@@ -147,11 +149,11 @@ def _shared_lengths(overlaps: Overlaps, curve: int, span: F64) -> tuple[slice, F
     inside the span, (k,) mm, negative if it is outside; and the mask of the overlaps that run along
     their edge instead of across it, (k,).
     """
-    mine = slice(*np.searchsorted(overlaps.curve, [curve, curve + 1]))
-    along, place = overlaps.along[mine], overlaps.place[mine]
+    rows = slice(*np.searchsorted(overlaps.curve, [curve, curve + 1]))
+    along, place = overlaps.along[rows], overlaps.place[rows]
     shared = np.minimum(along[:, 1], span[1]) - np.maximum(along[:, 0], span[0])
     size = along[:, 1] - along[:, 0]
-    return mine, shared, np.abs(place[:, 1] - place[:, 0]) >= 0.5 * size
+    return rows, shared, np.abs(place[:, 1] - place[:, 0]) >= 0.5 * size
 
 
 def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
@@ -159,9 +161,9 @@ def _edge_along(overlaps: Overlaps, curve: int, span: F64) -> int:
 
     ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """
-    mine, shared, parallel = _shared_lengths(overlaps, curve, span)
+    rows, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.5 * (span[1] - span[0])) & parallel)
-    return int(overlaps.edge[mine][good[0]]) if len(good) else -1
+    return int(overlaps.edge[rows][good[0]]) if len(good) else -1
 
 
 def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]:
@@ -172,11 +174,11 @@ def _edge_beside(overlaps: Overlaps, curve: int, span: F64) -> tuple[int, float]
     are returned.  ``curve`` is the index of the curve, and ``span`` is the start and end of the
     span on it (mm).
     """
-    mine, shared, parallel = _shared_lengths(overlaps, curve, span)
+    rows, shared, parallel = _shared_lengths(overlaps, curve, span)
     good = np.flatnonzero((shared >= 0.8 * (span[1] - span[0])) & parallel)
     if len(good) == 0:
         return -1, 0.0
-    return int(overlaps.edge[mine][good[0]]), float(overlaps.distance[mine][good[0]])
+    return int(overlaps.edge[rows][good[0]]), float(overlaps.distance[rows][good[0]])
 
 
 def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
@@ -185,8 +187,8 @@ def _edge_touched(overlaps: Overlaps, curve: int, span: F64) -> int:
 
     ``curve`` is the index of the curve, and ``span`` is the start and end of the span on it (mm).
     """
-    mine, _, _ = _shared_lengths(overlaps, curve, span)
-    along = overlaps.along[mine]
+    rows, _, _ = _shared_lengths(overlaps, curve, span)
+    along = overlaps.along[rows]
     touching = (np.abs(along[:, 1] - span[0]) < 1e-6) | (np.abs(along[:, 0] - span[1]) < 1e-6)
     good = np.flatnonzero(touching)
-    return int(overlaps.edge[mine][good[0]]) if len(good) else -1
+    return int(overlaps.edge[rows][good[0]]) if len(good) else -1

@@ -42,8 +42,8 @@ class _RunStops(NamedTuple):
 
 def check_track_ends(
     check: StationCheck,
-    whole: Edges,
-    solid: I64,
+    solid_edges: Edges,
+    solid_rows: I64,
     ends: KnifeEnds,
     dashed: Bool,
     lead: float,
@@ -61,12 +61,12 @@ def check_track_ends(
     ----------
     check
         The check of the knife's station, to which findings and figures are added.
-    whole
+    solid_edges
         Edges that are cuts or half-cuts, without perforations.
-    solid
-        Index of each edge of ``whole`` among all edges of the check.
+    solid_rows
+        Index of each edge of ``solid_edges`` among all edges of the check.
     ends
-        Planned stops of the knife at the ends of the edges ``whole``.
+        Planned stops of the knife at the ends of the edges ``solid_edges``.
     dashed : (t,)
         Mask of the tracks that are cuts of perforations or cuts between bridges.
     lead : mm
@@ -84,9 +84,11 @@ def check_track_ends(
     stop = point_at(check.curve[last], check.curve[last, 5])
     ahead = azimuth_at(check.curve[last], check.curve[last, 5])
 
-    known = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
+    stop_rows = np.flatnonzero(~np.isnan(ends.stop[:, 0]))
     run_over = np.zeros(count, np.bool_)
-    run_over[pairs_within(stop, ends.stop[known[ends.meets[known]]], check.tolerance)[0]] = True
+    run_over[
+        pairs_within(stop, ends.stop[stop_rows[ends.meets[stop_rows]]], check.tolerance)[0]
+    ] = True
     new = np.ones(count, np.bool_)
     jump = np.hypot(*(start[1:] - stop[:-1]).T)
     # A new run may begin near the overrun of the previous one, but not at the same point.
@@ -105,40 +107,40 @@ def check_track_ends(
     gap = np.hypot(*(stop[closes] - ring).T)
     closed = gap <= check.slack
 
-    run, end = pairs_within(stop[closes], ends.stop[known], NEAR_EDGE)
-    end = known[end]
-    away = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
-    order = np.lexsort((away, run))
-    run, end, away = run[order], end[order], away[order]
+    run, end = pairs_within(stop[closes], ends.stop[stop_rows], NEAR_EDGE)
+    end = stop_rows[end]
+    end_distance = np.hypot(*(stop[closes[run]] - ends.stop[end]).T)
+    order = np.lexsort((end_distance, run))
+    run, end, end_distance = run[order], end[order], end_distance[order]
     nearest = np.unique(run, return_index=True)[1]
-    run, end, away = run[nearest], end[nearest], away[nearest]
+    run, end, end_distance = run[nearest], end[nearest], end_distance[nearest]
     planned = np.full(len(opens), -1, np.int64)
     distance = np.full(len(opens), np.inf)
-    planned[run], distance[run] = end, away
+    planned[run], distance[run] = end, end_distance
     right = (distance <= check.slack) & (~closed | (distance < gap))
 
     # Without a near end ``planned`` is -1, which selects the appended False.
     ran = right & np.append(ends.meets, False)[planned]
     over[closes[ran]] = overrun
-    check.record_overcut(solid[planned[ran] // 2], np.full(int(ran.sum()), overrun))
+    check.record_overcut(solid_rows[planned[ran] // 2], np.full(int(ran.sum()), overrun))
     short = right & np.append(ends.free, False)[planned]
     # Coincident cuts end at the same points.
-    free = known[ends.free[known]]
+    free = stop_rows[ends.free[stop_rows]]
     together = pairs_within(ends.stop[planned[short]], ends.stop[free], JOIN_DISTANCE)[1]
-    _record_setback(check, whole, solid, ends, np.unique(free[together]), lead)
+    _record_setback(check, solid_edges, solid_rows, ends, np.unique(free[together]), lead)
 
     runs = _RunStops(
         np.flatnonzero(~closed & ~right), last[closes], stop[closes], ahead[closes], ring, gap,
         planned, distance,
     )  # fmt: skip
-    _report_wrong_stops(check, solid, ends, runs)
+    _report_wrong_stops(check, solid_rows, ends, runs)
 
     begun = np.zeros(len(opens), np.bool_)
-    begun[pairs_within(start[opens], whole.ends, TOUCH_DISTANCE)[0]] = True
+    begun[pairs_within(start[opens], solid_edges.ends, TOUCH_DISTANCE)[0]] = True
     for k in np.flatnonzero(~begun & ~closed & right)[:MAX_FINDINGS]:
         check.add_finding(
             "overcut",
-            int(solid[planned[k] // 2]),
+            int(solid_rows[planned[k] // 2]),
             Message("verify.goes-in-anywhere"),
             0.0,
             int(first[opens[k]]),
@@ -146,16 +148,18 @@ def check_track_ends(
     return over
 
 
-def _report_wrong_stops(check: StationCheck, solid: I64, ends: KnifeEnds, runs: _RunStops) -> None:
+def _report_wrong_stops(
+    check: StationCheck, solid_rows: I64, ends: KnifeEnds, runs: _RunStops
+) -> None:
     """Add a finding for each run of the knife that stops neither at a planned stop nor at its own
     start.
 
     The indices of these runs are ``runs.wrong``; ``ends`` contains the planned stops at the ends of
-    edges.  ``solid`` is the index of each of these edges among all edges of the check.
+    edges.  ``solid_rows`` is the index of each of these edges among all edges of the check.
     """
     for k in runs.wrong[:MAX_FINDINGS]:
         work = int(runs.work[k])
-        edge = int(solid[runs.planned[k] // 2]) if runs.planned[k] >= 0 else -1
+        edge = int(solid_rows[runs.planned[k] // 2]) if runs.planned[k] >= 0 else -1
         # A closed run with a wrong stop is compared with its own planned stop if that is nearest.
         if runs.gap[k] < min(runs.distance[k], NEAR_EDGE):
             target, measure, edge = runs.ring[k], float(runs.gap[k]), -1
@@ -191,17 +195,17 @@ def overrun_starts(check: StationCheck, over: F64) -> F64:
     ``over`` is the length of the overrun at the end of each track (mm); a track is a chain of tip
     paths between two lifts.  For a tip path before the overrun, the position is the path's end.
     """
-    until = check.curve[:, 5].copy()
+    start = check.curve[:, 5].copy()
     track = np.flatnonzero(over > 0.0)
-    at = np.searchsorted(check.track, track, side="right") - 1
+    path_rows = np.searchsorted(check.track, track, side="right") - 1
     left = over[track]
-    while len(at):
-        size = until[at].copy()
-        until[at] = np.maximum(size - left, 0.0)
-        on = (left > size) & (at > 0)
-        on &= check.track[at] == check.track[at - 1]
-        at, left = at[on] - 1, (left - size)[on]
-    return until
+    while len(path_rows):
+        size = start[path_rows].copy()
+        start[path_rows] = np.maximum(size - left, 0.0)
+        continues = (left > size) & (path_rows > 0)
+        continues &= check.track[path_rows] == check.track[path_rows - 1]
+        path_rows, left = path_rows[continues] - 1, (left - size)[continues]
+    return start
 
 
 def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64) -> F64:
@@ -210,18 +214,23 @@ def _points_along_runs(check: StationCheck, first: I64, last: I64, distance: F64
     ``first`` and ``last`` are the indices of the first and last tip path of each run, (k,), and
     ``distance`` is the distance of the point from the start of the run along the run, (k,) mm.
     """
-    at, left = first.copy(), distance
+    path_rows, left = first.copy(), distance
     while True:
-        size = check.curve[at, 5]
-        on = (left > size) & (at < last)
-        if not on.any():
-            return point_at(check.curve[at], np.minimum(left, size))
-        left = np.where(on, left - size, left)
-        at = np.where(on, at + 1, at)
+        size = check.curve[path_rows, 5]
+        continues = (left > size) & (path_rows < last)
+        if not continues.any():
+            return point_at(check.curve[path_rows], np.minimum(left, size))
+        left = np.where(continues, left - size, left)
+        path_rows = np.where(continues, path_rows + 1, path_rows)
 
 
 def _record_setback(
-    check: StationCheck, whole: Edges, solid: I64, ends: KnifeEnds, which: I64, lead: float
+    check: StationCheck,
+    solid_edges: Edges,
+    solid_rows: I64,
+    ends: KnifeEnds,
+    free_ends: I64,
+    lead: float,
 ) -> None:
     """Set the limits of edges back by the blade's lead at free ends, and record that length as
     setback.
@@ -233,22 +242,22 @@ def _record_setback(
     ----------
     check
         The check of the knife's station, whose limits and figures are changed.
-    whole, solid
+    solid_edges, solid_rows
         Edges that are cuts or half-cuts, and the index of each among all edges of the check.
     ends
-        Planned stops of the knife at the ends of the edges ``whole``.
-    which
-        Indices of the free ends: 2i is the start and 2i + 1 the end of edge i of ``whole``.
+        Planned stops of the knife at the ends of the edges ``solid_edges``.
+    free_ends
+        Indices of the free ends: 2i is the start and 2i + 1 the end of edge i of ``solid_edges``.
     lead : mm
         Length by which the blade cuts the top face ahead of its tip.
     """
     paths = ends.paths
-    path = paths.path[which // 2]
+    path = paths.path[free_ends // 2]
     begin = np.zeros(len(paths.length))
     finish = paths.length.copy()
-    at_last = paths.last[path] == which
+    at_last = paths.last[path] == free_ends
     finish[path[at_last]] -= lead
     begin[path[~at_last]] += lead
-    low, high = paths.intervals(begin, finish, whole.curve)
-    check.figures.setback[whole.row] += whole.curve[:, 5] - np.maximum(high - low, 0.0)
-    check.low[solid], check.high[solid] = low, high
+    low, high = paths.intervals(begin, finish, solid_edges.curve)
+    check.figures.setback[solid_edges.row] += solid_edges.curve[:, 5] - np.maximum(high - low, 0.0)
+    check.low[solid_rows], check.high[solid_rows] = low, high

@@ -71,14 +71,14 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
     backs = _following_stretches(
         stop[tails], ahead[tails], left[tails] * reach, start[heads], reach
     )
-    kept = np.flatnonzero(backs >= 0)
+    rows = np.flatnonzero(backs >= 0)
     # The arcs along the disc follow the stretches in the arrays.
-    onward[tails[kept]] = count + np.arange(len(kept))
-    met = heads[backs[kept]]
-    chord = start[met] - stop[tails[kept]]
+    onward[tails[rows]] = count + np.arange(len(rows))
+    met = heads[backs[rows]]
+    chord = start[met] - stop[tails[rows]]
     half = np.clip(np.hypot(*chord.T) / (2.0 * float(reach.mean())), 0.0, 1.0)
     ends = np.concatenate(
-        [np.stack([start, stop], axis=1), np.stack([stop[tails[kept]], start[met]], axis=1)]
+        [np.stack([start, stop], axis=1), np.stack([stop[tails[rows]], start[met]], axis=1)]
     )
     turned = np.concatenate([bulge, -np.tan(np.arcsin(half) / 2.0)])
     order, first = _trace_loops(np.concatenate([onward, met]).astype(np.int64))
@@ -108,12 +108,12 @@ def _following_stretches(stop: F64, ahead: F64, inward: F64, start: F64, reach: 
     to = start[head] - stop[tail]
     # The unreached area lies on the left.
     side = ahead[tail, 0] * to[:, 1] - ahead[tail, 1] * to[:, 0]
-    some = (side > -_EXTRA_DISTANCE) & (np.hypot(*to.T) <= widest)
-    tail, head, to = tail[some], head[some], to[some]
+    candidates = (side > -_EXTRA_DISTANCE) & (np.hypot(*to.T) <= widest)
+    tail, head, to = tail[candidates], head[candidates], to[candidates]
     # Prefer a chain that starts on the rim of the disc that touches here.  A disc between two
     # corners touches no edge; then take the nearest start.
-    off = np.abs(np.hypot(*((to - inward[tail]) / reach).T) - 1.0)
-    order = np.lexsort((np.where(off < _RIM_TOLERANCE, off, 1.0 + np.hypot(*to.T)), tail))
+    error = np.abs(np.hypot(*((to - inward[tail]) / reach).T) - 1.0)
+    order = np.lexsort((np.where(error < _RIM_TOLERANCE, error, 1.0 + np.hypot(*to.T)), tail))
     tail, head = tail[order], head[order]
     once = np.ones(len(tail), np.bool_)
     once[1:] = tail[1:] != tail[:-1]
@@ -135,16 +135,16 @@ def _trace_loops(onward: I64_1) -> Any:
     count = len(onward)
     order = np.empty(count, np.int64)
     first = np.zeros(count + 1, np.int64)
-    seen = np.zeros(count, np.bool_)
+    visited = np.zeros(count, np.bool_)
     place = 0
     loops = 0
     for begin in range(count):
-        if seen[begin]:
+        if visited[begin]:
             continue
         row = begin
         stood = place
-        while row >= 0 and not seen[row]:
-            seen[row] = True
+        while row >= 0 and not visited[row]:
+            visited[row] = True
             order[place] = row
             place += 1
             row = onward[row]
@@ -177,10 +177,10 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     radius = np.where(bent, chord / (2.0 * np.sin(np.where(bent, sweep, 1.0) / 2.0)), 0.0)
     twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] + radius**2 * (sweep - np.sin(sweep))
     area = np.bincount(owner, twice, minlength=len(first) - 1) / 2.0
-    some = area > MIN_AREA
-    rows = some[owner]
-    sizes = np.diff(first)[some]
-    return Unreached(ends[rows], bulge[rows], np.concatenate([[0], np.cumsum(sizes)]), area[some])
+    large = area > MIN_AREA
+    rows = large[owner]
+    sizes = np.diff(first)[large]
+    return Unreached(ends[rows], bulge[rows], np.concatenate([[0], np.cumsum(sizes)]), area[large])
 
 
 def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
@@ -197,7 +197,10 @@ def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) 
         np.concatenate([part.ends for part in parts]) - np.array(placement),
         np.concatenate([part.bulge for part in parts]),
         np.concatenate(
-            [[0], *(part.first[1:] + at for part, at in zip(parts, pieces[:-1], strict=True))]
+            [
+                [0],
+                *(part.first[1:] + offset for part, offset in zip(parts, pieces[:-1], strict=True)),
+            ]
         ),
         np.concatenate([part.area for part in parts]),
     )

@@ -79,20 +79,20 @@ def check_work_order(context: CheckContext, work: TipPaths) -> None:
     if len(cuts) == 0 or len(work.z) == 0:
         return
     faces = find_cut_faces(cuts)
-    worked = _worked_spans(context, work, cuts)
+    spans = _worked_spans(context, work, cuts)
     complete = _completing_lines(
         faces.edge, faces.begin, faces.begin + faces.curve[:, 5],
-        worked.edge, worked.low, worked.high,
-        np.where(worked.through, worked.line, -1), len(cuts), worked.reach,
+        spans.edge, spans.low, spans.high,
+        np.where(spans.through, spans.line, -1), len(cuts), spans.reach,
     )  # fmt: skip
     order = np.argsort(-complete, kind="stable")
     free = _freeing_lines(order, complete, faces.face, faces.count)
-    _check_cuts(context, cuts, faces, worked, free)
-    _check_other_edges(context, cuts, faces, work, worked, free)
+    _check_cuts(context, cuts, faces, spans, free)
+    _check_other_edges(context, cuts, faces, work, spans, free)
 
 
 def _check_cuts(
-    context: CheckContext, cuts: Edges, faces: CutFaces, worked: _WorkedSpans, free: F64
+    context: CheckContext, cuts: Edges, faces: CutFaces, spans: _WorkedSpans, free: F64
 ) -> None:
     """Add a finding for each cut that is made on loose board.
 
@@ -104,29 +104,31 @@ def _check_cuts(
     ----------
     cuts, faces
         All cuts, and the faces into which they divide the sheet.
-    worked
+    spans
         Stretches of cuts that the tools have cut.
     free
         Program line that releases each face from the sheet, one per face.
     """
     pieces = np.flatnonzero(faces.edge >= 0)
     first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
-    held = free[faces.face[pieces]].max(axis=1)
+    face_lines = free[faces.face[pieces]].max(axis=1)
     begin = faces.begin[pieces]
-    until = _held_until(
-        worked.edge, worked.low, worked.high, first, begin, begin + faces.curve[pieces, 5], held
+    release_line = _held_until(
+        spans.edge, spans.low, spans.high, first, begin, begin + faces.curve[pieces, 5], face_lines
     )
-    late = worked.line > until
-    if worked.reach == 0.0:
+    late = spans.line > release_line
+    if spans.reach == 0.0:
         # The overrun of a knife may lie on a cut that is already made.
-        late &= _new_spans(worked.edge, worked.low, worked.high)
-    some = np.flatnonzero(late)
-    for k in some[np.unique(worked.edge[some], return_index=True)[1]][:MAX_FINDINGS]:
-        edge = int(worked.edge[k])
+        late &= _new_spans(spans.edge, spans.low, spans.high)
+    late_rows = np.flatnonzero(late)
+    for k in late_rows[np.unique(spans.edge[late_rows], return_index=True)[1]][:MAX_FINDINGS]:
+        edge = int(spans.edge[k])
         place = point_at(
-            cuts.curve[edge : edge + 1], np.array([0.5 * (worked.low[k] + worked.high[k])])
+            cuts.curve[edge : edge + 1], np.array([0.5 * (spans.low[k] + spans.high[k])])
         )
-        _add_finding(context, int(cuts.row[edge]), place[0], int(worked.line[k]), int(until[k]))
+        _add_finding(
+            context, int(cuts.row[edge]), place[0], int(spans.line[k]), int(release_line[k])
+        )
 
 
 def _check_other_edges(
@@ -134,7 +136,7 @@ def _check_other_edges(
     cuts: Edges,
     faces: CutFaces,
     work: TipPaths,
-    worked: _WorkedSpans,
+    spans: _WorkedSpans,
     free: F64,
 ) -> None:
     """Add a finding for each crease, groove, half-cut or perforation that is made on loose board.
@@ -145,14 +147,14 @@ def _check_other_edges(
         All cuts, and the faces into which they divide the sheet.
     work
         All tip paths.
-    worked
+    spans
         Stretches of cuts that the tools have cut; their tip paths are skipped here.
     free
         Program line that releases each face from the sheet, one per face.
     """
-    some = work.line > free.min()
-    some[worked.path] = False
-    rows = np.flatnonzero(some)
+    after_release = work.line > free.min()
+    after_release[spans.path] = False
+    rows = np.flatnonzero(after_release)
     kinds = (kind for kind in LineType if kind not in (LineType.CUT, *_NO_WORK))
     edges = context.edges.with_types(*kinds)
     near = find_overlaps(
@@ -164,26 +166,26 @@ def _check_other_edges(
         near.best & (size >= np.minimum(_MIN_LENGTH, work.curve[rows[near.curve], 5]))
     )
     path, along = rows[near.curve[long]], near.along[long]
-    until = np.full(len(long), math.inf)
+    release_line = np.full(len(long), math.inf)
     place = np.zeros((len(long), 2))
-    for share in _PROBES:
-        points = point_at(work.curve[path], along @ (1.0 - share, share))
-        on = find_overlaps(
+    for fraction in _PROBES:
+        points = point_at(work.curve[path], along @ (1.0 - fraction, fraction))
+        overlaps = find_overlaps(
             line_curves(points, points),
             cuts.curve,
             np.zeros(len(cuts)),
             cuts.curve[:, 5],
             TOUCH_DISTANCE,
         )
-        held = free[faces.locate(points)]
-        held[on.curve] = math.inf
-        sooner = held < until
-        until[sooner], place[sooner] = held[sooner], points[sooner]
-    late = np.flatnonzero(work.line[path] > until)
+        face_lines = free[faces.locate(points)]
+        face_lines[overlaps.curve] = math.inf
+        sooner = face_lines < release_line
+        release_line[sooner], place[sooner] = face_lines[sooner], points[sooner]
+    late = np.flatnonzero(work.line[path] > release_line)
     late = late[np.unique(path[late], return_index=True)[1]]
     for k in late[:MAX_FINDINGS]:
         row = int(edges.row[near.edge[long[k]]])
-        _add_finding(context, row, place[k], int(work.line[path[k]]), int(until[k]))
+        _add_finding(context, row, place[k], int(work.line[path[k]]), int(release_line[k]))
 
 
 def _add_finding(context: CheckContext, edge: int, place: F64, line: int, closed: int) -> None:
@@ -216,11 +218,13 @@ def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _Worked
     bounds = find_outlines(cuts) if mill.any() else None
     widest = 0.0
     for index in np.unique(work.station[mill]):
-        held = context.machine.stations[int(index)]
+        station = context.machine.stations[int(index)]
         assert bounds is not None
-        tool = expected_tool(held.tool)
+        tool = expected_tool(station.tool)
         assert tool.disc is not None
-        deflection = next((one for one in context.board.deflection if one.tool == held.name), None)
+        deflection = next(
+            (one for one in context.board.deflection if one.tool == station.name), None
+        )
         reach = np.full(2, tool.disc.radius) - ((deflection.x, deflection.y) if deflection else 0.0)
         widest = max(widest, float(reach.max()))
         beside = cutter_paths(bounds, reach)
@@ -232,16 +236,16 @@ def _worked_spans(context: CheckContext, work: TipPaths, cuts: Edges) -> _Worked
         low, high = beside.edge_intervals(near.edge, near.place)
         deep = context.board.caliper - work.z[rows[near.curve]]
         planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
-        through = deep >= planned - DEPTH_TOLERANCE
-        columns.append((beside.edge[near.edge], low, high, rows[near.curve], through))
-    edge, low, high, path, through = (np.concatenate(one) for one in zip(*columns, strict=True))
+        is_through = deep >= planned - DEPTH_TOLERANCE
+        columns.append((beside.edge[near.edge], low, high, rows[near.curve], is_through))
+    edge, low, high, path, is_through = (np.concatenate(one) for one in zip(*columns, strict=True))
     # Drop paths that only cross a cut or touch its end.
     long = np.flatnonzero(high - low >= np.minimum(_MIN_LENGTH, 0.5 * size[edge]))
     long = long[np.lexsort((work.line[path[long]], edge[long]))]
     path = path[long].astype(np.int64)
     return _WorkedSpans(
         edge[long].astype(np.int64), low[long], high[long], work.line[path].astype(np.int64),
-        through[long], path, widest,
+        is_through[long], path, widest,
     )  # fmt: skip
 
 
@@ -277,7 +281,7 @@ def _completing_lines(
             complete[p] = -1.0
             continue
         a, b = begin[p], end[p]
-        most = _CORNER_RATIO * reach if reach > 0.0 else min(GAP_LENGTH, 0.5 * (b - a))
+        permitted = _CORNER_RATIO * reach if reach > 0.0 else min(GAP_LENGTH, 0.5 * (b - a))
         covered = np.empty((first[owner[p] + 1] - first[owner[p]] + 1, 2))
         many = 0
         for k in range(first[owner[p]], first[owner[p] + 1]):
@@ -288,11 +292,11 @@ def _completing_lines(
             if line[k] < 0:
                 continue
             many, _ = add_interval(covered, many, left, right)
-            bare, at = 0.0, a
+            uncovered, position = 0.0, a
             for j in range(many):
-                bare = max(bare, covered[j, 0] - at)
-                at = covered[j, 1]
-            if max(bare, b - at) <= most:
+                uncovered = max(uncovered, covered[j, 0] - position)
+                position = covered[j, 1]
+            if max(uncovered, b - position) <= permitted:
                 complete[p] = line[k]
                 break
     return complete
@@ -322,7 +326,13 @@ def _new_spans(edge: I64_1, low: F64_1, high: F64_1) -> Any:
 
 @kernel
 def _held_until(
-    edge: I64_1, low: F64_1, high: F64_1, first: I64_1, begin: F64_1, end: F64_1, held: F64_1
+    edge: I64_1,
+    low: F64_1,
+    high: F64_1,
+    first: I64_1,
+    begin: F64_1,
+    end: F64_1,
+    release_line: F64_1,
 ) -> Any:
     """Return the program line at which the board under each of k stretches of cuts is released,
     (k,).
@@ -336,10 +346,10 @@ def _held_until(
         Index of the cut of each stretch, and the stretch's start and end on it (mm).
     first
         Index of the first piece of each cut, followed by the number of pieces.
-    begin, end, held : (p,)
+    begin, end, release_line : (p,)
         Start and end of each of p pieces on its cut (mm), and the program line that releases it.
     """
-    until = np.full(len(edge), -1.0)
+    line = np.full(len(edge), -1.0)
     for k in range(len(edge)):
         for least in (GAP_LENGTH, 0.0):
             for p in range(first[edge[k]], first[edge[k] + 1]):
@@ -348,12 +358,12 @@ def _held_until(
                     shared >= min(_MIN_LENGTH, 0.5 * (end[p] - begin[p]))
                     and end[p] - begin[p] > least
                 ):
-                    until[k] = max(until[k], held[p])
-            if until[k] >= 0.0:
+                    line[k] = max(line[k], release_line[p])
+            if line[k] >= 0.0:
                 break
-        if until[k] < 0.0:
-            until[k] = math.inf
-    return until
+        if line[k] < 0.0:
+            line[k] = math.inf
+    return line
 
 
 @kernel

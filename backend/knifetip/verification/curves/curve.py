@@ -59,8 +59,8 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
     """
     x, y = (point_at(curve, along) - edge[:, 1:3]).T
     straight = edge[:, 0] == 0.0
-    off = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
-    result: F64 = np.where(straight, off, edge[:, 0] * (edge[:, 3] - np.hypot(x, y)))
+    distance = np.where(straight, edge[:, 3] * y - edge[:, 4] * x, 0.0)
+    result: F64 = np.where(straight, distance, edge[:, 0] * (edge[:, 3] - np.hypot(x, y)))
     return result
 
 
@@ -83,7 +83,7 @@ def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
     ``centre`` and ``start`` are (n, 2) mm.  ``sweep`` is (n,) radians, positive for an
     anticlockwise arc.
     """
-    out = start - centre
-    radius = np.hypot(out[:, 0], out[:, 1])
-    first = np.arctan2(out[:, 1], out[:, 0])
+    radial = start - centre
+    radius = np.hypot(radial[:, 0], radial[:, 1])
+    first = np.arctan2(radial[:, 1], radial[:, 0])
     return np.column_stack([np.sign(sweep), centre, radius, first, radius * np.abs(sweep)])

@@ -59,14 +59,16 @@ def sort_overlaps(pairs: I32, spans: F64, curves: F64) -> Overlaps:
     return Overlaps(curve, edge, spans[:, :2].copy(), spans[:, 2:4], spans[:, 4], best)
 
 
-def mark_nearest(overlaps: Overlaps, curves: F64, until: F64) -> Overlaps:
+def mark_nearest(overlaps: Overlaps, curves: F64, considered: F64) -> Overlaps:
     """Return the overlaps with ``best`` computed again for the first part of each curve only.
 
     ``best`` marks the overlaps of which a part is on no nearer edge.  ``curves`` are all n curves,
-    and ``until`` is the length of the first part of each, (n,) mm.
+    and ``considered`` is the length of the first part of each, (n,) mm.
     """
     spans = np.column_stack([overlaps.along, overlaps.place, overlaps.distance])
-    return replace(overlaps, best=_nearest_mask(overlaps.curve, spans, curves[:, 5].copy(), until))
+    return replace(
+        overlaps, best=_nearest_mask(overlaps.curve, spans, curves[:, 5].copy(), considered)
+    )
 
 
 def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
@@ -76,7 +78,7 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
     ``limit`` is the limit of each of m edges, (m,) mm; ``curves`` are all curves.
     """
     keep = overlaps.distance <= limit[overlaps.edge]
-    kept = Overlaps(
+    near_overlaps = Overlaps(
         overlaps.curve[keep],
         overlaps.edge[keep],
         overlaps.along[keep],
@@ -84,7 +86,7 @@ def within_limits(overlaps: Overlaps, limit: F64, curves: F64) -> Overlaps:
         overlaps.distance[keep],
         overlaps.best[keep],
     )
-    return mark_nearest(kept, curves, curves[:, 5].copy())
+    return mark_nearest(near_overlaps, curves, curves[:, 5].copy())
 
 
 def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
@@ -94,8 +96,8 @@ def uncovered_curves(overlaps: Overlaps, curves: F64) -> tuple[I32, F64]:
     along that curve, (k, 2) mm.  A curve of length 0 that overlaps no edge gives a stretch of
     length 0.  ``curves`` are all curves, and ``overlaps`` are their overlaps with the edges.
     """
-    which, spans, count = _uncovered_spans(overlaps.curve, overlaps.along, curves[:, 5].copy())
-    return which[:count], spans[:count]
+    curve_rows, spans, count = _uncovered_spans(overlaps.curve, overlaps.along, curves[:, 5].copy())
+    return curve_rows[:count], spans[:count]
 
 
 def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64, F64]:
@@ -114,8 +116,8 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
     Three arrays, (k,) each: index of the edge of each stretch, and the start and the end of the
     stretch on that edge (mm).
     """
-    every = np.arange(len(size))
-    edge = np.concatenate([edge, every])
+    all_rows = np.arange(len(size))
+    edge = np.concatenate([edge, all_rows])
     low, high = np.concatenate([low, size]), np.concatenate([high, size])
     order = np.lexsort((high, low, edge))
     edge, low, high = edge[order], np.maximum(low[order], 0.0), high[order]
@@ -126,12 +128,12 @@ def uncovered_edges(edge: I64, low: F64, high: F64, size: F64) -> tuple[I64, F64
     new = np.ones(len(edge), np.bool_)
     new[1:] = edge[1:] != edge[:-1]
     before[new] = 0.0
-    bare = low - before > EPSILON
-    return edge[bare].astype(np.int64), before[bare], low[bare]
+    is_uncovered = low - before > EPSILON
+    return edge[is_uncovered].astype(np.int64), before[is_uncovered], low[is_uncovered]
 
 
 @kernel
-def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) -> Any:
+def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, considered: F64_1) -> Any:
     """Return the mask of the k overlaps of which a part is on no nearer edge, (k,).
 
     Parameters
@@ -141,7 +143,7 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
     spans : (k, 5) mm
         Start and end of each overlap along its curve (columns 0 and 1), and its greatest distance
         from the edge (column 4).
-    length, until : (n,) mm
+    length, considered : (n,) mm
         Length of each of n curves, and the length from its start that is considered.
     """
     best = np.zeros(len(curve_of), np.bool_)
@@ -155,13 +157,13 @@ def _nearest_mask(curve_of: I32_1, spans: F64_2, length: F64_1, until: F64_1) ->
         curve = curve_of[begin]
         short = length[curve] <= SHORT
         for row in range(begin, end):
-            right = min(spans[row, 1], until[curve])
+            right = min(spans[row, 1], considered[curve])
             left = min(spans[row, 0], right)
             many, gained = add_interval(covered, many, left, right)
             # A curve works both copies of an edge that is drawn twice.
             twin = spans[row, 4] <= spans[begin, 4] + 1e-6
-            whole = right - left > SHORT or (short and spans[row, 1] <= until[curve])
-            best[row] = gained > SHORT or (twin and whole)
+            counts = right - left > SHORT or (short and spans[row, 1] <= considered[curve])
+            best[row] = gained > SHORT or (twin and counts)
         begin = end
     return best
 
@@ -204,8 +206,8 @@ def add_interval(covered: OutF64_2, used: int, left: float, right: float) -> Any
 
 @kernel
 def _uncovered_spans(curve_of: I32_1, along: F64_2, length: F64_1) -> Any:
-    which = np.empty(len(curve_of) + len(length), np.int32)
-    spans = np.empty((len(which), 2))
+    curve_rows = np.empty(len(curve_of) + len(length), np.int32)
+    spans = np.empty((len(curve_rows), 2))
     count = 0
     row = 0
     for curve in range(len(length)):
@@ -218,19 +220,19 @@ def _uncovered_spans(curve_of: I32_1, along: F64_2, length: F64_1) -> Any:
             many, _ = add_interval(covered, many, along[k, 0], along[k, 1])
         if length[curve] < 1e-9:
             if row == begin:
-                which[count] = curve
+                curve_rows[count] = curve
                 spans[count, 0] = 0.0
                 spans[count, 1] = 0.0
                 count += 1
             continue
-        at = 0.0
+        position = 0.0
         for k in range(many + 1):
-            until = covered[k, 0] if k < many else length[curve]
-            if until - at > 1e-7:
-                which[count] = curve
-                spans[count, 0] = at
-                spans[count, 1] = until
+            stop = covered[k, 0] if k < many else length[curve]
+            if stop - position > 1e-7:
+                curve_rows[count] = curve
+                spans[count, 0] = position
+                spans[count, 1] = stop
                 count += 1
             if k < many:
-                at = covered[k, 1]
-    return which, spans, count
+                position = covered[k, 1]
+    return curve_rows, spans, count

@@ -162,7 +162,7 @@ def _search_grid(
     tall: int,
 ) -> Any:
     count = np.zeros(wide * tall + 1, np.int64)
-    seen = np.full(wide * tall, -1, np.int64)
+    searched_for = np.full(wide * tall, -1, np.int64)
     cells = np.empty(1024, np.int64)
     filled = np.empty(wide * tall, np.int64)
     listed = np.empty(0, np.int32)
@@ -174,9 +174,9 @@ def _search_grid(
             cells, many = cells_near_curve(edges[edge], 0.0, corner, size, wide, tall, cells)
             for k in range(many):
                 cell = cells[k]
-                if seen[cell] == edge:
+                if searched_for[cell] == edge:
                     continue
-                seen[cell] = edge
+                searched_for[cell] = edge
                 if writes:
                     listed[filled[cell]] = edge
                     filled[cell] += 1
@@ -186,7 +186,7 @@ def _search_grid(
             for cell in range(wide * tall):
                 filled[cell] = count[cell]
                 count[cell + 1] += count[cell]
-                seen[cell] = -1
+                searched_for[cell] = -1
             listed = np.empty(count[wide * tall], np.int32)
 
     pairs = np.empty((max(256, 2 * len(curves)), 2), np.int32)
@@ -202,10 +202,10 @@ def _search_grid(
                 if met[edge] == curve:
                     continue
                 met[edge] = curve
-                found = _overlap_pair(
+                hit_count = _overlap_pair(
                     curves[curve], edges[edge], low[edge], high[edge], limit, hits
                 )
-                for hit in range(found):
+                for hit in range(hit_count):
                     if rows == len(pairs):
                         pairs, spans = _double_capacity(pairs, spans)
                     pairs[rows, 0] = curve
@@ -258,7 +258,7 @@ def _overlap_pair(
         pieces = _line_near_edge(curve, edge, limit, near)
     else:
         pieces = _arc_near_edge(curve, edge, limit, near)
-    found = 0
+    hit_count = 0
     for piece in range(pieces):
         begin = near[piece, 0]
         end = near[piece, 1]
@@ -267,18 +267,18 @@ def _overlap_pair(
         x, y = _point_on(curve, end)
         last, _ = _project(edge, x, y)
         turns = 1
-        whole = 0.0
+        circumference = 0.0
         if edge[0] != 0.0:
             # On a circle, choose the turn of the end that fits the curve's length, and try the edge
             # one turn earlier and later.  A curve with its centre outside turns by less than π.
-            whole = 2.0 * math.pi * edge[3]
+            circumference = 2.0 * math.pi * edge[3]
             ahead = 0.0
             if curve[0] != 0.0 and math.hypot(curve[1] - edge[1], curve[2] - edge[2]) < curve[3]:
                 ahead = curve[0] * edge[0] * (end - begin) * edge[3] / curve[3]
-            last += whole * round((first + ahead - last) / whole)
+            last += circumference * round((first + ahead - last) / circumference)
             turns = 3
         for turn in range(turns):
-            shift = 0.0 if turn == 0 else (whole if turn == 1 else -whole)
+            shift = 0.0 if turn == 0 else (circumference if turn == 1 else -circumference)
             a = first + shift
             b = last + shift
             slack = limit if end - begin < 1e-9 else 1e-9
@@ -297,21 +297,21 @@ def _overlap_pair(
             else:
                 a = min(max(a, low), high)
                 b = min(max(b, low), high)
-            if found == len(hits):
-                return found
+            if hit_count == len(hits):
+                return hit_count
             farthest = 0.0
             samples = 2 if curve[0] == 0.0 and edge[0] == 0.0 else 9
             for sample in range(samples):
                 x, y = _point_on(curve, u0 + (u1 - u0) * sample / (samples - 1))
-                _, off = _project(edge, x, y)
-                farthest = max(farthest, abs(off))
-            hits[found, 0] = u0
-            hits[found, 1] = u1
-            hits[found, 2] = a
-            hits[found, 3] = b
-            hits[found, 4] = farthest
-            found += 1
-    return found
+                _, offset = _project(edge, x, y)
+                farthest = max(farthest, abs(offset))
+            hits[hit_count, 0] = u0
+            hits[hit_count, 1] = u1
+            hits[hit_count, 2] = a
+            hits[hit_count, 3] = b
+            hits[hit_count, 4] = farthest
+            hit_count += 1
+    return hit_count
 
 
 @kernel
@@ -334,20 +334,20 @@ def _line_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> 
     """
     length = curve[5]
     if edge[0] == 0.0:
-        _, off = _project(edge, curve[1], curve[2])
+        _, offset = _project(edge, curve[1], curve[2])
         slope = edge[3] * curve[4] - edge[4] * curve[3]
         if abs(slope) * max(length, 1.0) < 1e-12:
-            return _append_clipped(0.0, length, length, near, 0) if abs(off) <= limit else 0
-        a = (-limit - off) / slope
-        b = (limit - off) / slope
+            return _append_clipped(0.0, length, length, near, 0) if abs(offset) <= limit else 0
+        a = (-limit - offset) / slope
+        b = (limit - offset) / slope
         return _append_clipped(min(a, b), max(a, b), length, near, 0)
     foot = (edge[1] - curve[1]) * curve[3] + (edge[2] - curve[2]) * curve[4]
-    aside = (edge[1] - curve[1]) * curve[4] - (edge[2] - curve[2]) * curve[3]
-    outer = (edge[3] + limit) ** 2 - aside * aside
+    centre_offset = (edge[1] - curve[1]) * curve[4] - (edge[2] - curve[2]) * curve[3]
+    outer = (edge[3] + limit) ** 2 - centre_offset * centre_offset
     if outer < 0.0:
         return 0
     outer = math.sqrt(outer)
-    inner = (edge[3] - limit) ** 2 - aside * aside
+    inner = (edge[3] - limit) ** 2 - centre_offset * centre_offset
     if edge[3] <= limit or inner <= 0.0:
         return _append_clipped(foot - outer, foot + outer, length, near, 0)
     inner = math.sqrt(inner)
@@ -374,16 +374,16 @@ def _arc_near_edge(curve: F64_1, edge: F64_1, limit: float, near: OutF64_2) -> i
         # The distance from the centre is √(r² + D² + 2 r D cos(angle - direction of the centres)).
         dx = curve[1] - edge[1]
         dy = curve[2] - edge[2]
-        apart = math.hypot(dx, dy)
-        if apart < 1e-12:
+        distance = math.hypot(dx, dy)
+        if distance < 1e-12:
             if abs(radius - edge[3]) <= limit:
                 return _append_clipped(0.0, curve[5], curve[5], near, 0)
             return 0
         shift = math.atan2(dy, dx) - 0.5 * math.pi
         inside = max(edge[3] - limit, 0.0)
-        fixed = radius * radius + apart * apart
-        lowest = (inside * inside - fixed) / (2.0 * radius * apart)
-        highest = ((edge[3] + limit) ** 2 - fixed) / (2.0 * radius * apart)
+        fixed = radius * radius + distance * distance
+        lowest = (inside * inside - fixed) / (2.0 * radius * distance)
+        highest = ((edge[3] + limit) ** 2 - fixed) / (2.0 * radius * distance)
     if lowest > 1.0 or highest < -1.0:
         return 0
     if lowest <= -1.0 and highest >= 1.0:
@@ -412,6 +412,6 @@ def _append_arc_spans(curve: F64_1, begin: float, end: float, near: OutF64_2, us
     span = end - begin
     a = a % (2.0 * math.pi)
     for turn in range(-1, 1):
-        at = a + 2.0 * math.pi * turn
-        used = _append_clipped(at * curve[3], (at + span) * curve[3], curve[5], near, used)
+        angle = a + 2.0 * math.pi * turn
+        used = _append_clipped(angle * curve[3], (angle + span) * curve[3], curve[5], near, used)
     return used

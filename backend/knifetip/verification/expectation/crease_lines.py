@@ -40,19 +40,19 @@ def split_at_cuts(edges: Edges, cuts: Edges) -> tuple[Edges, F64]:
     """Return the creases ``edges``, split where cuts cross them, and the crossing points, (k, 2)
     mm.
     """
-    crease, at = _cut_crossings(edges.curve, cuts)
-    places = point_at(edges.curve[crease], at)
-    within = (at > TOUCH_DISTANCE) & (at < edges.curve[crease, 5] - TOUCH_DISTANCE)
-    crease, at = crease[within], at[within]
+    crease, position = _cut_crossings(edges.curve, cuts)
+    crossings = point_at(edges.curve[crease], position)
+    is_inner = (position > TOUCH_DISTANCE) & (position < edges.curve[crease, 5] - TOUCH_DISTANCE)
+    crease, position = crease[is_inner], position[is_inner]
     count = len(edges)
     row = np.concatenate([np.arange(count), crease])
-    low = np.concatenate([np.zeros(count), at])
+    low = np.concatenate([np.zeros(count), position])
     order = np.lexsort((low, row))
     row, low = row[order], low[order]
     last = np.append(row[1:] != row[:-1], True)
     high = np.where(last, edges.curve[row, 5], np.append(low[1:], 0.0))
-    some = high - low > 1e-6
-    return _sub_edges(edges, row[some], low[some], high[some]), places
+    long_enough = high - low > 1e-6
+    return _sub_edges(edges, row[long_enough], low[long_enough], high[long_enough]), crossings
 
 
 def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
@@ -63,19 +63,21 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
     Cuts that end on a curve at one point cross it there if they leave the curve on both sides.
     """
     overlaps = find_overlaps(curve, cuts.curve, np.zeros(len(cuts)), cuts.curve[:, 5], ON_DISTANCE)
-    at, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
-    runs = (place > TOUCH_DISTANCE) & (place < cuts.curve[overlaps.edge, 5] - TOUCH_DISTANCE)
-    runs &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
+    position, place = overlaps.along.mean(axis=1), overlaps.place.mean(axis=1)
+    is_inner = (place > TOUCH_DISTANCE) & (place < cuts.curve[overlaps.edge, 5] - TOUCH_DISTANCE)
+    is_inner &= np.diff(overlaps.along)[:, 0] < CROSSING_LENGTH
     touch = find_overlaps(
         line_curves(cuts.ends, cuts.ends), curve, np.zeros(len(curve)), curve[:, 5], TOUCH_DISTANCE
     )
-    row, on = touch.edge.astype(np.int64), touch.place[:, 0]
-    side = np.sin(np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(curve[row], on)))
+    row, touch_position = touch.edge.astype(np.int64), touch.place[:, 0]
+    side = np.sin(
+        np.radians(cuts.outward[touch.curve] + 180.0 - azimuth_at(curve[row], touch_position))
+    )
     side[np.abs(side) * cuts.curve[touch.curve // 2, 5] <= TOUCH_DISTANCE] = 0.0
-    order = np.lexsort((on, row))
-    row, on, side = row[order], on[order], side[order]
+    order = np.lexsort((touch_position, row))
+    row, touch_position, side = row[order], touch_position[order], side[order]
     new = np.ones(len(row), np.bool_)
-    new[1:] = (row[1:] != row[:-1]) | (np.diff(on) > TOUCH_DISTANCE)
+    new[1:] = (row[1:] != row[:-1]) | (np.diff(touch_position) > TOUCH_DISTANCE)
     group = np.cumsum(new) - 1
     across = math.sin(math.radians(STRAIGHT_ANGLE))
     both = np.zeros((int(new.sum()), 2), np.bool_)
@@ -83,8 +85,8 @@ def _cut_crossings(curve: F64, cuts: Edges) -> tuple[I64, F64]:
     both[group[side < -across], 1] = True
     met = np.flatnonzero(new)[both.all(axis=1)]
     return (
-        np.concatenate([overlaps.curve[runs].astype(np.int64), row[met]]),
-        np.concatenate([at[runs], on[met]]),
+        np.concatenate([overlaps.curve[is_inner].astype(np.int64), row[met]]),
+        np.concatenate([position[is_inner], touch_position[met]]),
     )
 
 
@@ -163,10 +165,10 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     near, far = near[good], far[good]
     curve = line_curves(dash.ends[near], dash.ends[far])
     overlaps = find_overlaps(wheel_paths, curve, np.zeros(len(curve)), curve[:, 5], limit)
-    some = np.abs(np.diff(overlaps.place)[:, 0]) > JOIN_DISTANCE
+    follows = np.abs(np.diff(overlaps.place)[:, 0]) > JOIN_DISTANCE
     run = name[near // 2]
     rolled = np.zeros(len(dash), np.bool_)
-    rolled[run[overlaps.edge[some]]] = True
+    rolled[run[overlaps.edge[follows]]] = True
     met = find_overlaps(wheel_paths, dash.curve, np.zeros(len(dash)), dash.curve[:, 5], limit).edge
     rolled |= np.bincount(name[np.unique(met)], minlength=len(dash)) == 1
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
@@ -198,19 +200,24 @@ def _facing_ends(dash: Edges) -> tuple[I64, I64]:
     )
     end = overlaps.curve.astype(np.int64)
     turn = angle_between(dash.outward[end], dash.chord[overlaps.edge], 180.0)
-    away = overlaps.along[:, 0]
+    distance = overlaps.along[:, 0]
     good = (
         (overlaps.edge != end // 2)
         & (turn <= STRAIGHT_ANGLE)
         & (np.diff(overlaps.along)[:, 0] > 0.0)
     )
-    end, edge, away, place = end[good], overlaps.edge[good], away[good], overlaps.place[good, 0]
-    order = np.lexsort((away, end))
+    end, edge, distance, place = (
+        end[good],
+        overlaps.edge[good],
+        distance[good],
+        overlaps.place[good, 0],
+    )
+    order = np.lexsort((distance, end))
     first = order[np.unique(end[order], return_index=True)[1]]
-    end, edge, away, place = end[first], edge[first], away[first], place[first]
+    end, edge, distance, place = end[first], edge[first], distance[first], place[first]
     other = 2 * edge.astype(np.int64) + (place > 0.5 * dash.curve[edge, 5])
     faced = np.full(2 * len(dash), -1, np.int64)
-    gap = (away > JOIN_DISTANCE) & (away <= MAX_DASH_GAP)
+    gap = (distance > JOIN_DISTANCE) & (distance <= MAX_DASH_GAP)
     faced[end[gap]] = other[gap]
     mutual = (faced >= 0) & (faced[np.maximum(faced, 0)] == np.arange(2 * len(dash)))
     one = np.flatnonzero(mutual & (np.arange(2 * len(dash)) < faced))
@@ -249,11 +256,11 @@ def double_lines(edges: Edges, distance: float) -> Edges:
     return concatenate_edges(*sides)
 
 
-def ends_at(edges: Edges, places: F64) -> Bool:
-    """Return the mask of the 2n ends of n edges that touch one of the points ``places``, (2n,).
+def ends_at(edges: Edges, points: F64) -> Bool:
+    """Return the mask of the 2n ends of n edges that touch one of the points ``points``, (2n,).
 
-    ``places`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.
+    ``points`` is (k, 2) mm.  End 2i is the start of edge i, and end 2i + 1 is its end.
     """
     result = np.zeros(len(edges.ends), np.bool_)
-    result[pairs_within(edges.ends, places, TOUCH_DISTANCE)[0]] = True
+    result[pairs_within(edges.ends, points, TOUCH_DISTANCE)[0]] = True
     return result

@@ -42,10 +42,10 @@ class CutterPaths:
         -------
         Two arrays, (n,) mm each: the start and the end of each stretch along the edge of its path.
         """
-        share = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
+        fraction = place / np.maximum(self.curve[piece, 5], EPSILON)[:, None]
         first, last = self.place[piece, 0], self.place[piece, 1]
-        at = first[:, None] + (last - first)[:, None] * share
-        return at.min(axis=1), at.max(axis=1)
+        position = first[:, None] + (last - first)[:, None] * fraction
+        return position.min(axis=1), position.max(axis=1)
 
 
 def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
@@ -90,23 +90,23 @@ def cutter_paths(bounds: CutOutlines, reach: F64) -> CutterPaths:
     )
 
 
-def _elliptic_path(edges: Edges, row: int, grows: float, reach: F64) -> CutterPaths:
+def _elliptic_path(edges: Edges, row: int, sign: float, reach: F64) -> CutterPaths:
     """Return chords that replace the offset of one arc by an elliptic disc.
 
-    ``row`` is the index of the arc in ``edges``.  ``grows`` is 1 if the offset lies outside the
+    ``row`` is the index of the arc in ``edges``.  ``sign`` is 1 if the offset lies outside the
     circle of the arc, and -1 if it lies inside.  ``reach`` are the half-axes of the disc along X
     and Y, (2,) mm.
     """
     curve = edges.curve[row]
-    axes = curve[3] + grows * reach
+    axes = curve[3] + sign * reach
     sweep = curve[5] / curve[3]
     count = max(1, int(np.ceil(sweep * np.sqrt(max(axes.max(), 1.0) / (8.0 * _CHORD_ERROR)))))
-    at = np.linspace(0.0, curve[5], count + 1)
-    angle = curve[4] + curve[0] * at / curve[3]
+    position = np.linspace(0.0, curve[5], count + 1)
+    angle = curve[4] + curve[0] * position / curve[3]
     points = curve[1:3] + axes * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     fits = slice(0, count if (axes > EPSILON).all() else 0)
     return CutterPaths(
         line_curves(points[:-1], points[1:])[fits],
         np.full(count, row)[fits],
-        np.stack([at[:-1], at[1:]], axis=1)[fits],
+        np.stack([position[:-1], position[1:]], axis=1)[fits],
     )

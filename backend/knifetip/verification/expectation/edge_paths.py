@@ -125,12 +125,12 @@ class EdgePaths:
         own_high = np.where(self.flipped, size - near, far)
         return own_low, own_high
 
-    def locate(self, path: I64, at: F64, curve: F64) -> tuple[I64, F64]:
+    def locate(self, path: I64, position: F64, curve: F64) -> tuple[I64, F64]:
         """Return the edge at each of k positions on paths, and the position along that edge.
 
         Parameters
         ----------
-        path, at : (k,)
+        path, position : (k,)
             Index of the path of each position, and its distance from the start of that path (mm).
         curve : (n, 6)
             The edges of the paths, as curves.
@@ -142,8 +142,8 @@ class EdgePaths:
         order = np.lexsort((self.begin, self.path))
         widest = float(self.length.max(initial=0.0)) + 1.0
         key = self.path[order] * widest + self.begin[order]
-        rows = order[np.searchsorted(key, path * widest + at, side="right") - 1]
-        along = np.clip(at - self.begin[rows], 0.0, curve[rows, 5])
+        rows = order[np.searchsorted(key, path * widest + position, side="right") - 1]
+        along = np.clip(position - self.begin[rows], 0.0, curve[rows, 5])
         return rows, np.where(self.flipped[rows], curve[rows, 5] - along, along)
 
 
@@ -200,15 +200,15 @@ def _trace_paths(link: I64_1, size: F64_1) -> Any:
                 break
         if not closed:
             first[paths] = tail
-        at = 0.0
+        position = 0.0
         while tail >= 0 and path[tail // 2] < 0:
             path[tail // 2] = paths
-            begin[tail // 2] = at
+            begin[tail // 2] = position
             flipped[tail // 2] = tail % 2 == 1
-            at += size[tail // 2]
+            position += size[tail // 2]
             if not closed:
                 last[paths] = tail ^ 1
             tail = link[tail ^ 1]
-        length[paths] = at
+        length[paths] = position
         paths += 1
     return path, begin, flipped, length, first, last, paths

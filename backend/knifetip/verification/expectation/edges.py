@@ -50,16 +50,16 @@ class Edges:
         """Return the edges whose line type is one of the given line types."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
-    def select(self, where: I64) -> Edges:
-        """Return the edges with the indices ``where``, in that order."""
-        twice = np.stack([2 * where, 2 * where + 1], axis=1).ravel()
+    def select(self, rows: I64) -> Edges:
+        """Return the edges with the indices ``rows``, in that order."""
+        twice = np.stack([2 * rows, 2 * rows + 1], axis=1).ravel()
         return Edges(
-            self.row[where],
-            self.curve[where],
-            self.line_type[where],
+            self.row[rows],
+            self.curve[rows],
+            self.line_type[rows],
             self.ends[twice],
             self.outward[twice],
-            self.chord[where],
+            self.chord[rows],
         )
 
 
@@ -73,8 +73,8 @@ def place_edges(dieline: Dieline, placement: tuple[float, float]) -> Edges:
     """
     bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
     if bad.any() or not np.isfinite(placement).all():
-        what = f"Edge {int(np.argmax(bad))}" if bad.any() else "The placement"
-        raise GeometryError("input.not-finite", what=what)
+        subject = f"Edge {int(np.argmax(bad))}" if bad.any() else "The placement"
+        raise GeometryError("input.not-finite", what=subject)
     start = dieline.ends[:, 0] + placement
     end = dieline.ends[:, 1] + placement
     row = np.flatnonzero(np.hypot(*(end - start).T) > 0.0).astype(np.int32)
@@ -111,10 +111,10 @@ def without_duplicates(edges: Edges) -> tuple[Edges, I32, I32]:
     same = (a % 2 == 0) & (a // 2 > b // 2)
     # An end of the second edge lies at the first edge's start; its other end must lie at the end.
     first, other = a[same] // 2, b[same]
-    away = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
+    difference = edges.ends[2 * first + 1] - edges.ends[other ^ 1]
     middle = [point_at(edges.curve[row], 0.5 * edges.curve[row, 5]) for row in (first, other // 2)]
     twins = (
-        (np.hypot(*away.T) <= JOIN_DISTANCE)
+        (np.hypot(*difference.T) <= JOIN_DISTANCE)
         & (np.hypot(*(middle[0] - middle[1]).T) <= JOIN_DISTANCE)
         & (edges.line_type[first] == edges.line_type[other // 2])
     )
@@ -152,17 +152,17 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
     low = np.minimum(points.min(axis=0), others.min(axis=0)) - distance
     cell = np.floor((others - low) / distance).astype(np.int64)
-    mine = np.floor((points - low) / distance).astype(np.int64)
-    high = int(max(cell[:, 1].max(), mine[:, 1].max())) + 2
+    point_cell = np.floor((points - low) / distance).astype(np.int64)
+    high = int(max(cell[:, 1].max(), point_cell[:, 1].max())) + 2
     key = cell[:, 0] * high + cell[:, 1]
     order = np.argsort(key, kind="stable")
     key = key[order]
     found_a, found_b = [], []
     for column in (-1, 0, 1):
         # The keys of the three cells of a column are consecutive.
-        wanted = (mine[:, 0] + column) * high + mine[:, 1]
-        first = np.searchsorted(key, wanted - 1)
-        many = np.searchsorted(key, wanted + 2) - first
+        wanted_key = (point_cell[:, 0] + column) * high + point_cell[:, 1]
+        first = np.searchsorted(key, wanted_key - 1)
+        many = np.searchsorted(key, wanted_key + 2) - first
         if many.sum() > MAX_PAIRS:
             raise GeometryError("edge.too-crowded", limit=MAX_PAIRS, distance=distance)
         a = np.repeat(np.arange(len(points)), many)

@@ -69,8 +69,8 @@ def expected_creases(
     edges: Edges,
     board: Board,
     wheel: CreaseWheel,
-    around: Edges | None = None,
-    parts: Bool | None = None,
+    all_creases: Edges | None = None,
+    split_ends: Bool | None = None,
 ) -> ExpectedCreases:
     """Return the expected depth of each of n creases, and where the wheel must start and stop on
     it.
@@ -83,21 +83,21 @@ def expected_creases(
         The n creases and combi lines of one wheel.
     board, wheel
         Board and wheel, whose records determine depths and positions.
-    around
+    all_creases
         All creases, including those of other wheels; None for ``edges`` alone.  An end at which one
         of them continues is not free, so the wheel need not stop before it.
-    parts : (2n,)
+    split_ends : (2n,)
         Mask of the ends at which a cut splits a crease; they are free.  None for no end.
     """
     across = np.radians(edges.chord - board.grain)
     depth = board.crease_along + (board.crease_across - board.crease_along) * np.sin(across) ** 2
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     link, goes_on = link_ends(edges, STRAIGHT_ANGLE)
-    goes_on |= _continued_ends(edges, edges if around is None else around)
-    if parts is not None:
-        goes_on[parts] = False
-        link[parts] = -1
-        link[(link >= 0) & parts[link]] = -1
+    goes_on |= _continued_ends(edges, edges if all_creases is None else all_creases)
+    if split_ends is not None:
+        goes_on[split_ends] = False
+        link[split_ends] = -1
+        link[(link >= 0) & split_ends[link]] = -1
     paths = edge_paths(edges, link)
     open_ = paths.first >= 0
     free = [open_ & ~goes_on[np.maximum(end, 0)] for end in (paths.first, paths.last)]
@@ -112,13 +112,13 @@ def expected_creases(
 
     pressed = np.zeros(len(edges), np.bool_)
     refused = np.zeros(len(edges), np.bool_)
-    which = np.flatnonzero(short)
-    if len(which):
-        both = free[0][which] & free[1][which]
-        size = paths.length[which]
-        at = np.where(both, size / 2.0, np.where(free[0][which], size, 0.0))
+    short_rows = np.flatnonzero(short)
+    if len(short_rows):
+        both = free[0][short_rows] & free[1][short_rows]
+        size = paths.length[short_rows]
+        position = np.where(both, size / 2.0, np.where(free[0][short_rows], size, 0.0))
         half = np.where(both, size / 2.0, size) - board.end_clearance
-        row, place = paths.locate(which, at, edges.curve)
+        row, place = paths.locate(short_rows, position, edges.curve)
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
         depth[row] = np.minimum(depth[row], fits)
@@ -128,8 +128,9 @@ def expected_creases(
     return ExpectedCreases(edges, depth, low, high, pressed, refused)
 
 
-def _continued_ends(edges: Edges, around: Edges) -> Bool:
-    """Return the mask of the 2n ends of n edges at which an edge of ``around`` continues, (2n,).
+def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:
+    """Return the mask of the 2n ends of n edges at which an edge of ``all_creases`` continues,
+    (2n,).
 
     End 2i is the start of edge i, and end 2i + 1 is its end.
     """
@@ -137,23 +138,27 @@ def _continued_ends(edges: Edges, around: Edges) -> Bool:
     step = _CONTINUATION_PROBE * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     probe = line_curves(edges.ends, edges.ends + step)
     overlaps = find_overlaps(
-        probe, around.curve, np.zeros(len(around)), around.curve[:, 5], TOUCH_DISTANCE
+        probe,
+        all_creases.curve,
+        np.zeros(len(all_creases)),
+        all_creases.curve[:, 5],
+        TOUCH_DISTANCE,
     )
-    own = edges.row[overlaps.curve // 2] == around.row[overlaps.edge]
+    own = edges.row[overlaps.curve // 2] == all_creases.row[overlaps.edge]
     turn = angle_between(
         edges.outward[overlaps.curve],
-        azimuth_at(around.curve[overlaps.edge], overlaps.place[:, 0]),
+        azimuth_at(all_creases.curve[overlaps.edge], overlaps.place[:, 0]),
         180.0,
     )
     begins = overlaps.along[:, 0] <= TOUCH_DISTANCE
-    on = (
+    continues = (
         ~own
         & begins
         & (turn <= STRAIGHT_ANGLE)
         & (np.diff(overlaps.along)[:, 0] > 0.5 * _CONTINUATION_PROBE)
     )
     result = np.zeros(len(edges.ends), np.bool_)
-    result[overlaps.curve[on]] = True
+    result[overlaps.curve[continues]] = True
     return result
 
 
@@ -211,14 +216,14 @@ def knife_ends(
     stop = edges.ends + overrun * np.stack([np.cos(ahead), np.sin(ahead)], axis=1)
     stop[~meets & ~free] = np.nan
     # Go back by the lead from a free end along its path, over several edges if necessary.
-    which = np.flatnonzero(free)
-    if len(which):
-        edge = which // 2
+    free_ends = np.flatnonzero(free)
+    if len(free_ends):
+        edge = free_ends // 2
         path = paths.path[edge]
-        at_last = paths.last[path] == which
-        at = np.where(at_last, paths.length[path] - lead, lead)
-        row, place = paths.locate(path, np.clip(at, 0.0, paths.length[path]), edges.curve)
-        stop[which] = point_at(edges.curve[row], place)
+        at_last = paths.last[path] == free_ends
+        position = np.where(at_last, paths.length[path] - lead, lead)
+        row, place = paths.locate(path, np.clip(position, 0.0, paths.length[path]), edges.curve)
+        stop[free_ends] = point_at(edges.curve[row], place)
     return KnifeEnds(stop, free, meets, paths)
 
 
@@ -228,9 +233,9 @@ def groove_continues(edges: Edges) -> Bool:
     End 2i is the start of groove i, and end 2i + 1 is its end.
     """
     a, b = pairs_within(edges.ends, edges.ends, JOIN_DISTANCE)
-    on = (a // 2 != b // 2) & (
+    continues = (a // 2 != b // 2) & (
         angle_between(edges.outward[a], edges.outward[b] + 180.0) <= _COLLINEAR_ANGLE
     )
     result = np.zeros(len(edges.ends), np.bool_)
-    result[a[on]] = True
+    result[a[continues]] = True
     return result

@@ -189,9 +189,9 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     first = np.searchsorted(component[rows], np.arange(count + 1))
     probe = np.zeros((count, 2))
     probe[component[::-1]] = point_at(curve, 0.5 * curve[:, 5])[::-1]
-    around = curve[rows]
-    boxes = _bounding_boxes(around, first)
-    return np.asarray(_count_containing(probe, around, first, boxes, True))
+    outlines = curve[rows]
+    boxes = _bounding_boxes(outlines, first)
+    return np.asarray(_count_containing(probe, outlines, first, boxes, True))
 
 
 def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
@@ -201,29 +201,29 @@ def count_enclosing(points: F64, outlined: CutOutlines) -> I64:
     """
     rows = np.flatnonzero(outlined.closing)
     rows = rows[np.argsort(outlined.component[rows], kind="stable")]
-    around = outlined.edges.curve[rows]
+    outlines = outlined.edges.curve[rows]
     count = int(outlined.component.max(initial=-1)) + 1
     first = np.searchsorted(outlined.component[rows], np.arange(count + 1))
     return np.asarray(
-        _count_containing(points, around, first, _bounding_boxes(around, first), False)
+        _count_containing(points, outlines, first, _bounding_boxes(outlines, first), False)
     )
 
 
-def _bounding_boxes(around: F64, first: I64) -> F64:
+def _bounding_boxes(outlines: F64, first: I64) -> F64:
     boxes = np.empty((len(first) - 1, 4))
     boxes[:, :2], boxes[:, 2:] = np.inf, -np.inf
     owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
-    straight = around[:, 0] == 0.0
-    reach = np.where(straight, 0.0, around[:, 3])[:, None]
-    start = np.where(straight[:, None], around[:, 1:3], around[:, 1:3])
-    end = np.where(straight[:, None], point_at(around, around[:, 5]), around[:, 1:3])
+    straight = outlines[:, 0] == 0.0
+    reach = np.where(straight, 0.0, outlines[:, 3])[:, None]
+    start = np.where(straight[:, None], outlines[:, 1:3], outlines[:, 1:3])
+    end = np.where(straight[:, None], point_at(outlines, outlines[:, 5]), outlines[:, 1:3])
     np.minimum.at(boxes[:, :2], owner, np.minimum(start, end) - reach)
     np.maximum.at(boxes[:, 2:], owner, np.maximum(start, end) + reach)
     return boxes
 
 
 @kernel
-def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
+def _count_containing(points: F64_2, outlines: F64_2, first: I64_1, boxes: F64_2, own: bool) -> Any:
     """Return the number of outlines that contain each of n points, shape (n,).
 
     A point is inside if a ray along +X crosses the outline an odd number of times.
@@ -232,7 +232,7 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
     ----------
     points : (n, 2) mm
         The points.
-    around, first
+    outlines, first
         Curves of all c outlines, outline by outline, and the index of each outline's first curve.
     boxes : (c, 4) mm
         Bounding box of each outline: least x, least y, greatest x, greatest y.
@@ -250,7 +250,7 @@ def _count_containing(points: F64_2, around: F64_2, first: I64_1, boxes: F64_2, 
                 continue
             crossed = 0
             for row in range(first[j], first[j + 1]):
-                crossed += _ray_crossings(around[row], x, y)
+                crossed += _ray_crossings(outlines[row], x, y)
             depth[i] += crossed % 2
     return depth
 
@@ -268,8 +268,8 @@ def _ray_crossings(curve: F64_1, x: float, y: float) -> int:
         y1 = curve[2] + curve[4] * curve[5]
         if (y0 > y) == (y1 > y):
             return 0
-        at = curve[1] + (y - y0) / (y1 - y0) * curve[3] * curve[5]
-        return 1 if at > x else 0
+        crossing_x = curve[1] + (y - y0) / (y1 - y0) * curve[3] * curve[5]
+        return 1 if crossing_x > x else 0
     radius = curve[3]
     first = curve[4]
     last = curve[4] + curve[0] * curve[5] / radius

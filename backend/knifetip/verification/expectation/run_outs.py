@@ -72,25 +72,27 @@ def run_outs(grooves: Edges, cuts: Edges, half: float) -> RunOuts:
     along = np.radians(azimuth_at(curve[edge], place))
     left = np.stack([-np.sin(along), np.cos(along)], axis=1)
     m = np.where(bounds.board_left[outer[edge]][:, None], -left, left)
-    out = (u * m).sum(axis=1)
-    leaves = out > _MIN_SINE
+    leaving = (u * m).sum(axis=1)
+    leaves = leaving > _MIN_SINE
     # Distance from the end of the line until each side of the groove is past an edge.
     need = np.full((count, 2), np.inf)
-    most = np.full((count, 2), -np.inf)
+    farthest = np.full((count, 2), -np.inf)
     n = np.stack([-u[:, 1], u[:, 0]], axis=1)
     for side, sign in enumerate((1.0, -1.0)):
-        go = np.where(leaves, -sign * half * (n * m).sum(axis=1) / np.where(leaves, out, 1.0), 0.0)
+        go = np.where(
+            leaves, -sign * half * (n * m).sum(axis=1) / np.where(leaves, leaving, 1.0), 0.0
+        )
         go = np.where(
             leaves, _distance_to_circle(curve[edge], grooves.ends[end], u, sign * half * n, go), go
         )
         np.minimum.at(need[:, side], end[leaves], go[leaves])
-        np.maximum.at(most[:, side], end[leaves], go[leaves])
+        np.maximum.at(farthest[:, side], end[leaves], go[leaves])
     # At a convex corner being past one edge is enough; in a notch both edges must be passed.
     outward = _convex_corners(bounds, outer, end, edge, count)
     many = np.bincount(end, minlength=count)
     out_by = np.bincount(end[leaves], minlength=count)
     boundary[:] = (many > 0) & (out_by >= np.where(outward, 1, many))
-    reach = np.where(outward[:, None], need, most)
+    reach = np.where(outward[:, None], need, farthest)
     least[boundary] = np.maximum(reach[boundary].max(axis=1), 0.0)
     return RunOuts(boundary, least)
 

@@ -76,8 +76,8 @@ class HpglReader:
 
         The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
         """
-        found = _PLACEMENT.search(text)
-        return (float(found[1]), float(found[2])) if found else None
+        match = _PLACEMENT.search(text)
+        return (float(match[1]), float(match[2])) if match else None
 
     def read(self, text: bytes, machine: Machine, board: Board) -> tuple[Moves, _Faults]:
         """Return the moves of a program, and its faults (1-based line, message) in ascending order.
@@ -140,8 +140,8 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
     pair = raw[begin].astype(np.int64) * 256 + raw[begin + 1]
     table = np.array([ord(name[0]) * 256 + ord(name[1]) for name in _KNOWN])
     code = np.full(len(begin), -1)
-    for index, known in enumerate(table):
-        code[pair == known] = index
+    for index, mnemonic in enumerate(table):
+        code[pair == mnemonic] = index
     for k in np.flatnonzero(code < 0)[:_MAX_FAULTS]:
         name = bytes(raw[begin[k] : begin[k] + 2]).decode("ascii")
         faults.append((int(line_of[begin[k]]), Message("hpgl.unknown-instruction", name=name)))
@@ -186,14 +186,14 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:
         return np.zeros(0, np.int64), head_at, head_at
-    at = np.flatnonzero(digit)
-    which = np.searchsorted(head_at, at, side="right") - 1
-    count = np.bincount(which, minlength=len(head_at))
+    digit_at = np.flatnonzero(digit)
+    number_of = np.searchsorted(head_at, digit_at, side="right") - 1
+    count = np.bincount(number_of, minlength=len(head_at))
     last = np.zeros(len(head_at), np.int64)
-    last[which] = at
-    power = np.minimum(last[which] - at, MAX_DIGITS)
+    last[number_of] = digit_at
+    power = np.minimum(last[number_of] - digit_at, MAX_DIGITS)
     value = np.bincount(
-        which, (raw[at].astype(np.float64) - 48.0) * 10.0**power, minlength=len(head_at)
+        number_of, (raw[digit_at].astype(np.float64) - 48.0) * 10.0**power, minlength=len(head_at)
     )
     bad = head_at[(count == 0) | (count > MAX_DIGITS)]
     value[count > MAX_DIGITS] = 0.0
@@ -201,7 +201,7 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
     return np.rint(signed).astype(np.int64), head_at, bad
 
 
-def _value_in_force(values: I64, where: Bool, before: int) -> I64:
+def _value_in_force(values: I64, is_set: Bool, initial: int) -> I64:
     """Return the value in force after each of k instructions, (k,).
 
     It is the value that this instruction or the last one before it has set.
@@ -210,15 +210,15 @@ def _value_in_force(values: I64, where: Bool, before: int) -> I64:
     ----------
     values : (k,)
         Value of each instruction, if the instruction sets it.
-    where : (k,)
+    is_set : (k,)
         Mask of the instructions that set the value.
-    before
+    initial
         Value before the first instruction that sets it.
     """
-    if len(where) == 0:
+    if len(is_set) == 0:
         return np.zeros(0, np.int64)
-    rows = np.maximum.accumulate(np.where(where, np.arange(len(where)), -1))
-    result: I64 = np.where(rows >= 0, values[rows], before)
+    rows = np.maximum.accumulate(np.where(is_set, np.arange(len(is_set)), -1))
+    result: I64 = np.where(rows >= 0, values[rows], initial)
     return result
 
 
@@ -247,24 +247,24 @@ def _make_track(instructions: _Instructions, faults: _Faults) -> _Track:
     force = _value_in_force(np.where(code == _FS, single, -1), np.isin(code, (_FS, _SP, _IN)), -1)
 
     turned = (down != was_down) & ~initial
-    made = turned + np.where(point, count // 2, 0)
-    total = int(made.sum())
+    made_before = turned + np.where(point, count // 2, 0)
+    total = int(made_before.sum())
     if total > MAX_MOVES:
         raise ProgramUnreadable("program.too-many-moves", moves=total, limit=MAX_MOVES)
-    owner = np.repeat(np.arange(len(code)), made)
-    ordinal = np.arange(total) - np.repeat(np.cumsum(made) - made, made)
+    owner = np.repeat(np.arange(len(code)), made_before)
+    ordinal = np.arange(total) - np.repeat(np.cumsum(made_before) - made_before, made_before)
     upright = turned[owner] & (ordinal == 0)
     at = instructions.first[owner] + 2 * (ordinal - turned[owner])
     x, y = np.zeros(total + 1, np.int64), np.zeros(total + 1, np.int64)
     states = np.concatenate([[False], ~upright])
     along = np.flatnonzero(~upright)
     x[along + 1], y[along + 1] = instructions.number[at[along]], instructions.number[at[along] + 1]
-    held = np.maximum.accumulate(np.where(states, np.arange(total + 1), 0))
+    last_set = np.maximum.accumulate(np.where(states, np.arange(total + 1), 0))
     return _Track(
         line=instructions.line[owner],
-        x=x[held],
-        y=y[held],
-        known=held > 0,
+        x=x[last_set],
+        y=y[last_set],
+        known=last_set > 0,
         down=down[owner],
         upright=upright,
         pen=pen[owner],
@@ -297,10 +297,10 @@ def _check_state(
     number = np.zeros(len(code), np.int64)
     has = np.diff(instructions.first) > 0
     number[has] = instructions.number[instructions.first[:-1][has]]
-    known = [0, *(pen.number for pen in plotter.pens)]
+    pen_numbers = [0, *(pen.number for pen in plotter.pens)]
     _add_faults(
         faults,
-        instructions.line[(code == _SP) & ~np.isin(number, known)],
+        instructions.line[(code == _SP) & ~np.isin(number, pen_numbers)],
         Message("hpgl.unknown-pen"),
     )
     for mnemonic, limits, absent, beyond in (
@@ -311,9 +311,11 @@ def _check_state(
         if limits is None:
             _add_faults(faults, instructions.line[rows], Message(absent))
         else:
-            off = rows & ((number < limits[0]) | (number > limits[1]))
+            outside_limits = rows & ((number < limits[0]) | (number > limits[1]))
             _add_faults(
-                faults, instructions.line[off], Message(beyond, low=limits[0], high=limits[1])
+                faults,
+                instructions.line[outside_limits],
+                Message(beyond, low=limits[0], high=limits[1]),
             )
     last = int(instructions.line[-1])
     if not instructions.ended:
@@ -341,16 +343,16 @@ def _make_moves(
     feed, plunge = np.full(count, np.nan), np.full(count, np.nan)
     working = track.down & ~track.upright
     for pen in plotter.pens:
-        mine = track.pen == pen.number
+        is_pen = track.pen == pen.number
         tool = stations[index[pen.station]].tool
-        station[mine] = index[pen.station]
-        depth[mine] = _pen_height(pen, machine, board)
-        oscillating[mine] = expected_tool(tool).needs_spindle
-        plunge[mine], feed[mine] = tool.plunge, tool.feed
+        station[is_pen] = index[pen.station]
+        depth[is_pen] = _pen_height(pen, machine, board)
+        oscillating[is_pen] = expected_tool(tool).needs_spindle
+        plunge[is_pen], feed[is_pen] = tool.plunge, tool.feed
         if device.force is not None:
-            off = mine & track.down & track.upright & (track.force != pen.force)
+            is_wrong = is_pen & track.down & track.upright & (track.force != pen.force)
             message = Message("hpgl.wrong-force", pen=pen.number, force=pen.force)
-            _add_faults(faults, track.line[off], message)
+            _add_faults(faults, track.line[is_wrong], message)
     if device.speed is not None:
         feed = np.where(track.speed > 0, track.speed * 600.0, np.nan)
         unset = working & (track.speed <= 0)
@@ -447,7 +449,9 @@ def _check_corners(
         Heading of each move (degrees), mask of the moves with the tool down, and index of the
         station.
     """
-    swivel = np.array([*(expected_tool(held.tool).swivel for held in machine.stations), 360.0])
+    swivel = np.array(
+        [*(expected_tool(mounted.tool).swivel for mounted in machine.stations), 360.0]
+    )
     length = np.hypot(np.diff(track.x), np.diff(track.y))
     unsure = np.degrees(math.sqrt(2.0) / np.maximum(length, 1.0))
     turn = np.abs((np.diff(heading) + 180.0) % 360.0 - 180.0)
