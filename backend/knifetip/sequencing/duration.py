@@ -138,7 +138,7 @@ def _axis_rates(toolpath: Toolpath, length: F64) -> tuple[F64, F64]:
     and the same at the end of each row.
 
     ``length`` is the length of each of the n rows over all four axes, (n,) mm and degrees added
-    alike. Both returned arrays are (n, 4).
+    alike.  Both returned arrays are (n, 4).
     """
     change = np.diff(toolpath.pose, axis=0)
     first, last = change.copy(), change.copy()

@@ -228,7 +228,7 @@ class StationCheck(ABC):
             Rotation after which the tool has the same shape again: 180 or 360.
         chorded : (n,)
             Mask of the edges that the tool follows in chords; None if the tool follows no edge in
-            chords. On these edges the heading is compared with the direction of the chord, on all
+            chords.  On these edges the heading is compared with the direction of the chord, on all
             other edges with the direction of the edge.
         """
         best = np.flatnonzero(overlaps.best)
