@@ -88,8 +88,8 @@ class GrooveCheck(StationCheck):
         """Lengthen the grooves by their required run-outs past the board's edge, in place.
 
         A run-out must not be longer than required, because there may be an obstacle beside the
-        board.  Returns the mask of the start and end of each of n grooves at which the groove leaves
-        the board, shape (n, 2).  ``blade`` is the V-cutter.
+        board.  Returns the mask of the start and end of each of n grooves at which the groove
+        leaves the board, shape (n, 2).  ``blade`` is the V-cutter.
         """
         half = self.context.board.groove_depth * blade.slope
         required = run_outs(self.edges, self.context.edges.with_types(LineType.CUT), half)
