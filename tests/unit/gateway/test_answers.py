@@ -1,4 +1,4 @@
-"""Status reports of grbl and grblHAL become records; damaged ones become nothing."""
+"""Status reports of grbl and grblHAL are parsed; damaged ones are ignored."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.gateway.grbl import answers
 
 
 def report_of(line: str) -> answers.Report:
-    """Return the report that a line contains."""
+    """Return the parsed status report of a line, which must contain one."""
     report = answers.report(line)
     assert report is not None
     return report

@@ -1,4 +1,4 @@
-"""The gateway's round: claim, stream, heartbeat, finish, and what it does when things go wrong."""
+"""One job of the gateway: claim, stream, heartbeat, finish, and its behaviour after failures."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from tests.support.messages import stored
 
 MACHINE = load.machine("demo-table")
 
-# Station 2, the crease wheel, stands at x + 60 and z - 1.5: its datum is in the numbers.
+# The coordinates include the datum of station 2, the crease wheel: X +60, Z -1.5.
 PROGRAM = b"""G21 G90 G91.1 G17 G40 G49 G94 G54
 G0 Z20.0000
 M64 P1
@@ -43,12 +43,12 @@ M30
 """
 
 
-#: What a gateway sends, or is sent.
+#: JSON of a heartbeat or of its response.
 Beat = dict[str, Any]
 
 
 class Office:
-    """The server, as far as a gateway sees it."""
+    """A fake server that offers one job and records the requests of the gateway."""
 
     def __init__(
         self,
@@ -77,9 +77,9 @@ class Office:
         self.command: Callable[[Beat], str] = lambda beat: "continue"
         self.reachable = True
         self.stale = False
-        self.deaf = 0  # answers to finish that are lost
+        self.deaf = 0  # number of responses to finish that are lost
         self.delayed: Callable[[Beat], Awaitable[None]] | None = (
-            None  # what the answer to a heartbeat waits for
+            None  # the response to a heartbeat waits for this
         )
 
     async def __call__(self, request: httpx.Request) -> httpx.Response:
@@ -121,7 +121,7 @@ async def table(**options: Any) -> AsyncIterator[simulator.Server]:
 
 
 async def gateway(office: Office, server: simulator.Server, **options: Any) -> None:
-    """Work for one job."""
+    """Run a gateway at a simulated table until one job has ended."""
     async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:
         async with asyncio.timeout(20.0):
             connect = options.pop(
@@ -165,9 +165,9 @@ async def test_positions_are_those_of_the_head_on_the_sheet() -> None:
     cutting = [beat["position"] for beat in office.beats if beat["line"] == 6]
     assert cutting
     for x, y, z, c in cutting:
-        # 160 … 560 and -1.0 in the program: without the wheel's datum 100 … 500 and 0.5.
+        # 160 … 560 and -1.0 in the program are 100 … 500 and 0.5 without the wheel's datum.
         assert 100.0 <= x <= 500.0
-        # At the joint with the plunge it may be the rounding of a report off.
+        # At the end of the plunge the report may deviate by its rounding.
         assert (y, z, c) == pytest.approx((100.0, 0.5, 0.0), abs=0.005)
 
 
@@ -200,13 +200,13 @@ async def test_between_two_copies_it_waits_as_held_for_a_new_sheet() -> None:
 
 
 def released(table: Table) -> bool:
-    """Whether station 2 was lowered and raised again."""
+    """Return whether station 2 was lowered and raised again."""
     return [event.on for event in table.switch_events if event.output == 1][-2:] == [True, False]
 
 
 async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
     office = Office(copies=2)
-    # Says resume to every heartbeat that is not held, and cancel in the end.
+    # Sends resume in every response except to held jobs, and cancel at the end.
     held = []
 
     def command(beat: Beat) -> str:
@@ -244,7 +244,7 @@ async def test_hold_stops_the_machine_in_mid_line_and_resume_goes_on() -> None:
         await gateway(office, server)
         assert server.table.position[0] == 560.0
     assert 100.0 < held[-1][0] < 500.0
-    # It brakes for 0.06 s of its own time, then stands.
+    # The machine brakes for 0.06 s of its own time and then is at rest.
     assert held[20:25] == [held[20]] * 5
     assert office.finished[0]["outcome"] == "done"
 
@@ -276,7 +276,7 @@ async def test_a_job_that_is_no_longer_ours_stops_the_machine_and_is_reported_wi
         await gateway(office, server)
         assert 160.0 < server.table.position[0] < 560.0
         assert server.table.position[2] == 20.0
-    # The server takes it as evidence while the job is interrupted, and refuses it otherwise.
+    # The server accepts the report while the job is interrupted, and refuses it otherwise.
     (report,) = office.finished
     assert (report["outcome"], report["line"], report["epoch"]) == ("interrupted", 6, 3)
     assert "the machine was stopped" in report["why"]["text"]
@@ -297,7 +297,7 @@ async def test_without_the_server_the_machine_goes_on_for_the_lease_and_then_hol
                 await asyncio.sleep(0.01)
         x = server.table.position[0]
         assert 160.0 < x < 560.0
-        # Reachable again: it does not go on by itself, it says held and waits.
+        # Once the server is reachable again, the gateway reports held and waits.
         beats = len(office.beats)
         office.command = lambda beat: "continue"
         office.reachable = True
@@ -392,7 +392,7 @@ async def test_a_job_cut_off_by_the_power_is_told_at_the_next_start(tmp_path: Pa
     assert journal.unfinished() is None
 
 
-# The operator starts
+# Start by the operator
 
 
 async def test_nothing_is_sent_to_the_machine_before_the_start() -> None:
@@ -489,7 +489,7 @@ async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_bac
     assert office.finished[0]["outcome"] == "returned"
 
 
-# What the journal proves
+# Reports from the journal
 
 
 async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(

@@ -1,4 +1,4 @@
-"""The path of the lines that were sent: what lies on it, and what stops the machine."""
+"""The path of the lines that were sent: positions on it, and positions that stop the machine."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def report(
 
 
 def verdict(corridor: Corridor, status: Status, reports: int = REPORTS) -> ControllerError | None:
-    """Return what came of so many reports of one position."""
+    """Return the result of the last of several equal reports: the fault, None if there is none."""
     for _ in range(reports - 1):
         assert corridor.observe(status) is None
     return corridor.observe(status)
@@ -71,7 +71,7 @@ def test_a_move_that_was_not_sent_yet_is_off_the_path() -> None:
 def test_a_move_that_must_be_done_is_off_the_path() -> None:
     rows = b"".join(b"G1 X%d Y%d F900\n" % (100 * (row % 2), row) for row in range(200))
     corridor = Corridor(rows, START, 4)
-    # Of 150 answered, 4 can be in the planner; some are kept for answers too many.
+    # Of 150 answered lines, 4 can be in the planner; some more are kept for excess answers.
     on_row = [
         verdict(corridor, report(50, row - 0.5, 20, sent=155, answered=150)) is None
         for row in (152, 148, 138)

@@ -1,4 +1,4 @@
-"""The grbl protocol from the sender's side: a scripted controller at the end of the wire."""
+"""The grbl protocol of the sender, tested with a scripted controller."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ BANNER = "Grbl 1.1h ['$' for help]"
 
 
 class Wire:
-    """A Transport to a controller that answers as it is told to.
+    """A Transport to a scripted controller.
 
-    ``answers`` maps a line to what is said to it; any other line is answered ``ok`` while
-    ``obliging``, and nothing after.
+    ``answers`` maps lines to answers; other lines are answered with ``ok`` while ``obliging`` is
+    true, and not at all otherwise.
     """
 
     address = "wire"
@@ -88,7 +88,7 @@ class Wire:
 
 
 def fault_of(controller: Grbl) -> ControllerError | None:
-    """Return the fault that the controller has now."""
+    """Return the current fault of a controller, None if there is none."""
     return controller.fault
 
 
@@ -180,7 +180,7 @@ async def test_characters_in_flight_never_exceed_the_buffer() -> None:
     async with opened(wire) as controller:
         wire.obliging = False
         wire.state = "Run"
-        # 28 and a newline: four fit into 127, one of them is kept free for a doubled answer.
+        # 28 bytes and a newline: four fit into 127; one is kept free in case of a doubled answer.
         line = b"G1 X100.0000 Y200.0000 F1200"
         sending = [asyncio.create_task(controller.send(line, row)) for row in range(1, 11)]
         await asyncio.sleep(0.02)
@@ -372,7 +372,7 @@ async def test_positions_are_in_the_numbers_of_the_program() -> None:
     async with opened(wire) as controller:
         wire.say("<Idle|MPos:110,220,20,90|WCO:100,200,0,0>")
         assert (await controller.status()).position == (10.0, 20.0, 20.0, 90.0)
-        # The offset is sent now and then only: it stays.
+        # The offset is reported only occasionally, so the last one is kept.
         assert (await controller.status()).position == (10.0, 20.0, 20.0, 90.0)
 
 
@@ -499,7 +499,7 @@ async def test_settling_waits_for_rest_and_for_the_answer_to_its_own_question() 
 
 
 async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many() -> None:
-    # The ok of a line that was counted as answered before, then the answer itself.
+    # A late ok of a line that was already counted as answered, then the expected answer.
     wire = Wire({"$G": "ok\n[GC:G0 G54]"})
     async with opened(wire) as controller:
         with pytest.raises(ControllerError, match="A response was duplicated"):

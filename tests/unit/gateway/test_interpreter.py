@@ -1,4 +1,4 @@
-"""Lines mean what they mean to grblHAL, and wrong ones get its error numbers."""
+"""Lines have the same effect as in grblHAL, and invalid ones get its error numbers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from knifetip.gateway.motion import Move
 
 
 def read(*lines: bytes) -> Block:
-    """Read lines after a header in millimetres; return the last block."""
+    """Interpret lines after a header in millimetres; return the last block."""
     interpreter = Interpreter()
     interpreter.read(b"G21 G90 G91.1 G17 G40 G49 G94 G54")
     return [interpreter.read(line) for line in lines][-1]

@@ -1,4 +1,4 @@
-"""The journal knows after a crash which job had no end."""
+"""After a crash, the journal shows which job has no end."""
 
 from __future__ import annotations
 
@@ -95,6 +95,6 @@ def test_a_journal_of_before_copies_were_recorded_is_read(tmp_path: Path) -> Non
         '{"event": "line", "job": "a", "copy": 0, "executed": 50, "acknowledged": 50}\n'
     )
     left = Journal(path).unfinished()
-    # That the last line was reported is no proof that the machine came to rest after it.
+    # A report of the last line does not prove that the machine came to rest.
     assert left == Unfinished("a", 1, lines=50, line=50)
     assert left.copies_done < left.copies

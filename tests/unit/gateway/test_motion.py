@@ -1,4 +1,4 @@
-"""Moves are where arithmetic says, and the planner keeps to what the axes can do."""
+"""Positions along moves equal those computed by hand, and the planner respects the axes' limits."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HOME = (0.0, 0.0, 0.0, 0.0)
 
 
 def quarter(**more: float) -> Move:
-    """Counter-clockwise about the origin from (10, 0) to (0, 10), C from 90 to 180."""
+    """Return a counter-clockwise arc about the origin from (10, 0) to (0, 10), C from 90 to 180."""
     return Move(
         (10.0, 0.0, 0.0, 90.0),
         (0.0, 10.0, 0.0, 180.0),
@@ -29,7 +29,7 @@ def quarter(**more: float) -> Move:
 
 
 def travelled(planner: Planner, step: float = math.inf) -> float:
-    """Run the planner empty and return the time that it took."""
+    """Run all moves of a planner in time steps of ``step``; return the total time (s)."""
     time = 0.0
     while planner.moving:
         time += planner.advance(step)
@@ -72,12 +72,12 @@ def test_the_box_of_a_half_circle_holds_its_belly() -> None:
 
 
 def test_inverse_time_takes_its_time() -> None:
-    # 0.01 min for 100 mm: 166.7 mm/s, less than the axis can.
+    # 0.01 min for 100 mm: 166.7 mm/s, less than the axis permits.
     assert Move(HOME, (100.0, 0.0, 0.0, 0.0), minutes=0.01).seconds(LIMITS) == pytest.approx(0.6)
 
 
 def test_an_axis_never_goes_faster_than_it_can() -> None:
-    # C is the slow one: 720 degrees at 360 a second, however short the time asked for.
+    # C limits the speed: 720 degrees at 360 per second, although a shorter time is programmed.
     assert Move(HOME, (1.0, 0.0, 0.0, 720.0), minutes=1e-6).seconds(LIMITS) == pytest.approx(2.0)
 
 
@@ -96,7 +96,7 @@ def test_an_arc_keeps_its_centripetal_acceleration_within_the_axes() -> None:
 def test_a_line_of_100_mm_at_100_mm_a_second_takes_its_ramps_too() -> None:
     planner = Planner(LIMITS, 15, HOME)
     planner.append(Move(HOME, (100.0, 0.0, 0.0, 0.0), rate=6000.0))
-    # 100 mm / 100 mm/s, and 0.1 s because both ramps of 0.1 s are on average half as fast.
+    # 100 mm / 100 mm/s, plus 0.1 s: both ramps of 0.1 s have half the speed on average.
     assert travelled(planner) == pytest.approx(1.1)
     assert planner.position == (100.0, 0.0, 0.0, 0.0)
 
@@ -152,7 +152,7 @@ def test_a_hold_in_mid_arc_takes_its_braking_distance_and_stays_on_the_arc() -> 
         braking += 1
     assert braking > 0
     length = math.hypot(5.0 * math.pi, 90.0)
-    hardest = 1000.0 * length / 90.0  # C is what brakes least
+    hardest = 1000.0 * length / 90.0  # C has the lowest deceleration
     assert planner.halted
     assert (planner.fraction - before) * length == pytest.approx(speed**2 / 2.0 / hardest, rel=1e-6)
     assert math.hypot(*planner.position[:2]) == pytest.approx(10.0)

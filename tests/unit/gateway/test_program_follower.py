@@ -1,4 +1,4 @@
-"""The executed line is followed by what the controller reports, never past the truth."""
+"""The executed line is estimated from reports of the controller, and never too far ahead."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from knifetip.gateway.program_follower import ProgramFollower, lines_of
 
 LIMITS = Limits((1000.0,) * 4, (1000.0,) * 4, (-math.inf,) * 4, (math.inf,) * 4)
 
-# Out along X with C at 0, half a turn in place, back over the same points with C at 180.
+# Along X with C at 0, a half turn in place, and back over the same points with C at 180.
 GROOVE = b"""G21 G90 G94
 M64 P2
 G4 P0.15
@@ -77,14 +77,14 @@ def test_a_position_off_the_path_says_nothing() -> None:
 
 
 def test_just_after_a_joint_it_is_the_next_line() -> None:
-    # 0.03 mm of the way back done: nearer to the way back than to the end of the half turn.
+    # 0.03 mm of the return done: nearer to the return than to the end of the half turn.
     follower = followed()
     follower.update(at(100.0, z=1.0, c=90.0), 8, None)
     assert follower.update(at(99.97, z=1.0, c=180.0), 8, None) == 6
 
 
 def test_the_rounding_of_a_report_does_not_move_it_on() -> None:
-    # The second line passes nearer to the report, by half a thousandth of a millimetre.
+    # The second line is nearer to the reported position by 0.0005 mm.
     text = b"G1 X100 F600\nG1 X0 Y0.001\n"
     assert followed(text).update(at(50.0, 0.0005), 2, None) == 0
 
@@ -95,7 +95,7 @@ def test_a_later_crossing_of_the_same_point_does_not_count() -> None:
 
 
 def test_blocks_free_in_the_planner_say_how_much_must_be_done() -> None:
-    # Five moves answered, 14 of 15 blocks free: one is held, one more may be in the steps.
+    # Five moves answered, 14 of 15 blocks free: one is planned, one more may be executing.
     follower = followed()
     assert follower.update(at(y=500.0, free=14), 8, 15) == 6
 

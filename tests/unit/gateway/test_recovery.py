@@ -1,4 +1,4 @@
-"""The way into the safe state: which commands, in which order, and what is never sent."""
+"""The transition to the safe state: which commands are sent, in which order, and which never."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LIFT = "$J=G90 G21 Z20.0000 F6000"
 
 
 class Machine:
-    """A controller that behaves as grblHAL does, without a wire."""
+    """A controller that behaves like grblHAL, without a connection."""
 
     name = "machine"
 
@@ -24,7 +24,7 @@ class Machine:
         self.z = z
         self.last_alarm = last_alarm
         self.done: list[str] = []
-        self.slowing = 2  # reports until it stands
+        self.slowing = 2  # number of reports until it is at rest
         self.refuses: set[str] = set()
         self.unreachable = 0
         self.homing_lock = False

@@ -1,4 +1,4 @@
-"""The simulated controller without a network: what it answers, and what its table does."""
+"""The simulated controller without a network: its answers and the movements of its table."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MACHINE = load.machine("demo-table")
 
 
 class Bench:
-    """A table whose answers are kept."""
+    """A simulated table that records its answers."""
 
     def __init__(self, **options: Any) -> None:
         self.said: list[str] = []
@@ -22,7 +22,7 @@ class Bench:
         self.table.answer = self.said.append
 
     def tell(self, text: bytes, *, elapse: float = 0.0) -> list[str]:
-        """Send lines (or realtime bytes), let time pass, and return what was answered."""
+        """Send bytes, let ``elapse`` seconds pass, and return the answers."""
         self.said.clear()
         self.table.receive(text)
         if elapse:
@@ -33,7 +33,7 @@ class Bench:
 async def test_a_rapid_and_a_feed_end_where_they_should_and_take_their_time() -> None:
     bench = Bench()
     assert bench.tell(b"G21 G90 G94\nG1 X500 F30000\n", elapse=10.0) == ["ok", "ok"]
-    # 500 mm at 500 mm/s is 1 s, and both ramps of 500 / 8,000 s are half as fast on average.
+    # 500 mm at 500 mm/s is 1 s; both ramps of 500 / 8,000 s have half the speed on average.
     assert bench.table.time == pytest.approx(1.0 + 500.0 / 8000.0)
     assert bench.table.position == (500.0, 0.0, 20.0, 0.0)
 
@@ -56,7 +56,7 @@ async def test_lines_are_answered_until_the_planner_is_full() -> None:
 async def test_bytes_that_overflow_the_buffer_are_lost_and_garble_what_follows() -> None:
     bench = Bench()
     bench.tell(b"G1 F600\n" + b"".join(b"X%d\n" % row for row in range(1, 16)))
-    bench.tell(b"X100\n" * 40)  # one is taken out, then 128 bytes fit: 25 lines and "X10"
+    bench.tell(b"X100\n" * 40)  # one line is taken out, then 128 bytes fit: 25 lines and "X10"
     assert bench.table.lost == 200 - 5 - 128
     said = bench.tell(b"", elapse=500.0)
     assert said == ["ok"] * 26

@@ -1,4 +1,4 @@
-"""Addresses are read, and a controller that is not there is said to be so."""
+"""Addresses of controllers are parsed, and an unreachable controller is reported."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Faults on the wire to a controller: each ends with the machine in its safe state.
+"""Faults on the connection to a controller: each ends with the machine in its safe state.
 
-The table is in memory, and its time passes with every ``?``: nothing depends on the clock but the
-limit of silence.
+The table is simulated in memory, and its time advances with every ``?``; only the limit of silence
+depends on the clock.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from knifetip.library import load
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)
 SILENCE = 0.3
-#: Machine seconds to one ``?``.
+#: Seconds by which the table's time advances with each ``?``.
 STEP = 0.02
 
 PROGRAM = (
@@ -53,7 +53,7 @@ SpoilLine = Callable[[bytes], bytes]
 
 
 class Wire:
-    """A Transport to a table in memory, and what spoils the lines on it."""
+    """A Transport to a table in memory that can modify lines and answers."""
 
     address = "wire"
 
@@ -63,7 +63,7 @@ class Wire:
         self.spoil_line: SpoilLine = lambda line: line
         self.open = True
         self.muted = False
-        self.oks = 0  # outside check mode, of the program
+        self.oks = 0  # answers to lines of the program, without check mode
         self.moves = 0
         self._disabled = False
         self.checked = False
@@ -71,7 +71,7 @@ class Wire:
         table.answer = self._answer
 
     def _answer(self, line: str) -> None:
-        # Its greeting ends the check; greetings before it are those of the takeover's reset.
+        # The greeting after check mode ends the check; earlier ones follow the takeover's reset.
         self._disabled = self._disabled or line == "[MSG:Disabled]"
         self.checked = self.checked or (self._disabled and line == BANNER)
         if line == "ok" and self.checked:
@@ -106,12 +106,12 @@ class Wire:
 
 
 class Bench:
-    """A table, the wire to it, and a controller that streams the program."""
+    """A table, a connection to it, and a controller that streams the program."""
 
     def __init__(self) -> None:
         self.table = Table(MACHINE)
         self.wire = Wire(self.table)
-        self.reachable = True  # after the connection was lost
+        self.reachable = True  # whether a lost connection can be opened again
         self.controller = Grbl(
             self.wire, safe=SAFE, reconnect=self._reconnect, silence=SILENCE, poll=0.01
         )
@@ -123,13 +123,13 @@ class Bench:
         return self.wire
 
     async def run(self) -> Progress:
-        """Stream the program; return the last Progress."""
+        """Stream the program; return the last report of progress."""
         course = stream(PROGRAM, self.controller, limits=Limits.of(MACHINE), interval=0.001)
         async with asyncio.timeout(30.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 
     def at_answer(self, spoil: SpoilAnswer, number: int = MIDDLE) -> None:
-        """Spoil the answer to one line of the program."""
+        """Replace the answer to one line of the program by the result of ``spoil``."""
 
         def spoil_answer(line: str) -> list[str]:
             if line == "ok" and self.wire.oks == number and self.wire.checked:
@@ -140,7 +140,7 @@ class Bench:
         self.wire.spoil_answer = spoil_answer
 
     def at_move(self, spoil: SpoilLine, number: int = 3) -> None:
-        """Spoil one move on its way to the table."""
+        """Replace one move of the program on its way to the table by the result of ``spoil``."""
 
         def spoil_line(line: bytes) -> bytes:
             return spoil(line) if self.wire.moves == number else line
@@ -174,7 +174,7 @@ async def test_the_program_runs_to_its_end_and_its_station_was_lowered(bench: Be
     bench.assert_safe()
 
 
-# -- faults that end the job
+# -- Faults that end the job
 
 
 def stranger_resets(bench: Bench) -> SpoilAnswer:
@@ -223,7 +223,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench: Bench, 
     bench.assert_safe()
     assert "was stopped and lifted to Z 20.0, and its stations were released" in raised.value.text
     assert raised.value.hint
-    # It is in a known state: the next program runs.
+    # The machine is in a known state: the next program runs.
     assert bench.controller.fault is None
     assert (await bench.run()).executed == LINES
 
@@ -246,7 +246,7 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
     assert found is not None
     executed, lines, more = map(int, found.groups())
     assert lines == LINES
-    # 15 blocks in the planner, and what fits into 128 bytes.
+    # 15 blocks in the planner, and the lines in a buffer of 128 bytes.
     assert executed < MIDDLE <= executed + more <= executed + 15 + 12
 
 
@@ -295,7 +295,7 @@ async def test_a_line_spoilt_on_its_way_never_ends_as_done(
     bench.assert_safe()
 
 
-# -- faults that are borne
+# -- Faults that are tolerated
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,9 @@ from knifetip.geometry.spatial_index.morton import morton_code, order_boxes
 
 
 def some_boxes(random: np.random.Generator, count: int) -> F64:
-    """Boxes on whole millimetres, so that many touch exactly."""
+    """Return ``count`` random boxes with integer coordinates, so that many touch exactly, (n,
+    4).
+    """
     low = random.integers(0, 60, (count, 2))
     return np.hstack([low, low + random.integers(0, 6, (count, 2))]).astype(np.float64)
 

@@ -1,4 +1,6 @@
-"""A compile's ends, good and bad, in real processes."""
+"""The end of compilations in real processes: success, refusal, failure, timeout and
+cancellation.
+"""
 
 from __future__ import annotations
 
@@ -63,7 +65,7 @@ def ordered(store: Store, machine: str = "demo-table") -> Job:
 
 @pytest.fixture
 def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
-    """Put another task in the place of the compile."""
+    """Return a function that replaces the compile task by another task."""
     monkeypatch.setattr(tasks, "missing_kernels", crew_tasks.nothing_missing)
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
 

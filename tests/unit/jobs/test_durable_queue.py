@@ -1,4 +1,4 @@
-"""Compiles as workflows of DBOS, in SQLite and in PostgreSQL."""
+"""Compilations as workflows of DBOS, in SQLite or, if there is a server, in PostgreSQL."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.model.interpretation import Interpretation
 
-# One DBOS to a process.
+# Only one DBOS can run in a process.
 pytestmark = pytest.mark.xdist_group("crew")
 
 

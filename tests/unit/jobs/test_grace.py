@@ -5,7 +5,7 @@ from knifetip.jobs.transitions import LEASE
 
 
 def seconds(grace: Grace, start: float, count: float) -> bool:
-    """Let a process listen for so many seconds, one by one."""
+    """Call ``grace`` every second for ``count`` seconds; return its last result."""
     now = start
     over = grace.is_over(now)
     while now < start + count:

@@ -34,7 +34,7 @@ def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
     assert leaving == {
         State.QUEUED: {Who.OPERATOR},
         State.SCRAPPED: {Who.OPERATOR},
-        # The last owner's late report is evidence; it starts nothing.
+        # A late report of the last gateway is evidence; it starts no machine.
         State.DONE: {Who.OPERATOR, Who.GATEWAY},
     }
 

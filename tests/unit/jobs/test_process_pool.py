@@ -1,4 +1,4 @@
-"""The worker processes are real ones here: they take a second to start."""
+"""The process pool with real worker processes, which take a second to start."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Readings serve in place of the file, and only where they give the same."""
+"""Stored readings replace reading the file if they give the same result."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CONTENT = samples()["tuck-end-carton.dxf"]
 
 
 def stored(interpretation: Interpretation) -> StoredDrawing:
-    """Return a sample as the store keeps it after its upload."""
+    """Return a sample drawing as the store contains it after its upload."""
     handles = None
     if interpretation.overrides:
         handles = pipeline.read(CONTENT, interpretation.unit or None).handles
@@ -52,12 +52,12 @@ def same(one: tuple[Drawing, Dieline], other: tuple[Drawing, Dieline]) -> None:
 
 @pytest.fixture
 def unread(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Fail where a compile or its questions read a file."""
+    """Fail if a compilation or its questions read the file."""
 
     def refuse(*_: object) -> None:
         raise AssertionError("the file was read again")
 
-    # ``tasks.read`` has the function by a name of its own.
+    # ``tasks`` has imported the function under its own name.
     monkeypatch.setattr(readings, "read_drawing", refuse)
 
 

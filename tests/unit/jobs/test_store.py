@@ -151,7 +151,7 @@ def running(store: Store, **more: object) -> Job:
 
 
 def waiting(store: Store, **more: object) -> Job:
-    """Return a job that a gateway has claimed on a machine that is fed by hand."""
+    """Return a job that a gateway has claimed on a machine with manual feed."""
     queued(store, **more)
     job = store.gateways.claim("table", "gateway", manual=True)
     assert job is not None
@@ -159,7 +159,7 @@ def waiting(store: Store, **more: object) -> Job:
 
 
 def fed(store: Store, **more: object) -> Job:
-    """Return a job that runs on a machine that is fed by hand, confirmed."""
+    """Return a confirmed job that runs on a machine with manual feed."""
     job = waiting(store, **more)
     store.jobs.confirm(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
@@ -170,7 +170,7 @@ def course(store: Store, id: str) -> list[str]:
     return [event.state for event in store.events.of_job(id)]
 
 
-# The way of a job
+# States of a job
 
 
 def test_a_job_goes_from_received_to_done_and_every_step_is_an_event(store: Store) -> None:
@@ -239,7 +239,7 @@ def test_a_job_that_does_not_exist_is_named(store: Store) -> None:
         store.drawings.get("nothing")
 
 
-# One job on a table
+# One job per table
 
 
 def test_two_claims_on_one_machine_give_one_job(store: Store) -> None:
@@ -279,7 +279,7 @@ def test_ten_gateways_that_claim_at_once_get_one_job(store: Store) -> None:
         thread.start()
     for thread in threads:
         thread.join()
-    # PostgreSQL shows a row that another is claiming to nobody: None is as good a no as busy.
+    # PostgreSQL skips rows that another transaction claims, so None is returned instead of busy.
     assert len([job for job in got if job is not None]) == 1
     assert len(got) + len(refused) == 10
 
@@ -406,7 +406,7 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
         )
         == "resume"
     )
-    # The second copy was so short that no heartbeat fell into it.
+    # The second copy was so short that no heartbeat was sent during it.
     answer = store.gateways.heartbeat(
         job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
     )
@@ -414,7 +414,7 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     assert str(store.events.of_job(job.id)[-1].message).startswith("Copy 2 of 3 is finished")
 
 
-# The operator starts
+# Start by the operator
 
 
 def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> None:
@@ -426,7 +426,7 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
-    # The answer with the start may be lost: it is repeated, and recorded once.
+    # The response that starts the job may be lost: it is repeated, and recorded once.
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "continue"
     assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
@@ -676,11 +676,11 @@ def test_an_interrupted_job_that_is_queued_again_keeps_its_place(
     assert again.id == job.id
 
 
-# The last owner's report
+# Late reports of the last gateway
 
 
 def interrupted(store: Store, clock: Clock, line: int, **more: object) -> Job:
-    """Return a job whose gateway fell silent at a line."""
+    """Return a job whose gateway stopped reporting at a program line."""
     job = fed(store, **more)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=line))
     clock.now += LEASE + 0.1
@@ -759,7 +759,7 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
         "The job was interrupted after copy 1 of 3, before the first line of the next copy. "
     )
     assert "remaining copies" in hint_of(row)
-    # The gateway knows better: the second was cut to its end.
+    # The gateway reports that the second copy was cut to its end.
     row = store.gateways.finish(job.id, job.epoch, "interrupted", line=0, copies_done=2)
     assert row.copies_done == 2
     assert str(row.message).startswith("The job was interrupted after copy 2 of 3")
@@ -800,7 +800,7 @@ def test_a_service_that_could_not_be_reached_takes_nothing_from_gateways(
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=9)) == "continue"
 
 
-# What the operator wants
+# Requested actions of the operator
 
 
 def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
@@ -908,7 +908,7 @@ def test_every_change_calls_its_subscribers_and_progress_does_not(store: Store) 
         changes = len(calls)
         store.compiles.report_progress(job.id, job.epoch, Stage.PLAN, 0.1)
     store.jobs.cancel(job.id)
-    # A drawing, an order and the begin of its compile.
+    # A drawing, an order and the start of its compilation.
     assert (changes, len(calls)) == (3, 3)
 
 

@@ -1,4 +1,4 @@
-"""Who writes next: one at a time, and whoever is urgent first."""
+"""Turns to write to the database: one thread at a time, urgent ones first."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.jobs.turns import Turns
 
 
 def waiting(turns: Turns, name: str, order: list[str], urgent: bool) -> threading.Thread:
-    """A thread that waits for a turn and notes its name when it has it."""
+    """Start a thread that waits for a turn and then appends its name to ``order``."""
 
     def act() -> None:
         with turns.turn(urgent):

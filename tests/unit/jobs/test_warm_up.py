@@ -1,4 +1,6 @@
-"""The warm-up compiles in order of need, reports its progress, and lets others wait for a group."""
+"""The warm-up compiles groups in order of need, reports progress, and lets requests wait for a
+group.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,7 @@ PARTS = [
 
 
 class FakePool:
-    """Compiles a module as soon as the test allows it."""
+    """A process pool that compiles a module as soon as the test permits it."""
 
     started: list[str]
     allowed: threading.Semaphore

@@ -1,4 +1,4 @@
-"""One signature per kernel, declared by its annotations; and errors that name the argument."""
+"""Kernels have one signature, declared by their annotations; errors name the argument."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from knifetip.kernels.walk import kernels_of
 
 
 class Tables(NamedTuple):
-    """Values, how many of them are used, and room for a result."""
+    """Arrays passed to a kernel: values, the number of used values, and an array for the result."""
 
     values: F64_1
     used: int
@@ -73,7 +73,7 @@ def _wide(x: U64, rows: I32_1) -> int:
 
 @pytest.fixture(autouse=True, scope="module")
 def _compiled_here() -> None:
-    """Take no machine code that another version of ``knifetip.kernels`` has kept."""
+    """Use an empty cache, without machine code of another version of ``knifetip.kernels``."""
     for each in (_at, _sum, _count, _sum_of_sums, _half, _checked_half, _wide):
         assert isinstance(each, Kernel)
         vars(each)["_cache"] = NullCache()

@@ -1,4 +1,4 @@
-"""Every kernel is compiled before somebody waits for it: each is in one group of ``warming``."""
+"""Every kernel belongs to exactly one group of ``warming`` and is compiled before it is needed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_a_module_is_compiled_with_progress_and_is_missing_no_more(tmp_path: Pat
         "@kernel\ndef half(x: float) -> float:\n    return x / 2\n\n\n"
         "@kernel\ndef quarter(x: float) -> float:\n    return half(half(x))\n"
     )
-    # Another process finds what this one left on disk.
+    # Another process loads the kernels from the cache.
     program = (
         "from knifetip import warming; warming.GROUPS = {'one': ('two_kernels',)}; "
         "print(warming.missing_parts(), list(warming.compile_module('two_kernels')), "

@@ -1,4 +1,4 @@
-"""Codes: those that the source uses are those that the catalogue lists, with the same arguments."""
+"""The codes used in the source are those of the catalogue, with the same arguments."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from knifetip.messages.codes import CODES
 
 ROOT = Path(knifetip.__file__).parent
 ERRORS = {name for name, kind in vars(errors).items() if isinstance(kind, type)}
-#: Arguments of errors that are not the code's.
+#: Arguments of errors that are not arguments of the code.
 OTHER = {"source"}
 
 
@@ -23,9 +23,10 @@ def trees() -> Iterator[tuple[str, ast.Module]]:
 
 
 def calls() -> Iterator[tuple[str, list[str], set[str] | None]]:
-    """Yield place, codes and names of arguments of what makes a message or raises an error.
+    """Yield location, codes and argument names of each call that makes a message or raises an
+    error.
 
-    The names are None where they are not all written out.
+    The argument names are None if the call unpacks a dictionary.
     """
     for name, tree in trees():
         for node in ast.walk(tree):
@@ -68,7 +69,7 @@ def test_every_code_of_the_catalogue_is_used() -> None:
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
     }
-    # A client uses it for what it has no code for.
+    # Clients use it for text without a code.
     assert CODES.keys() - used == {"stored.text"}
 
 

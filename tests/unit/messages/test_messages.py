@@ -1,4 +1,4 @@
-"""Messages: every code once, with the arguments that its text and hint use."""
+"""Messages: every code has a text and a hint that use exactly its arguments."""
 
 from __future__ import annotations
 
@@ -91,6 +91,6 @@ def test_sentences_stored_without_a_code_stay_readable() -> None:
         "hint": "Do.",
         "edges": [1],
     }
-    # Of another version: its code or its arguments are not those of this one.
+    # A message of another version, whose code or arguments do not exist in this one.
     assert render(from_json({"code": "none", "arguments": {}, "text": "New."})) == "New."
     assert render(from_json({"code": "question.tool", "arguments": {}, "text": "New."})) == "New."

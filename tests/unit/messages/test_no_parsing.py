@@ -1,4 +1,4 @@
-"""Sentences are for people: no code of the package takes one apart to decide something."""
+"""No code of the package parses a sentence to decide something."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from pathlib import Path
 import knifetip
 
 ROOT = Path(knifetip.__file__).parent
-#: Names of fields, variables and keys that hold sentences.
+#: Names of fields, variables and keys that contain sentences.
 SENTENCES = {"detail", "evidence", "hint", "message", "reason", "reasons", "sentence", "why"}
-#: Methods of str, and functions of re, that take a text apart or compare it.
+#: Methods of str, and functions of re, that split, search or compare a text.
 APART = {
     "count",
     "endswith",
@@ -50,7 +50,7 @@ def holds_sentence(node: ast.AST) -> bool:
 
 
 def parsing(tree: ast.AST) -> list[int]:
-    """Return the lines on which a sentence is taken apart, searched or compared with a text."""
+    """Return the lines on which a sentence is split, searched or compared with a text."""
     lines = []
     for node in ast.walk(tree):
         match node:

@@ -18,7 +18,7 @@ def prose(node: ast.AST) -> Iterator[str]:
     """Yield the literal texts with a space in an argument of a message."""
     match node:
         case ast.Call(func=ast.Name(id="Message")):
-            return  # a message among the arguments is checked by itself
+            return  # a message in the arguments is checked separately
         case ast.Constant(value=str(text)) if " " in text.strip():
             yield text
     for part in ast.iter_child_nodes(node):

@@ -1,4 +1,4 @@
-"""The page has the messages and the stages of the backend."""
+"""The page has the same messages and stages as the backend."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tree of errors that the module's docstring draws."""
+"""The tree of error classes in the docstring of the module is complete."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ CUTTER = Cutter(3.0, 9000.0, 1500.0, speed=18000.4, spin_up=2.0, step=1.0)
 
 
 def machine(*tools: Tool) -> Machine:
-    """Return a machine with these tools in stations 1, 2, …"""
+    """Return a machine with these tools in stations 1, 2, …."""
     stations = tuple(
         Station(number, str(number), tool, 0.0, 0.0, 0.0, 0.0, number)
         for number, tool in enumerate(tools, 1)
@@ -27,7 +27,7 @@ def machine(*tools: Tool) -> Machine:
 
 
 def number_for(table: Machine, line_type: LineType, caliper: float | None = None) -> int | None:
-    """Return the number of the station that makes a line type."""
+    """Return the number of the station that makes a line type, None if there is none."""
     station = table.station_for(line_type, caliper)
     return station.number if station else None
 

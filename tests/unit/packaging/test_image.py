@@ -1,4 +1,4 @@
-"""backend/Dockerfile and docker-compose.yml hold together with the command line and the page."""
+"""backend/Dockerfile and docker-compose.yml are consistent with the command line and the page."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_the_start_command_is_one_that_the_command_line_takes() -> None:
 
 
 def test_kernels_are_compiled_for_the_processor_that_they_run_on() -> None:
-    # A cache of machine code is looked up by these variables: both stages must set the same.
+    # The cache of machine code depends on these variables, so both stages must set the same.
     settings = re.findall(r"NUMBA_CPU_NAME=(\S+) NUMBA_CPU_FEATURES=(\S*)", DOCKERFILE)
     assert len(settings) == 2
     assert settings[0] == settings[1]
@@ -48,5 +48,5 @@ def test_compose_keeps_the_data_and_gives_the_machine_time_to_stop() -> None:
     service = COMPOSE["services"]["knifetip"]
     assert [volume.split(":")[1] for volume in service["volumes"]] == ["/data"]
     assert int(service["stop_grace_period"].removesuffix("s")) >= 10
-    # Published to this machine only.
+    # The port is published to this machine only.
     assert all(port.startswith("127.0.0.1:") for port in service["ports"])

@@ -1,4 +1,4 @@
-"""backend/install.py: uv uses what pip is configured for, and pip installs where uv does not."""
+"""backend/install.py: uv gets the configuration of pip, and pip installs if uv fails."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[3]
 
 
-#: The commands that were run, and words of those that fail.
+#: The commands that were run, and words in commands that must fail.
 Commands = tuple[list[list[str]], set[str]]
 
 
@@ -29,7 +29,7 @@ def install() -> ModuleType:
 
 @pytest.fixture
 def commands(install: ModuleType, monkeypatch: pytest.MonkeyPatch) -> Commands:
-    """Record the commands; those that contain a word of ``failing`` exit with 1."""
+    """Record the commands; those that contain a word in ``failing`` exit with 1."""
     failing: set[str] = set()
     calls: list[list[str]] = []
 

@@ -98,14 +98,14 @@ def test_both_halves_leave_together_on_the_diagonal_of_an_inner_corner() -> None
 
 
 def test_a_groove_stops_at_an_inner_corner_with_board_ahead() -> None:
-    # Along y = 100 the upper half of the groove would cut into the right arm for ever.
+    # Along y = 100 the upper half of the groove would never leave the right arm.
     assert out((200, 100), (1, 0), PLUS) == (0.0, False)
-    # So it would 4° below it; at 6° it leaves, after 1 / tan 6°.
+    # The same applies 4° below it; at 6° it leaves, after 1 / tan 6°.
     low = np.radians(4.0)
     assert out((200, 100), (np.cos(low), -np.sin(low)), PLUS) == (0.0, False)
     low = np.radians(6.0)
     assert out((200, 100), (np.cos(low), -np.sin(low)), PLUS) == pytest.approx((9.51436, True))
-    # And into the arm there is no leaving.
+    # A groove that points into the arm never leaves.
     assert out((200, 100), (1, 1), PLUS) == (0.0, False)
 
 

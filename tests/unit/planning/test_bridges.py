@@ -39,7 +39,7 @@ def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre() -> Non
     middle, width = gaps(operation)
     assert len(operation.paths) == 4
     np.testing.assert_allclose(width, 0.5)
-    # 75, 225, 375 and 525 mm round from the first corner.
+    # 75, 225, 375 and 525 mm along the contour from the first corner.
     wanted = [[75, 0], [200, 25], [125, 100], [0, 75]]
     np.testing.assert_allclose(sorted(middle.tolist()), sorted(wanted), atol=1e-9)
     assert set(operation.start.tolist() + operation.finish.tolist()) == {End.BRIDGE}
@@ -51,7 +51,7 @@ def test_a_contour_has_at_least_two_bridges() -> None:
 
 
 def test_a_bridge_on_a_corner_is_moved_five_millimetres_away() -> None:
-    # Of 4 × 100 the bridges are due at 50, 150 …; of a square begun in a side's middle at corners.
+    # On 4 × 100 bridges are due at 50, 150 …; if the square starts in a side's middle, at corners.
     square = edges(((50, 0), (100, 0)), ((100, 0), (100, 100)), ((100, 100), (0, 100)),
                    ((0, 100), (0, 0)), ((0, 0), (50, 0)))  # fmt: skip
     middle, _ = gaps(cut(square, replace(HELD, bridge_spacing=110.0)))
@@ -80,7 +80,7 @@ def test_holes_slits_and_open_outlines_have_no_bridges() -> None:
 def test_a_disc_has_bridges_on_its_arcs() -> None:
     disc = edges(((0, 0), (100, 0)), ((100, 0), (0, 0)))
     operation = cut(disc, bulge={0: 1.0, 1: 1.0})
-    # Round by 314 mm: three.
+    # The contour is 314 mm long: three bridges.
     assert len(operation.paths) == 3
 
 
@@ -127,7 +127,7 @@ def test_bridges_keep_their_spacing_and_their_distance_from_corners(
 
 
 def test_bridges_stay_clear_of_slit_mouths_and_ends_of_creases() -> None:
-    # By themselves they would stand at 75 of the lower side and at 125 of the upper one.
+    # Without them, bridges would be at 75 of the lower side and at 125 of the upper one.
     slit, crease = edges(((75, 0), (75, 30))), edges(((125, 60), (125, 100)))
     line = dieline((LineType.CUT, OUTLINE), (LineType.CUT, slit), (LineType.CREASE, crease))
     middle, width = gaps(plan(line, MACHINE, replace(HELD, bridge_spacing=160.0))[-1])
@@ -147,7 +147,7 @@ def test_a_contour_with_crease_ends_everywhere_still_gets_bridges() -> None:
 
 
 def test_there_is_no_superfluous_bridge() -> None:
-    # At 160 mm six would do by their number, but not all where they are due.
+    # With a spacing of 160 mm six bridges would suffice, but not all fit at their positions.
     long = closed((0, 0), (400, 0), (400, 8), (0, 8))
     middle, _ = gaps(cut(long, replace(HELD, bridge_spacing=170.0)))
     round_ = np.sort(np.where(middle[:, 1] == 0.0, middle[:, 0], 816.0 - middle[:, 0]))

@@ -28,7 +28,7 @@ def outer(corners: Corners) -> Operation:
 
 
 def at(operation: Operation, x: float, y: float) -> tuple[int, float]:
-    """Return type and knob at a corner."""
+    """Return type and k at the corner at (x, y)."""
     (row,) = np.flatnonzero((operation.paths.start == (x, y)).all(axis=1))
     return int(operation.corner_at[row]), float(operation.k_at[row])
 

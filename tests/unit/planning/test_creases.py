@@ -79,9 +79,9 @@ def test_a_crease_is_split_where_a_cut_goes_through_it_at_a_vertex(
 def test_cuts_that_end_on_a_crease_from_one_side_do_not_split_it() -> None:
     vee = edges(((30, 10), (40, 0)), ((40, 0), (50, 10)))
     assert len(rolled(ACROSS, vee).paths) == 1
-    # Nor does one that is drawn a hundredth too long, in two pieces.
+    # A cut that is drawn 0.01 mm too long, in two pieces, does not split it either.
     assert len(rolled(ACROSS, edges(((40, 10), (40, 0)), ((40, 0), (40, -0.01)))).paths) == 1
-    # Nor do those that come from both sides at different places.
+    # Cuts from both sides at different positions do not split it either.
     assert len(rolled(ACROSS, edges(((40, 0), (40, 10)), ((41, 0), (41, -10)))).paths) == 1
 
 
@@ -102,7 +102,7 @@ def test_a_crease_of_two_pieces_is_split_at_its_joint_once() -> None:
 
 
 def test_a_curved_crease_is_split_by_a_straight_cut() -> None:
-    # Half a circle of radius 50 from (0, 0) to (100, 0); the cut stands on its lowest point.
+    # Half a circle of radius 50 from (0, 0) to (100, 0); the cut ends at its lowest point.
     operation = rolled(ACROSS, edges(((50, -80), (50, 0))), bulge={0: 1.0})
     np.testing.assert_allclose(operation.paths.end[0], [50, -50], atol=1e-9)
     np.testing.assert_allclose(operation.paths.bulge, np.tan(np.pi / 8), atol=1e-9)

@@ -31,7 +31,7 @@ def test_three_dashes_become_one_line_with_its_gaps_filled() -> None:
     new, row = stretches(dashes(3, 4.0, 3.0))
     assert sorted(new[:, 0, 0].tolist()) == [0.0, 4.0, 7.0, 11.0, 14.0]
     assert sorted(new[:, 1, 0].tolist()) == [4.0, 7.0, 11.0, 14.0, 18.0]
-    # A gap counts to the dash before it.
+    # A gap belongs to the dash before it.
     assert row == [0, 0, 1, 1, 2]
 
 

@@ -87,8 +87,8 @@ def test_a_slit_between_the_flanks_along_the_groove_is_refused() -> None:
         ((180, 30), (180, 70)),  # the groove ends on it
         ((181, 30), (181, 70)),  # the groove ends just before it
         ((179, 30), (179, 70)),  # the groove runs out over it
-        ((180, 50), (190, 50)),  # it goes on where the groove ends
-        ((175, 30), (185, 70)),  # at a slant
+        ((180, 50), (190, 50)),  # it starts at the end of the groove
+        ((175, 30), (185, 70)),  # oblique
         ((99.9, 49.2), (100.1, 50.8)),  # it lies across the groove, between its flanks
         ((60, 51.01), (90, 51.01)),
         ((181, 50.5), (190, 50.5)),
@@ -102,7 +102,7 @@ def test_a_groove_may_end_on_a_cut_cross_it_or_run_far_beside_it(
 
 @pytest.mark.parametrize(("gap", "fine"), [(0.99, False), (1.01, True)])
 def test_the_distance_to_a_round_cut_is_measured_to_its_arc(gap: float, fine: bool) -> None:
-    # A hole of r 30, whose chords of 45° would stand 2.3 mm off it.
+    # A hole of r 30, whose chords of 45° would be up to 2.3 mm away from it.
     hole = (LineType.CUT, edges(((70, 65), (130, 65)), ((130, 65), (70, 65))))
     groove = edges(((20, 35 - gap), (180, 35 - gap)))
     if fine:

@@ -22,7 +22,7 @@ def box(x: float, y: float, wide: float, high: float) -> F64:
 
 
 def layers(*groups: F64, bulge: F64 | None = None) -> list[list[int]]:
-    """Return the layers that each group's edges are of."""
+    """Return the layers of the edges of each group of cuts."""
     ends = np.concatenate(groups)
     bent = np.zeros(len(ends)) if bulge is None else bulge
     found = cut_layers(ends, bent, cut_sides(ends, bent).face)
@@ -50,7 +50,7 @@ def test_each_nested_contour_has_its_own_layer(seed: int, degrees: float) -> Non
 
 
 def test_nesting_of_circles_is_decided_by_arcs() -> None:
-    # The inner one comes within 0.05 mm of the outer one, whose chords of 16 stand 2 mm off.
+    # The distance of the circles is 0.05 mm; 16 chords of the outer one would deviate by 2 mm.
     outer = edges(((-500, 0), (500, 0)), ((500, 0), (-500, 0)))
     inner = edges(((-499.95, 0), (499.95, 0)), ((499.95, 0), (-499.95, 0)))
     assert layers(inner, outer, bulge=np.ones(4)) == [[1], [0]]
@@ -133,7 +133,7 @@ def test_lines_drawn_across_each_other_are_cut_from_the_inside() -> None:
 
 
 def test_lines_in_a_cycle_all_get_a_layer() -> None:
-    # Each ends on the next: the ring round the middle is of four pieces, each of another line.
+    # Each line ends on the next one; the inner ring consists of a piece of each of the four lines.
     ring = edges(
         ((-60, 0), (40, 0)), ((40, -60), (40, 40)), ((100, 40), (0, 40)), ((0, 100), (0, 0))
     )

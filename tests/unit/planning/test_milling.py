@@ -57,7 +57,7 @@ def test_the_side_does_not_depend_on_the_direction_of_edges(turned: int) -> None
 def test_the_side_does_not_depend_on_the_first_edge_of_an_open_contour(
     turned: int,
 ) -> None:
-    # A slit begins half-way between two ends 0.003 apart, which only together with it are one.
+    # A slit starts halfway between two ends 0.003 apart, which form one vertex only with it.
     loose = BLANK.copy()
     loose[3, 1] = (-0.003, 0.0)
     for edge in range(4):
@@ -78,7 +78,7 @@ TOUCHING = (
 
 @pytest.mark.parametrize("turned", range(4))
 def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned: int) -> None:
-    # Their sides run straight through each other where they touch.
+    # Their sides cross at the point where they touch.
     one, other = (
         blank[::-1, ::-1] if turned >> place & 1 else blank for place, blank in enumerate(TOUCHING)
     )
@@ -88,7 +88,7 @@ def test_blanks_that_touch_in_a_point_are_each_milled_from_outside(turned: int) 
         True,
         1,
     )
-    # Clockwise, both of them: 50² and 40².
+    # Both are clockwise: 50² and 40².
     assert [area(select_paths(operation.paths, np.array([path]))[0]) for path in range(2)] == [
         -2500,
         -1600,
@@ -129,7 +129,7 @@ def test_an_edge_that_two_blanks_share_is_refused_and_one_gap_between_them_is_en
 
 def test_a_slit_from_the_outline_is_no_shared_edge() -> None:
     line = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((200, 50), (150, 50)))))
-    # The outline has no vertex where the slit begins; then it has one.
+    # First the outline has no vertex at the start of the slit, then it has one.
     assert [one.side for one in plan(line, ROUTED, BOARD)] == [0, 1]
     broken = closed((0, 0), (200, 0), (200, 50), (200, 100), (0, 100))
     line = dieline((LineType.CUT, broken), (LineType.CUT, edges(((200, 50), (150, 50)))))
@@ -193,7 +193,7 @@ def test_a_cutter_leaves_bridges_on_blanks_and_none_on_holes() -> None:
 
 
 def test_there_is_no_bridge_where_the_disc_does_not_reach() -> None:
-    # Into a corner of 30° a disc of 3 mm does not come nearer than 3 / tan 15° = 11.2 mm.
+    # In a corner of 30° a disc of radius 3 mm stays 3 / tan 15° = 11.2 mm away from the vertex.
     deep = 30.0 / np.tan(np.radians(15.0))
     notched = closed(
         (0, 0), (200, 0), (200, 150), (130, 150), (100, 150 - deep), (70, 150), (0, 150)

@@ -112,7 +112,7 @@ def test_a_slit_that_ends_on_the_middle_of_an_edge_meets_it() -> None:
 
 
 def test_a_crease_that_another_continues_is_not_free_there() -> None:
-    # Three ways leave (100, 50): straight on there are two, so chaining has left them all open.
+    # Three edges meet at (100, 50), two of them collinear with the first: no two are connected.
     line = dieline(
         (
             LineType.CREASE,

@@ -1,4 +1,4 @@
-"""Where words of a file stand, and of which no place is told."""
+"""Positions of texts in the import report, and texts without a position."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def dots(pose: F64, circle: TipCircle, count: int = 48) -> F64:
 
 
 def over_board(xy: F64) -> Bool:
-    """Whether points are over BOARD: a rectangle and a half disc."""
+    """Return whether points are over BOARD: a rectangle and a half disc, (n,)."""
     x, y = xy.T
     inside = (x > 0) & (x < 100) & (y > 0) & (y < 60)
     over: Bool = inside | ((x >= 100) & (np.hypot(x - 100, y - 30) < 30))
@@ -93,7 +93,7 @@ def test_tip_circles_come_from_the_tools_drawings() -> None:
 
 def test_the_board_ends_at_its_arcs() -> None:
     circle = TipCircle(1.0, 0.0, 0.0)
-    # 28 mm from the bow's centre, at 45° 28 mm, 31.5 mm; a corner that the bow leaves free.
+    # 28 mm from the arc's centre, at 45° 28 mm, 31.5 mm; a corner outside of the arc.
     xy = [(128, 30), (100 + 28 * 0.7071, 30 + 28 * 0.7071), (131.5, 30), (129, 59)]
     pose = np.array([(x, y, 1.25, 0.0) for x, y in xy])
     np.testing.assert_allclose(interference(pose, circle, FACE, BOARD), [0.75, 0.75, 0.0, 0.0])
@@ -187,7 +187,7 @@ def test_lifts_do_not_depend_on_the_direction_of_the_board(
         ends[:1], ends[1:], TipCircle(circle.radius + 0.02, *_rest(circle)), BOARD
     )
     far = turns_outside_board(moved[:1], moved[1:], circle, board)
-    # What is clear with two hundredths to spare is clear whichever way the board lies.
+    # A pose that is clear by 0.02 mm is clear at any rotation of the board.
     assert far[0] or not near[0]
 
 

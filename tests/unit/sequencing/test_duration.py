@@ -18,7 +18,7 @@ from tests.support.shapes import MACHINE, toolpath
 from tests.support.truth.named import SAMPLES, Named
 
 R, F, S = Motion.RAPID, Motion.FEED, Motion.SWIVEL
-#: Does not wait for pistons.
+#: A machine that does not wait for pistons.
 QUICK = replace(MACHINE, settle=0.0, dialect="grblhal")
 
 
@@ -27,7 +27,7 @@ def path(
     start: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0),
     bulge: Sequence[float] = (),
 ) -> Toolpath:
-    """Moves as (motion, x, y, z, c, feed)."""
+    """Return a toolpath of moves (motion, x, y, z, c, feed) from a start pose."""
     pose = np.array([start, *[move[1:5] for move in moves]], float)
     n = len(moves)
     bent = np.zeros(n)
@@ -46,7 +46,7 @@ def test_a_short_rapid_is_a_triangle() -> None:
 
 
 def test_both_axes_accelerate_a_diagonal() -> None:
-    # √2 · 8000 along the way, 400 mm/s: 565.685/400 + 400/11313.7.
+    # Acceleration √2 · 8000 along the diagonal, 400 mm/s: 565.685/400 + 400/11313.7.
     expected = 565.685425 / 400.0 + 400.0 / 11313.70850
     assert duration(path((F, 400, 400, 0, 0, 24000)), QUICK) == pytest.approx(expected)
 
@@ -67,7 +67,7 @@ def test_a_right_angle_is_slower_than_straight_on_by_slowing_down_and_up() -> No
 
 
 def test_an_arc_keeps_its_centripetal_acceleration() -> None:
-    # A half circle of 5 mm: v² = 8000 · 5, v = 200 of the 400 mm/s asked; 15.70796 mm.
+    # A half circle of radius 5 mm: v² = 8000 · 5, v = 200 instead of 400 mm/s; 15.70796 mm.
     half = path((F, 0, 10, 0, 0, 24000), bulge=[1.0])
     assert duration(half, QUICK) == pytest.approx(15.707963 / 200.0 + 200.0 / 8000.0)
 
@@ -79,7 +79,7 @@ def test_a_swivel_has_its_feed_in_degrees() -> None:
 
 
 def test_c_limits_the_speed_of_an_arc() -> None:
-    # A half circle of 100 mm turns C by 180° and would take 0.0785 · 10 s; C at 90°/s takes 2 s.
+    # A half circle of radius 100 mm would take 0.785 s; C turns by 180° at 90°/s, which takes 2 s.
     slow = replace(QUICK, c=replace(QUICK.c, velocity=90.0))
     half = path((F, 0, 200, 0, 180, 24000), bulge=[1.0])
     assert duration(half, slow) == pytest.approx(2.0, rel=0.05)
@@ -112,7 +112,7 @@ def test_rows_without_motion_take_no_time_and_do_not_stop() -> None:
 
 
 def simulated(text: bytes, machine: Machine) -> float:
-    """Seconds that the simulated table takes for a program."""
+    """Return the seconds that the simulated table takes for a program."""
     table = Table(machine)
     refused = []
     table.answer = lambda line: refused.append(line) if line[:5] in ("error", "ALARM") else None

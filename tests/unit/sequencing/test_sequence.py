@@ -39,7 +39,7 @@ def test_a_tool_is_changed_at_travel_height() -> None:
     change = np.flatnonzero(path.tool[1:] != path.tool[:-1])
     assert len(change) == 1
     assert path.pose[change[0] + 1, 2] == 20.0
-    # The new tool first goes over its start, then down.
+    # The new tool first moves above its start, then down.
     np.testing.assert_allclose(path.pose[change[0] + 2, :3], [20, 10, 20])
 
 
@@ -110,7 +110,7 @@ def test_a_job_without_work_is_refused() -> None:
 
 
 def test_a_crease_is_rolled_from_the_end_that_is_nearer() -> None:
-    # From (0, 0) the first crease begins 3 mm before (90, 10): it is run back to x = 13.
+    # The left end of the first crease is nearer to (0, 0), so it is rolled from left to right.
     path = sequenced(
         (LineType.CREASE, edges(((90, 10), (10, 10)), ((90, 20), (10, 20)))),
     )
@@ -131,7 +131,7 @@ def test_a_reversed_arc_has_the_opposite_bulge_and_a_tangent_wheel() -> None:
     row = int(np.flatnonzero(path.motion == Motion.FEED)[0])
     assert path.pose[row, 0] < 1.0
     assert path.bulge[row] < -0.9
-    # At the left the tangent stands up: C is 90 or 270 to within the setback's turn.
+    # At the left end the tangent is vertical: C is 90 or 270, except for the turn in the setback.
     assert abs(path.pose[row, 3] % 180.0 - 90.0) < 6.0
     assert path.pose[row + 1, 3] - path.pose[row, 3] == pytest.approx(
         4.0 * np.degrees(np.arctan(path.bulge[row]))

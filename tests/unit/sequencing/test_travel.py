@@ -15,7 +15,7 @@ from knifetip.planning.plan import plan
 from knifetip.sequencing.sequence import sequence
 from tests.support.shapes import BOARD, MACHINE, dieline, edges
 
-# The knife's head stands at the beam's zero, the V-cutter's 60 mm to its left and 5 behind.
+# The knife's datum is zero; the V-cutter is mounted 60 mm to its left and 5 mm behind it.
 BEAM = replace(
     MACHINE,
     x=Axis(0.0, 500.0, 1500.0, 8000.0),

@@ -1,4 +1,4 @@
-"""Edges that lie wholly on others: whoever draws a fold on a cut is not asked about it."""
+"""Edges that lie completely on others, such as a fold drawn on a cut, which needs no question."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_crease_on_a_cut_is_not_asked_about(crease: tuple[float, float, float,
     dieline = pipeline.classify(drawing, load.profile("default"))
     assert dieline.line_type.tolist() == 4 * [LineType.CUT] + 2 * [LineType.CREASE]
     assert dieline.rules[dieline.rule[5]].code == "classification.on-cut"
-    # The cut takes it.
+    # Cleaning merges the crease into the cut.
     cleaned = pipeline.clean(dieline)
     assert cleaned.merged[5] == pytest.approx(drawing.lengths[5])
     assert cleaned.kept[4] == pytest.approx(90.0)

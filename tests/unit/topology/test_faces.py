@@ -1,4 +1,4 @@
-"""faces: what lies on the two sides of each piece, with shapely for a second opinion."""
+"""``faces``: the faces on both sides of each piece, compared with shapely's polygons."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_what_lies_inside_an_arc_is_found() -> None:
 
 @pytest.mark.parametrize("bend", [1.0, 0.3])
 def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: float) -> None:
-    # Downwards, where a turn to the left bellies to the left; the chord goes up again.
+    # The arc goes down and bulges to the left of its chord; the chord goes up again.
     belly = [[[0.0, 50], [0, -50]], [[0, -50], [0, 50]]]
     ends = np.array([*belly, [[-9, 0], [-7, 1]]])
     for turn, holds in ((bend, True), (-bend, False)):

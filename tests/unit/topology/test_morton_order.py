@@ -1,4 +1,4 @@
-"""The order in which a file has its edges says nothing of the carton."""
+"""The planar graph and the classification do not depend on the order of edges in a file."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ TOUCH, REACH = GAP, 1.0
 
 
 def in_order(drawing: Drawing, order: I64) -> Drawing:
-    """The same drawing with its edges in another order."""
+    """Return the drawing with its edges in another order, given as rows."""
     columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
     return replace(drawing, **{name: getattr(drawing, name)[order] for name in columns})
 
 
 def ring(count: int, step: float) -> np.ndarray:
-    """A round of short lines, (n, 2, 2)."""
+    """Return a closed contour of short lines with length ``step``, (n, 2, 2)."""
     radius = count * step / (2.0 * np.pi)
     turn = 2.0 * np.pi * np.arange(count) / count
     points = radius * np.column_stack([np.cos(turn), np.sin(turn)])
@@ -47,14 +47,14 @@ def test_lines_as_short_as_what_touches_hang_together_in_any_order(steps: float,
     graph = build_graph(ends, np.zeros(len(ends)), TOUCH, REACH)
     assert graph is not None
     assert len(graph.leftmost) == 1
-    # One face within, one without.
+    # One face inside, one outside.
     area = trace_faces(graph, ends, np.zeros(len(ends)), TOUCH).area
     radius = 200 * steps * TOUCH / (2.0 * np.pi)
     assert area.max() == pytest.approx(np.pi * radius**2, rel=0.1)
 
 
 def test_ends_at_one_point_are_at_one_place_though_another_is_nearer() -> None:
-    # The second and the fourth end are one point; a place nearer to it is made between them.
+    # The second and the fourth edge start at one point; the third creates a nearer vertex.
     away = 0.7 * TOUCH
     ends = np.array(
         [
@@ -85,7 +85,7 @@ def test_what_is_known_is_said_of_a_shuffled_file_too(corpus: Path, known: Known
 
 
 def sheet(copies: int) -> np.ndarray:
-    """Many small cartons of two panels, line by line as they lie, (5 k, 2, 2)."""
+    """Return small cartons of two panels, line by line, (5 · copies, 2, 2)."""
     corners = np.array([(0, 0), (10, 0), (10, 10), (0, 10)], float)
     rim = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
     carton = np.concatenate([rim, [[(5, 0), (5, 10)]]])
@@ -100,7 +100,7 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     order = spatial_order(whole[mixed])
     assert order is not None
     assert (np.sort(order) == np.arange(len(whole))).all()
-    # In that order what follows is near.
+    # In this order consecutive edges are near each other.
     leap = np.abs(np.diff(whole[mixed][order, 0], axis=0)).max(axis=1)
     assert np.median(leap) <= 24.0
     straight = np.zeros(len(whole))
@@ -112,7 +112,7 @@ def test_a_scattered_sheet_is_looked_at_in_an_order_of_its_own_and_said_to_be_th
     assert (one.role[mixed] == other.role).all()
     assert np.bincount(other.component).tolist() == [5] * 5000
     assert np.sort(other.face_area).tolist() == pytest.approx(np.sort(one.face_area).tolist())
-    # The sides of each edge are those of its own carton.
+    # The faces of each edge belong to its own carton.
     assert (np.abs(other.face_area[other.faces]) == np.abs(one.face_area[one.faces[mixed]])).all()
 
 

@@ -1,4 +1,4 @@
-"""graph: where edges are parted, what is linked, and what counts once."""
+"""``build_graph``: edges are split where they meet, gaps are linked, and duplicates count once."""
 
 from __future__ import annotations
 

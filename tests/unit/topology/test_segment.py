@@ -1,4 +1,4 @@
-"""Distances to lines and arcs, and where lines cross, held against shapely and against points."""
+"""Distances to lines and arcs, and crossings of lines, compared with shapely and sampled points."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _BULGE = st.one_of(st.just(0.0), st.floats(-1.0, 1.0))
 
 
 def _nearest(ends: np.ndarray, bulge: np.ndarray, x: float, y: float) -> float:
-    """The distance to the nearest of many points along a segment."""
+    """Return the distance from (x, y) to the nearest of many points along a segment."""
     points = [point_at(ends, bulge, 0, share) for share in np.linspace(0.0, 1.0, 2001)]
     return float(np.hypot(*(np.array(points) - (x, y)).T).min())
 
@@ -40,7 +40,7 @@ def test_what_is_near_is_as_far_as_the_nearest_of_its_points(
         assert away - 1e-6 <= expected <= away + step
         assert math.isclose(math.dist(point_at(ends, bulge, 0, share), point), away, abs_tol=1e-5)
     else:
-        # What is far may be said to be infinitely far, and nothing that is near.
+        # Only points far away may have an infinite distance.
         assert expected > far - 1e-6
 
 
@@ -53,7 +53,7 @@ def test_lines_cross_where_shapely_says(
     s, t = crossing_parameters(*a, b[0] - a[0], b[1] - a[1], np.array([[c, d]]), 0)
     if math.isnan(s):
         assert math.isnan(t)
-        # They may touch at an end, or lie on each other.
+        # The lines may touch at an end or overlap.
         touching = min(one.distance(shapely.Point(p)) for p in (c, d))
         touching = min(touching, *(other.distance(shapely.Point(p)) for p in (a, b)))
         assert not one.intersects(other) or touching < 1e-6

@@ -19,7 +19,7 @@ CARTONS = 60
 
 
 def outcomes(header: str, seed: int) -> Counter[tuple[str, str]]:
-    """Count cartons by whether the sheet has texts, and by the outcome."""
+    """Count cartons by whether the sheet has texts, and by the result of finding the unit."""
     chance = random.Random(seed)
     count: Counter[tuple[str, str]] = Counter()
     for _ in range(CARTONS):
@@ -55,7 +55,7 @@ def outcomes(header: str, seed: int) -> Counter[tuple[str, str]]:
 
 @pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize(
-    # Least shares (%) that are read without a question, of sheets with and without texts.
+    # Minimum percentages of sheets, with and without texts, that are read without a question.
     ("header", "with_words", "without_words"),
     [("right", 97, 82), ("missing", 96, 40), ("wrong", 93, 25)],
 )

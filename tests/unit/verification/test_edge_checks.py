@@ -32,7 +32,7 @@ def verdict_of(text: bytes) -> Verdict:
 
 
 def findings_of(old: str, new: str) -> list[Finding]:
-    """Findings of the hand-written program with one line changed."""
+    """Return the findings about the hand-written program with one line changed."""
     return list(verdict_of(changed(LINUXCNC, old, new)).findings)
 
 
@@ -164,7 +164,7 @@ def test_a_contour_may_be_cut_in_reverse_with_turns_above_the_board() -> None:
     )  # fmt: skip
     verdict = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD)
     assert verdict.findings == ()
-    # Without the piece that is run over, the bottom of the board would hang together.
+    # Without the overrun the bottom face of the board would remain connected.
     short = verify(changed(text, "G1 X19.6473\n", ""), drawn, (0.0, 0.0), MACHINE, BOARD)
     assert [finding.kind for finding in short.findings] == ["uncut"]
 

@@ -43,7 +43,10 @@ def kinds(verdict: Verdict) -> set[tuple[str, int]]:
 
 
 def groove_passes(x0: float, x1: float, y: float, *depths: float, aside: float = 0.0) -> list[str]:
-    """Return out and back along y from x0 to x1; ``aside`` moves the way out to the right."""
+    """Return the program lines of both passes of a groove along y from x0 to x1.
+
+    ``aside`` displaces the first pass to the right (mm).
+    """
     lines = []
     for depth in depths:
         rise = depth + 2.0
@@ -76,7 +79,7 @@ def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
     verdict = verdict_of(cutter_program(*groove_passes(20, 60, 30, 1.303, aside=0.004)), INSIDE)
     assert verdict.findings == ()
     np.testing.assert_allclose([verdict.flank[0], verdict.width[0]], [0.007, 2.61], atol=1e-9)
-    # Each of 0.005 and 0.0049 is let pass by itself, and together they are 0.0109 in 0.01.
+    # 0.005 and 0.0049 are each accepted alone; together they are 0.0109, more than 0.01.
     far = verdict_of(
         cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
     ).findings
@@ -91,7 +94,7 @@ def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:
     assert kinds(back) == {("depth", 0)}
     assert back.findings[0].measure == pytest.approx(0.5)
     shallow = verdict_of(cutter_program(*groove_passes(20, 60, 30, 0.5, 1.0)), INSIDE)
-    # At 45° flanks that are 0.3 less deep come out 0.3 further in.
+    # At 45° the edges of a groove that is 0.3 less deep are 0.3 further inside.
     assert kinds(shallow) == {("depth", 0), ("deviation", 0)}
     assert shallow.flank[0] == pytest.approx(0.3)
     assert shallow.web[0] == pytest.approx(1.0)
@@ -110,14 +113,14 @@ def groove_findings(x0: float, x1: float) -> list[Finding]:
 
 
 def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
-    # Square to the right side nothing is asked; at 45° (W/2) tan 45° = 1.3.
+    # No run-out is required at a right angle; at 45° it is (W/2) tan 45° = 1.3.
     assert groove_findings(28.7, 100.0) == []
     short = groove_findings(28.75, 100.0)
     assert {finding.kind for finding in short} == {"uncut"}
     assert short[0].measure == pytest.approx(0.05)
     assert "where the tool must begin before the start of the edge" in short[0].text
     assert {finding.kind for finding in groove_findings(28.7, 99.9)} == {"uncut"}
-    # No farther: there is none of this board, but a neighbour may lie there.
+    # A longer run-out is refused, because a neighbouring blank may be there.
     assert {finding.kind for finding in groove_findings(28.6, 100.0)} == {"overcut"}
     assert {finding.kind for finding in groove_findings(28.7, 100.1)} == {"overcut"}
 
@@ -187,7 +190,7 @@ DASHES = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)))
 
 def test_dashes_may_be_rolled_as_one_crease() -> None:
     assert verdict_of(rolled_creases((BACK, 72 - BACK, 0)), DASHES).findings == ()
-    # One by one each keeps its own distance.
+    # Each dash rolled alone has its own setback.
     alone = [(20 * k + BACK, 20 * k + 12 - BACK, 0.0) for k in range(4)]
     assert verdict_of(rolled_creases(*alone), DASHES).findings == ()
     # Two are no dashes.
@@ -346,5 +349,5 @@ def test_both_faces_of_the_board_have_figures() -> None:
     assert verdict.findings == ()
     slant = math.tan(math.radians(10.0))
     np.testing.assert_allclose(verdict.bottom_uncut, [2 * slant, 0, 2 * slant], atol=1e-4)
-    # Where it was lifted and turned at the corner, the top face is cut 2.3 tan 10° past it.
+    # Where the blade is lifted and turned at a corner, the top face is cut 2.3 tan 10° past it.
     np.testing.assert_allclose(verdict.top_overcut, [0, LEAD, 0], atol=1e-4)

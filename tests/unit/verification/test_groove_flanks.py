@@ -21,7 +21,7 @@ REACH = 1.3
 def damaged_beside_groove(
     *edges: tuple[LineType, float, float, float, float, float], out: float = 0.0
 ) -> DamagedCuts:
-    """Cuts inside the strip of a groove from (0, 0) to (100, 0), or of the grooves given."""
+    """Return the damaged cuts beside a groove from (0, 0) to (100, 0), or beside other grooves."""
     grooves = [edge for edge in edges if edge[0] == GROOVE] or [(GROOVE, 0, 0, 100, 0, 0.0)]
     drawn = place_edges(dieline(*grooves, *(e for e in edges if e[0] != GROOVE)), (0.0, 0.0))
     spare = np.full((len(grooves), 2), out)
@@ -77,13 +77,13 @@ def test_a_round_groove_has_a_round_strip() -> None:
         (CUT, 100, -20, 100, 20, 0.0),  # ends on it
         (CUT, 102, -20, 102, 20, 0.0),  # ends before it
         (CUT, 98, -20, 98, 20, 0.0),  # runs out over it
-        (CUT, 100, 0, 160, 0, 0.0),  # goes on as a cut
-        (CUT, 90, -20, 110, 20, 0.0),  # at a slant
+        (CUT, 100, 0, 160, 0, 0.0),  # continues the groove as a cut
+        (CUT, 90, -20, 110, 20, 0.0),  # oblique
         (CUT, 90, 20, 110, -20, 0.0),
         (CUT, 50, -20, 50, 20, 0.0),  # lies across
         (CUT, 49.8, -0.5, 50.2, 0.5, 0.0),
-        (CUT, 20, 10, 80, 10, 0.0),  # well beside
-        (CUT, 110, 0.5, 160, 0.5, 0.0),  # beside what is no longer groove
+        (CUT, 20, 10, 80, 10, 0.0),  # far beside the groove
+        (CUT, 110, 0.5, 160, 0.5, 0.0),  # beside the extension of the groove
     ],
 )
 def test_a_cut_that_a_groove_ends_on_or_crosses_is_not_damaged(

@@ -35,7 +35,7 @@ def test_the_tips_of_the_hand_written_program_are_at_the_planned_points() -> Non
     row = {int(line): index for index, line in enumerate(tip.line)}
     np.testing.assert_allclose(tip.end[row[18]], [90.0, 65.6, 1.4, 90.0], atol=1e-9)
     np.testing.assert_allclose(tip.end[row[29]], [80.0, 50.0, 0.7, 0.0], atol=1e-9)
-    # Before the plunge the tip stands on the blade's own line: 3.3 higher and 3.3 to the right.
+    # Before the plunge the tip is on the line of the blade: 3.3 higher and 3.3 to the right.
     np.testing.assert_allclose(tip.end[row[27]], [40.0, 46.7, 4.0, 0.0], atol=1e-9)
     np.testing.assert_allclose(tip.end[row[33]], [40.0, 50.0, 0.7, 180.0], atol=1e-9)
     assert [OperationKind(int(trade)) for trade in np.unique(work.operation)] == list(

@@ -75,7 +75,7 @@ def test_a_part_cut_from_outside_and_its_hole_from_inside_is_accepted(
     assert verdict.findings == ()
     np.testing.assert_allclose(verdict.deviation, 0.005)
     np.testing.assert_allclose(verdict.overcut, 0.0, atol=1e-9)
-    # In the hole's corners r tan 45° = 3 mm of both edges stay.
+    # In the corners of the hole r tan 45° = 3 mm of both edges remain uncut.
     np.testing.assert_allclose(verdict.unreached, [0, 0, 0, 0, 6, 6, 6, 6], atol=0.03)
 
 
@@ -258,7 +258,7 @@ def test_a_deflected_cutter_runs_nearer_and_on_ellipses_round_corners() -> None:
     assert verdict_of(text, PART, board).findings == ()
     stiff = {finding.kind for finding in verdict_of(text).findings}
     assert "overcut" in stiff
-    # And the way for a stiff tool leaves what the tool gives way.
+    # The path of a rigid tool leaves uncut the length of the deflection.
     soft = {finding.kind for finding in verdict_of(program(*HOLE, *ROUND), PART, board).findings}
     assert soft == {"uncut"}
 
@@ -293,7 +293,7 @@ def test_a_changed_digit_that_moves_the_disc_is_refused() -> None:
             mutant[place] = 48 + (raw[place] - 48 + chance.integers(1, 10)) % 10
             total += 1
             caught += not verdict_of(bytes(mutant)).accepted
-    # What only shortens the beginning and the end, which lie on one line, cuts the same.
+    # A change that only shortens the start and the end, which overlap on one line, cuts the same.
     assert total > 40
     assert caught >= total - 6
 

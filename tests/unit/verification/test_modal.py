@@ -30,7 +30,7 @@ def test_a_joint_is_the_number_plus_the_datum_of_the_station_in_force() -> None:
 
 def test_an_axis_without_a_word_keeps_its_position() -> None:
     moves, _ = moves_of(HEADER + "G0 X10 Y20 Z20 C5\nT2 M6 G43\nG0 X0\nM2\n")
-    # The wheel's datum moves X by 60 and lowers Z by 1.5; only X is said anew.
+    # The wheel's datum displaces X by 60 and Z by -1.5; only X has a word in the line.
     np.testing.assert_array_equal(moves.end[1], [60.0, 20.0, 20.0, 5.0])
 
 

@@ -32,7 +32,7 @@ def test_every_digit_that_moves_the_working_tip_by_over_a_hundredth_is_refused(
         if kind in ("moved", "line", "output")
     ]
     assert accepted == []
-    # The tests mean something only if there was much to catch.
+    # The test is meaningful only if there are many changes to refuse.
     assert everything["moved"] > 60
     assert caught["moved"] == everything["moved"]
     # A feed that differs in its sixth figure is the same feed.
@@ -66,7 +66,7 @@ def test_the_effect_of_a_change_is_computed_without_the_verifier(
 
 
 def test_a_point_moved_along_its_line_is_not_counted_as_a_change() -> None:
-    # The end of the round and what is run over lie in one line: 70 is only where they meet.
+    # The end of the contour and the overrun are collinear: 70 is only the point where they meet.
     mutant = changed(LINUXCNC, "G1 X70.0000\n", "G1 X70.2000\n")
     place = next(i for i, (a, b) in enumerate(zip(LINUXCNC, mutant, strict=True)) if a != b)
     assert digit_mutation.effect(LINUXCNC, place, mutant, MACHINE, BOARD) in ("air", "smaller")
