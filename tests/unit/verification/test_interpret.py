@@ -5,7 +5,7 @@ import pytest
 
 from knifetip.messages import Message
 from knifetip.verification.reading.moves import Moves
-from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.interpret import interpret
 from knifetip.verification.reading.rs274.parse import parse_words
 from tests.support.programs.handwritten import LINUXCNC, MACHINE, changed
 

@@ -5,7 +5,7 @@ import pytest
 
 from knifetip.errors import ProgramUnreadable
 from knifetip.messages import render
-from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.interpret import interpret
 from knifetip.verification.reading.rs274.parse import (
     MAX_BYTES,
     comment_placement,

@@ -9,7 +9,7 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.verification.reading.moves import Moves
-from knifetip.verification.reading.rs274.modal import interpret
+from knifetip.verification.reading.rs274.interpret import interpret
 from knifetip.verification.reading.rs274.parse import comment_placement, parse_words, realtime_bytes
 
 

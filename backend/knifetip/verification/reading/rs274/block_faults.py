@@ -1,0 +1,180 @@
+"""Find the faults in the words, values and modes of a program's lines, and at the program's end.
+
+The rules are those of LinuxCNC and of grblHAL, whichever is stricter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.reading.rs274.blocks import Group, ProgramBlocks
+from knifetip.verification.reading.rs274.modal_state import ModalState
+from knifetip.verification.tools import expected_tool, extra_outputs, has_beam
+
+#: Numbers that differ by less may be printed as one number (mm, s).
+PRINT_ROUNDING: Final = 5e-5
+#: Modes that the program must set before its first move, by modal group.
+_REQUIRED_MODES: Final[Mapping[Group, Message]] = {
+    Group.UNITS: Message("rs274.mode-g21"),
+    Group.DISTANCE: Message("rs274.mode-g90"),
+    Group.CENTRES: Message("rs274.mode-g91-1"),
+    Group.PLANE: Message("rs274.mode-g17"),
+    Group.RADIUS: Message("rs274.mode-g40"),
+    Group.LENGTH: Message("rs274.mode-g49"),
+    Group.FEED: Message("rs274.mode-g94"),
+    Group.SYSTEM: Message("rs274.mode-g54"),
+}
+
+
+def check_blocks(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> None:
+    """Add the faults in the words, values and modes of all blocks, and at the program's end."""
+    _check_words(blocks, state)
+    settle = _settle_times(state, machine)
+    _check_values(blocks, state, machine, settle)
+    _check_modes(blocks, state, settle)
+    _check_end(blocks, state)
+
+
+def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
+    """Add a fault for each block that lacks a required word or has incompatible words."""
+    fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
+    moving = has_code(Group.MOTION)
+    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
+    curved = has_code(Group.MOTION, 20) | has_code(Group.MOTION, 30)
+    fault(any_axis & ~moving, Message("rs274.axis-without-motion"))
+    fault(moving & ~any_axis, Message("rs274.motion-without-axis"))
+    fault(
+        curved & ~(blocks.axes[:, 0] & blocks.axes[:, 1] & has("I") & has("J")),
+        Message("rs274.incomplete-arc"),
+    )
+    fault((has("I") | has("J")) & ~curved, Message("rs274.centre-without-arc"))
+    other = has("T") | has("S") | has("P") | has("Q")
+    for group in set(Group) - {Group.MOTION, Group.FEED}:
+        other |= has_code(group)
+    fault(moving & other, Message("rs274.moves-and-switches"))
+
+    timed, switched, bounded = has_code(Group.DWELL), has_code(Group.OUTPUT), has_code(Group.PATH)
+    used = timed | switched | bounded
+    twice = (timed & switched) | (timed & bounded) | (switched & bounded)
+    fault((has("P") & ~used) | twice, Message("rs274.stray-p"))
+    fault(used & ~has("P"), Message("rs274.missing-p"))
+    fault(has("Q") & ~has_code(Group.PATH), Message("rs274.stray-q"))
+    if not state.uses_tool_table:
+        fault(bounded, Message("rs274.g64-unsupported"))
+
+
+def _settle_times(state: ModalState, machine: Machine) -> F64:
+    """Return the dwell (s) that is required before each block after outputs were switched,
+    (count,).
+
+    It is the settling time of the machine or of the selected tool, whichever is longer.  A beam
+    needs its piercing time after it is switched on, and none after it is switched off.
+    """
+    tools = [expected_tool(held.tool) for held in machine.stations]
+    settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
+    # A beam need not settle; it dwells until it has pierced the board.
+    unused = 0.0 if has_beam(machine) else -1.0
+    pierce = np.array([*(tool.beam.pierce if tool.beam else -1.0 for tool in tools), unused])
+    switched_beam = state.by_spindle & (pierce[state.station] >= 0.0)
+    result: F64 = np.where(
+        switched_beam, np.where(state.oscillating, pierce[state.station], 0.0), settle
+    )
+    return result
+
+
+def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, settle: F64) -> None:
+    """Add faults for wrong values of dwells, feeds, speeds, outputs, stations and line numbers.
+
+    ``settle`` is the dwell that is required between the last switching and each block (s),
+    (count,).
+    """
+    fault, has, has_code, number = blocks.fault, blocks.has, blocks.has_code, blocks.number
+    timed = has_code(Group.DWELL)
+    # A dwell of 0 only ends blending; all others are for settling after switching.
+    waits = (number["P"] == 0.0) | (np.abs(number["P"] - settle) <= PRINT_ROUNDING)
+    fault(timed & ~waits, Message("rs274.wrong-dwell", settle=machine.settle))
+    fault(has("F") & ~(number["F"] > 0.0), Message("rs274.bad-feed"))
+    outputs = [station.output for station in machine.stations if station.output >= 0]
+    outputs += extra_outputs(machine)
+    fault(
+        has_code(Group.OUTPUT) & ~np.isin(number["P"], outputs),
+        Message("rs274.unknown-output", machine=machine.name),
+    )
+    # A spindle has its own speed; an oscillating knife has S1.
+    turns = np.array([*(expected_tool(held.tool).speed for held in machine.stations), 1.0])
+    fault(has("S") & ~has_code(Group.SPINDLE, 3), Message("rs274.speed-without-m3"))
+    fault(
+        has_code(Group.SPINDLE, 3) & (state.speed != np.rint(turns[state.station])),
+        Message("rs274.wrong-speed"),
+    )
+    known = [station.number for station in machine.stations]
+    fault(
+        has("T") & ~np.isin(number["T"], known),
+        Message("rs274.unknown-station", machine=machine.name),
+    )
+    fault(has_code(Group.CHANGE) & np.isnan(state.chosen), Message("rs274.change-without-station"))
+    fault(
+        has_code(Group.LENGTH, 430) & np.isnan(state.loaded),
+        Message("rs274.offset-without-station"),
+    )
+    fault(
+        has("N") & ((number["N"] < 0.0) | (number["N"] != np.rint(number["N"]))),
+        Message("rs274.bad-line-number"),
+    )
+
+
+def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
+    """Add a fault for each move before the modes that it needs are set, or before outputs have
+    settled.
+
+    ``settle`` is the dwell that is required between the last switching and each block (s),
+    (count,).
+    """
+    fault, has, has_code = blocks.fault, blocks.has, blocks.has_code
+    moving = has_code(Group.MOTION)
+    first_move = int(np.argmax(moving)) if moving.any() else blocks.count
+    for group, mode in _REQUIRED_MODES.items():
+        stated = has_code(group)
+        stated[first_move + 1 :] = False
+        if first_move < blocks.count and not stated.any():
+            fault(np.arange(blocks.count) == first_move, Message("rs274.moves-unstated", mode=mode))
+    if state.uses_tool_table:
+        unbound = np.isinf(state.blend) & moving & ~has_code(Group.MOTION, 0)
+        if unbound.any():
+            fault(
+                np.arange(blocks.count) == int(np.argmax(unbound)),
+                Message("rs274.unbounded-rounding"),
+            )
+    feeding = moving & ~has_code(Group.MOTION, 0)
+    fault(feeding & state.inverse & ~has("F"), Message("rs274.timed-without-f"))
+    fault(
+        feeding & ~state.inverse & np.isnan(state.feed),
+        Message("rs274.no-feed"),
+    )
+    unready: Bool = moving & (state.waited < settle - 1e-9)
+    # One fault for each switching, not one for each move after it.
+    unready[1:] &= ~(moving[:-1] & (state.waited[:-1] < settle[:-1] - 1e-9))
+    fault(unready, Message("rs274.not-settled"))
+
+
+def _check_end(blocks: ProgramBlocks, state: ModalState) -> None:
+    """Check that the program ends with M2 or M30, in the safe state and with nothing after it."""
+    fault, has_code = blocks.fault, blocks.has_code
+    ends = has_code(Group.END)
+    if not ends.any():
+        blocks.faults.append((int(blocks.line[-1]) if blocks.count else 1, Message("rs274.no-end")))
+        return
+    end = int(np.argmax(ends))
+    after = np.arange(blocks.count) > end
+    fault(after, Message("rs274.after-end"))
+    here = np.arange(blocks.count) == end
+    fault(here & state.oscillating, Message("rs274.ends-oscillating"))
+    fault(here & state.extra.any(axis=1), Message("rs274.ends-output-on"))
+    fault(here & state.on.any(axis=1), Message("rs274.ends-lowered"))
+    fault(here & (state.offset_of >= 0), Message("rs274.ends-with-offset"))

@@ -1,0 +1,165 @@
+"""Sort the words of an RS274/NGC program into columns: one row for each program line with words."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Final
+
+import numpy as np
+
+from knifetip.errors import ProgramUnreadable
+from knifetip.messages import Message
+from knifetip.verification.columns import F64, I32, I64, Bool
+from knifetip.verification.reading.rs274.parse import ProgramWords
+
+#: Greatest number of lines with words.
+MAX_BLOCKS: Final = 2_000_000
+#: Letters of the four axes, in the order of the columns of positions.
+AXES: Final = "XYZC"
+_LETTERS: Final = "CFIJNPQSTXYZ"
+
+
+class Group(IntEnum):
+    """Modal groups of the G and M words; a line may contain one word of each group."""
+
+    MOTION = 0
+    DWELL = 1
+    PLANE = 2
+    UNITS = 3
+    DISTANCE = 4
+    CENTRES = 5
+    FEED = 6
+    RADIUS = 7
+    LENGTH = 8
+    SYSTEM = 9
+    PATH = 10
+    END = 11
+    SPINDLE = 12
+    CHANGE = 13
+    OUTPUT = 14
+
+
+#: Number of a G word times ten -> modal group.
+_G: Final = {
+    0: Group.MOTION,
+    10: Group.MOTION,
+    20: Group.MOTION,
+    30: Group.MOTION,
+    40: Group.DWELL,
+    170: Group.PLANE,
+    210: Group.UNITS,
+    900: Group.DISTANCE,
+    911: Group.CENTRES,
+    930: Group.FEED,
+    940: Group.FEED,
+    400: Group.RADIUS,
+    430: Group.LENGTH,
+    490: Group.LENGTH,
+    540: Group.SYSTEM,
+    640: Group.PATH,
+}
+#: Number of an M word -> modal group.
+_M: Final = {
+    2: Group.END,
+    30: Group.END,
+    3: Group.SPINDLE,
+    5: Group.SPINDLE,
+    6: Group.CHANGE,
+    64: Group.OUTPUT,
+    65: Group.OUTPUT,
+}
+
+
+class ProgramBlocks:
+    """The words of a program in columns; a row, or block, for each program line with words."""
+
+    def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
+        self.faults = faults
+        new = np.ones(len(words.line), np.bool_)
+        new[1:] = words.line[1:] != words.line[:-1]
+        block = np.cumsum(new) - 1
+        self.line: I32 = words.line[new]
+        count = len(self.line)
+        if count > MAX_BLOCKS:
+            raise ProgramUnreadable("program.too-many-lines", lines=count, limit=MAX_BLOCKS)
+        self.count = count
+        groups = np.full((len(Group), count), -1, np.int32)
+        numbers = {letter: np.full(count, np.nan) for letter in _LETTERS}
+        kind = np.zeros(len(words.line), np.int64)
+        for letter, known in (("G", _G), ("M", _M)):
+            rows = np.flatnonzero(words.letter == ord(letter))
+            scaled = words.value[rows] * (10.0 if letter == "G" else 1.0)
+            codes = np.rint(scaled).astype(np.int64)
+            table = np.full(1000, -1, np.int64)
+            table[list(known)] = list(known.values())
+            group = table[np.clip(codes, 0, 999)]
+            group[(codes < 0) | (codes > 999) | (np.abs(codes - scaled) > 1e-9)] = -1
+            for row in rows[group < 0][:1000]:
+                word = f"{letter}{words.value[row]:g}"
+                self._fault(block[row], Message("rs274.unknown-word", word=word))
+            known_rows = rows[group >= 0]
+            # If a line has two words of a group, use the first; the second is a fault below.
+            groups[group[group >= 0][::-1], block[known_rows][::-1]] = codes[group >= 0][::-1]
+            kind[rows] = np.where(group >= 0, 100 + group, -1)
+        for letter, column in numbers.items():
+            rows = np.flatnonzero(words.letter == ord(letter))
+            column[block[rows][::-1]] = words.value[rows][::-1]
+            kind[rows] = 200 + ord(letter)
+        for row in np.flatnonzero(kind == 0)[:1000]:
+            letter = chr(words.letter[row])
+            self._fault(block[row], Message("rs274.unknown-letter", letter=letter))
+        words_used = np.flatnonzero(kind >= 100)
+        key = np.sort(block[words_used] * 1000 + kind[words_used])
+        for twice in np.unique(key[1:][key[1:] == key[:-1]] // 1000)[:1000]:
+            self._fault(twice, Message("rs274.repeated-word"))
+        self.group = groups
+        self.number = numbers
+        if len(words_used):
+            self.axes: Bool = ~np.isnan(np.stack([numbers[letter] for letter in AXES], axis=1))
+        else:
+            self.axes = np.zeros((count, 4), np.bool_)
+
+    def _fault(self, block: int, message: Message) -> None:
+        self.faults.append((int(self.line[block]), message))
+
+    def fault(self, mask: Bool, message: Message) -> None:
+        """Add a fault with this message for each block of a mask, at most a thousand."""
+        for block in np.flatnonzero(mask)[:1000]:
+            self._fault(block, message)
+
+    def has(self, letter: str) -> Bool:
+        """Return the mask of the blocks that contain a word with this letter, shape (count,)."""
+        result: Bool = ~np.isnan(self.number[letter])
+        return result
+
+    def has_code(self, group: Group, code: int | None = None) -> Bool:
+        """Return the mask of the blocks with a G or M word of a modal group, shape (count,).
+
+        With ``code``, only blocks with the word of that code are in the mask.  The code of a G word
+        is ten times its number; the code of an M word is its number.
+        """
+        column = self.group[group]
+        result: Bool = column >= 0 if code is None else column == code
+        return result
+
+
+def latest_block(mask: Bool) -> I64:
+    """Return, for each block, the index of the last block of a mask up to it, (count,).
+
+    The block itself counts; the index is -1 if there is none.
+    """
+    rows: I64 = np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
+    return rows
+
+
+def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
+    """Return the value in force at each block, (count,).
+
+    It is the value in ``values`` of the last block of ``mask`` up to and including that block,
+    or ``initial`` if there is none yet.
+    """
+    rows = latest_block(mask)
+    if len(rows) == 0:
+        return np.zeros(0)
+    result: F64 = np.where(rows >= 0, values[rows], initial)
+    return result

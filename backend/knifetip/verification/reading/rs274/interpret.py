@@ -1,0 +1,129 @@
+"""Convert the words of an RS274/NGC program to moves, each with the controller's modal state.
+
+The language is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that a
+sample-maker's program needs.  All other words are faults.
+
+Source: Kramer, Proctor & Messina, "The NIST RS274NGC interpreter", section 3 (modal groups, order
+of execution); grbl's own rules where they are stricter.
+"""
+
+from __future__ import annotations
+
+from operator import itemgetter
+from typing import Final
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
+from knifetip.verification.columns import F64, I64, U8, Bool
+from knifetip.verification.reading.moves import Moves, Switches
+from knifetip.verification.reading.rs274.block_faults import PRINT_ROUNDING, check_blocks
+from knifetip.verification.reading.rs274.blocks import AXES, Group, ProgramBlocks, value_in_force
+from knifetip.verification.reading.rs274.modal_state import ModalState
+from knifetip.verification.reading.rs274.parse import ProgramWords
+
+#: Greatest difference between the radii at both ends of an arc (mm).
+ARC_TOLERANCE: Final = 0.002
+
+
+def interpret(words: ProgramWords, machine: Machine) -> tuple[Moves, list[tuple[int, Message]]]:
+    """Return the moves of a program, and its faults (1-based line, message) in ascending order.
+
+    Raises
+    ------
+    ProgramUnreadable
+        The program has more than two million lines with words.
+    """
+    faults: list[tuple[int, Message]] = list(words.faults)
+    blocks = ProgramBlocks(words, faults)
+    state = ModalState(blocks, machine)
+    check_blocks(blocks, state, machine)
+    return _make_moves(blocks, state), sorted(faults, key=itemgetter(0))
+
+
+def _make_moves(blocks: ProgramBlocks, state: ModalState) -> Moves:
+    ended = np.cumsum(blocks.has_code(Group.END)) > 0
+    any_axis: Bool = np.logical_or.reduce(blocks.axes, axis=1)
+    rows = np.flatnonzero(blocks.has_code(Group.MOTION) & any_axis & ~ended)
+    stated = np.stack([blocks.number[letter][rows] for letter in AXES], axis=1)
+    joints = stated + state.offset[rows]
+    end = np.stack(
+        [value_in_force(joints[:, axis], ~np.isnan(joints[:, axis])) for axis in range(4)], axis=1
+    ).reshape(-1, 4)
+    start = np.vstack([np.full((min(1, len(rows)), 4), np.nan), end[:-1]])
+    code = (blocks.group[Group.MOTION][rows] // 10).astype(np.uint8)
+    centre, sweep = _make_arcs(blocks, rows, code, start, end)
+    return Moves(
+        line=blocks.line[rows],
+        code=code,
+        start=start,
+        end=end,
+        centre=centre,
+        sweep=sweep,
+        feed=state.feed[rows],
+        inverse=state.inverse[rows],
+        station=state.station[rows].astype(np.int32),
+        lowered=state.on[rows],
+        extra=state.extra[rows],
+        oscillating=state.oscillating[rows],
+        stated=state.stated[rows],
+        blend=state.blend[rows],
+        waited=state.waited[rows],
+        uses_tool_table=state.uses_tool_table,
+        dwell=state.dwell,
+        switches=_switching_lines(blocks, state, rows),
+    )
+
+
+def _switching_lines(blocks: ProgramBlocks, state: ModalState, moving: I64) -> Switches:
+    """Return the program lines that switch an output or the spindle, or select a station.
+
+    ``moving`` holds the indices of the blocks that contain moves, ascending.
+    """
+    spindle, change = blocks.has_code(Group.SPINDLE), blocks.has_code(Group.CHANGE)
+    output = blocks.has_code(Group.OUTPUT)
+    rows = np.flatnonzero(output | spindle | change)
+    return Switches(
+        line=blocks.line[rows],
+        move=np.searchsorted(moving, rows) - 1,
+        lowers=state.lowers[rows],
+        beside=state.on[rows] | ~state.stated[rows, : state.on.shape[1]],
+        at_end=np.logical_or.reduce(state.stated, axis=0),
+        spindle=(spindle & ~output & ~change)[rows],
+    )
+
+
+def _make_arcs(blocks: ProgramBlocks, rows: I64, code: U8, start: F64, end: F64) -> tuple[F64, F64]:
+    """Return the centres of the arcs among n moves, (n, 2) mm, and their signed sweeps, (n,)
+    radians.
+
+    A line has centre NaN and sweep 0.  An invalid arc also has centre NaN and sweep 0, and gives a
+    fault.
+
+    Parameters
+    ----------
+    rows : (n,)
+        Indices of the blocks of the moves.
+    code : (n,)
+        Number of the G word of each move.
+    start, end : (n, 4)
+        Joint positions at the start and the end of each move.
+    """
+    curved = code >= 2
+    from_start = np.stack([blocks.number["I"][rows], blocks.number["J"][rows]], axis=1)
+    centre = np.where(curved[:, None], start[:, :2] + from_start, np.nan)
+    out, back = start[:, :2] - centre, end[:, :2] - centre
+    radius, other = np.hypot(*out.T), np.hypot(*back.T)
+    good = curved & (np.abs(radius - other) <= ARC_TOLERANCE) & (radius > PRINT_ROUNDING)
+    wrong = np.zeros(blocks.count, np.bool_)
+    wrong[rows[curved & ~good]] = True
+    blocks.fault(wrong, Message("rs274.bad-arc", limit=ARC_TOLERANCE))
+    with np.errstate(invalid="ignore"):
+        angle = np.arctan2(back[:, 1], back[:, 0]) - np.arctan2(out[:, 1], out[:, 0])
+    ahead = np.where(code == 3, angle, -angle) % (2.0 * np.pi)
+    # Equal printed ends mean a full circle, for LinuxCNC and for grbl.
+    same = np.hypot(*(end - start)[:, :2].T) < PRINT_ROUNDING
+    ahead = np.where(same, 2.0 * np.pi, ahead)
+    sweep = np.where(good, np.where(code == 3, ahead, -ahead), 0.0)
+    return np.where(good[:, None], centre, np.nan), sweep
