@@ -1,1 +1,1 @@
-"""The REST API: routes, access control, server-sent events, and the service in one process."""
+"""The REST API: routes, access control and server-sent events; and the service in one process."""

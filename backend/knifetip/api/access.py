@@ -116,7 +116,12 @@ def _wrong_host(facts: RequestFacts) -> Refusal:
 def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
     """Return a refusal if a page of another origin may have sent the request, otherwise None.
 
-    ``host`` is the name and port in the Host header of the request.
+    Parameters
+    ----------
+    facts
+        Method, path, headers and addresses of the request.
+    host
+        Name and port in the Host header of the request.
     """
     if facts.method in _SAFE:
         return None
@@ -142,7 +147,7 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
 
 
 def _html_form(facts: RequestFacts) -> Refusal | None:
-    """Return a refusal if an HTML form sent the request to a route of the API, otherwise None.
+    """Return a refusal if an HTML form sent a request to a route of the API, otherwise None.
 
     Browsers let the pages of any web site send HTML forms to this server.
     """
@@ -158,6 +163,17 @@ def _without_key(
     """Return a refusal if a request without a key needs a session and has none, otherwise None.
 
     Health checks, and requests from this computer to a loopback address, need no session.
+
+    Parameters
+    ----------
+    rules
+        Settings of the access control.
+    facts
+        Method, path, headers and addresses of the request.
+    host
+        Name and port in the Host header of the request.
+    now
+        Present time (seconds since 1970).
     """
     if facts.path in OPEN_PATHS and facts.method in _SAFE:
         return None
@@ -178,6 +194,15 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
     This prevents DNS rebinding, because a rebound name is none of the three.  A name server cannot
     forge the local address, so a server that listens on all interfaces needs no list of its
     addresses.
+
+    Parameters
+    ----------
+    rules
+        Settings of the access control.
+    facts
+        Method, path, headers and addresses of the request.
+    host
+        Name and port in the Host header.
     """
     name, _ = host
     address, port = facts.server
@@ -233,7 +258,7 @@ def _is_api(path: str) -> bool:
 
 
 def same_key(given: str, key: str) -> bool:
-    """Return whether the given key equals the server's key; the comparison takes constant time."""
+    """Return whether the key of a request equals the server's key, compared in constant time."""
     digests = (hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (given, key))
     return hmac.compare_digest(*digests)
 
@@ -244,7 +269,15 @@ def _bearer(header: str | None) -> str | None:
 
 
 def request_facts(scope: Scope, cookie: str) -> RequestFacts:
-    """Return the facts about an ASGI request; ``cookie`` is the name of the session cookie."""
+    """Return method, path, headers and addresses of an ASGI request.
+
+    Parameters
+    ----------
+    scope
+        ASGI scope of the request.
+    cookie
+        Name of the session cookie.
+    """
     request = Request(scope)
     headers = request.headers
     hosts = headers.getlist("host")
@@ -302,8 +335,10 @@ class Access:
 
         Parameters
         ----------
+        request, facts
+            The request, and its method, path, headers and addresses.
         refused
-            Result of ``find_refusal`` for the request.
+            Result of ``find_refusal`` for the request; None if the request is accepted.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)

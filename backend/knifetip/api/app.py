@@ -151,7 +151,7 @@ async def _ready(service: ServiceDep, response: Response) -> Health:
 
 
 async def _status(service: ServiceDep) -> ServiceOut:
-    """Get the version of the server, and how many of its parts are compiled after installation."""
+    """Get the version of the server, and the progress of compiling functions after installation."""
     progress = service.warm_up.progress
     return ServiceOut(
         version=version("knifetip"),
@@ -235,7 +235,7 @@ def _operation_id(route: APIRoute) -> str:
 
 
 def _openapi(app: FastAPI) -> dict[str, Any]:
-    """Return the OpenAPI 3.1 schema, with the error format and the message codes added."""
+    """Return the OpenAPI 3.1 schema of an application, with error format and message codes."""
     described = get_openapi(
         title=app.title,
         version=app.version,

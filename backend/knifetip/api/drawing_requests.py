@@ -1,4 +1,4 @@
-"""Read, store, change and return drawings on behalf of the routes and the embedded service."""
+"""Read, store, change and return drawings; used by the routes and by the embedded service."""
 
 from __future__ import annotations
 
@@ -49,6 +49,8 @@ def add_drawing(
 
     Parameters
     ----------
+    service
+        The server.
     response
         Gets the headers ``Location`` and ``ETag``, unless it is None.
     name
@@ -60,7 +62,8 @@ def add_drawing(
     profile
         Name of the classification profile.
     key
-        Idempotency-Key; if it was used before, the drawing that was stored then is returned.
+        Idempotency-Key of the request, or None.  If the key was used before, the drawing that was
+        stored with it is returned.
 
     Raises
     ------
@@ -135,7 +138,7 @@ def read_drawing(
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """New interpretation of a drawing, and the message that the event log gets about the change."""
+    """New interpretation of a drawing, with the message about the change for the log of events."""
 
     interpretation: Interpretation
     event: Message
@@ -202,7 +205,13 @@ def drawing_etag(drawing: DrawingOut) -> str:
 
 
 def drawing_name(given: str) -> str:
-    """Return a file name without folders and control characters, at most 120 characters long."""
+    """Return a file name without folders and control characters, at most 120 characters long.
+
+    Parameters
+    ----------
+    given
+        File name that the client has sent.
+    """
     last = given.replace("\\", "/").rsplit("/", 1)[-1]
     shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
     if len(shown) > 120:
@@ -212,7 +221,15 @@ def drawing_name(given: str) -> str:
 
 
 def drawing_out(service: Service, row: Drawing) -> DrawingOut:
-    """Return the API model of a stored drawing; ``row`` must have its column ``import_report``."""
+    """Return the API model of a stored drawing.
+
+    Parameters
+    ----------
+    service
+        The server.
+    row
+        The drawing; its column ``import_report`` must be loaded.
+    """
     import_report = row.summary["import_report"]
     return DrawingOut.model_validate(
         {

@@ -68,7 +68,10 @@ def upload_drawing(
     ] = "default",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
-    """Upload a DXF, CF2, SVG or PDF file, detected by content; read and classify it."""
+    """Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
+
+    The format is detected from the content of the file.
+    """
     customer_rules(service, profile)
     content = file.file.read(service.settings.upload + 1)
     name = drawing_name(file.filename or "")
@@ -90,7 +93,10 @@ def list_drawings(
 def get_drawing(
     service: ServiceDep, response: Response, id: DrawingId, known: IfNoneMatch = None
 ) -> DrawingOut | Response:
-    """Get a drawing with its open questions and its import report; 304 if the client has it."""
+    """Get a drawing with its open questions and its import report.
+
+    The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
+    """
     row = service.store.drawings.get_with(id, "import_report")
     headers = {"ETag": etag(row.version, profile_state(service, row)), "Cache-Control": "no-cache"}
     if is_known(headers["ETag"], known):
@@ -108,7 +114,10 @@ def change_drawing(
     patch: DrawingPatch,
     match: IfMatch = None,
 ) -> DrawingOut:
-    """Set the unit of a drawing, or classify it with another profile or profile version."""
+    """Set the unit of a drawing, or classify it with another profile or profile version.
+
+    The drawing is read and classified again, and gets a new revision.
+    """
 
     def decide(row: Drawing) -> Change:
         unit = row.unit_given
@@ -176,7 +185,7 @@ def get_import_report(
         Query(description="List only entities with this outcome; all if it is missing"),
     ] = None,
 ) -> ImportReportOut:
-    """Get the import report: all entities of the file, or only the entities with one outcome."""
+    """Get the import report of a drawing: all entities of its file, or those with one outcome."""
     row = service.store.drawings.get_with(id, "import_report")
     rows = [one for one in unpack_rows(row.import_report) if outcome in (None, one["outcome"])]
     return ImportReportOut.model_validate({**row.summary["import_report"], "rows": rows})
@@ -185,7 +194,10 @@ def get_import_report(
 @router.get("/{id}/cleaning")
 @queued
 def get_cleaning(service: ServiceDep, id: DrawingId) -> CleaningOut:
-    """Get the cleaning report: edges merged, shortened, joined or dropped before planning."""
+    """Get the cleaning report of a drawing: the edges that cleaning changes before planning.
+
+    Cleaning merges, shortens, joins and drops edges.
+    """
     edges = service.store.drawings.column(id, "edges")
     return CleaningOut.model_validate(service.run(tasks.cleaning_report, edges))
 

@@ -48,7 +48,7 @@ def _print_line(line: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """Options of the embedded service: sample drawings, simulated machine and compile workers."""
+    """Parts of the embedded service: whether samples, simulated machine and compile workers run."""
 
     samples: bool = True  #: add the sample drawings to a new database
     simulator: bool = True  #: run a simulated machine with its gateway
@@ -171,9 +171,12 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
 
     Parameters
     ----------
-    port, key, key_file
-        Port and key of the server, and the file that contains the key.  The key is "" if only this
-        computer is served, and the file is None if the key is not in a file.
+    port
+        Port of the server.
+    key
+        Key that other computers need; "" if only this computer is served.
+    key_file
+        File that contains the key; None if the key is not in a file.
     """
     if not key:
         return (
@@ -186,9 +189,14 @@ def _how_to_open(port: int, key: str, key_file: Path | None) -> str:
 
 
 def _journal_path(database: str) -> Path | None:
-    """Return the path of the gateway's journal, next to the SQLite file that ``database`` names.
+    """Return the path of the gateway's journal, which is beside the database file.
 
     It is None if the database is not a SQLite file.
+
+    Parameters
+    ----------
+    database
+        SQLAlchemy URL of the database.
     """
     url = sa.make_url(database)
     if url.get_backend_name() != "sqlite" or not url.database:
@@ -211,7 +219,7 @@ class _SimulatedMachine(threading.Thread):
         self._work: asyncio.Task[None] | None = None
 
     def run(self) -> None:
-        """Run the machine until ``leave`` is called."""
+        """Run the simulated machine and its gateway until ``leave`` is called."""
         with contextlib.suppress(asyncio.CancelledError):
             asyncio.run(self._serve())
 
@@ -282,7 +290,7 @@ class _Server(uvicorn.Server):
             self.announce(line)
 
     async def main_loop(self) -> None:
-        """Update the Date header once a second until the server must exit.
+        """Update the Date header of responses once a second until the server must exit.
 
         The main loop of uvicorn does this ten times a second.
         """

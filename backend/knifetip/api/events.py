@@ -42,7 +42,7 @@ _log = logging.getLogger("knifetip.api")
 
 
 class Stream:
-    """Sends all changes in the store to all clients.
+    """Sends every change of a job or drawing in the store to all connected clients.
 
     It queries the store only while clients are connected.
     """
@@ -214,7 +214,11 @@ async def get_events(
         int | None, Query(ge=0, le=2**53, description="Same as the header, which takes precedence")
     ] = None,
 ) -> AsyncIterator[ServerSentEvent]:
-    """Stream changes of jobs and drawings as server-sent events."""
+    """Stream changes of jobs and drawings as server-sent events.
+
+    ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
+    since then are sent first.  Without both, only new changes are sent.
+    """
     stream: Stream = request.app.state.stream
     # An id that is not a number is not from this server; past events are not replayed.
     since = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after

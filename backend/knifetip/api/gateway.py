@@ -33,7 +33,8 @@ _SEEN = 2.0  # seconds between two records of a gateway's contact
 async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim | Response:
     """Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
 
-    If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
+    If ``confirm`` is true in the response, nothing may be sent to the machine before the operator
+    confirms the job.
     """
     check_library_name("machines", wanted.machine)
     until = time.monotonic() + wanted.wait
@@ -77,7 +78,7 @@ def _next(service: ServiceDep, wanted: ClaimIn) -> Job | None:
 
 @router.get("/program/{id}", response_class=PlainTextResponse)
 async def get_gateway_program(service: ServiceDep, request: Request, id: JobId) -> Response:
-    """Download the program of a claimed job."""
+    """Download the program of a job that a gateway has claimed."""
     job = await service.threads.claims(service.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
@@ -106,9 +107,9 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
 
 @router.post("/finish")
 async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
-    """Report the end of a job.
+    """Report that a job has ended, with its outcome.
 
-    A late report of the gateway that owned an interrupted job last ends the job, or corrects the
+    The last gateway of an interrupted job may report late; the report ends the job, or corrects the
     last executed line and the message of the job.
     """
     return await service.threads.reports(_finish_job, service, report)

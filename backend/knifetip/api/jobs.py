@@ -56,7 +56,10 @@ router = APIRouter(prefix="/jobs", tags=["jobs"])
 def order_job(
     service: ServiceDep, response: Response, order: JobIn, key: IdempotencyKey = None
 ) -> JobOut:
-    """Create a job and compile it; 409 with ``questions`` if the drawing has open questions."""
+    """Create a job and compile it; 409 with ``questions`` if the drawing has open questions.
+
+    The program is compiled and verified while the job is ``received`` and ``compiling``.
+    """
     request = fingerprint(order.model_dump_json())
     row = service.store.jobs.find(key, request) if key else None
     if row is None:
@@ -96,7 +99,14 @@ def _ordered(service: ServiceDep, order: JobIn, key: str | None, request: str) -
 def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
     """Return the interpretation of a drawing with the changes that a request for a job contains.
 
-    The request can contain a profile, overrides of line types, and corner types.
+    Parameters
+    ----------
+    service
+        The server.
+    order
+        The request; it can contain a profile, line types of edges, and corner types.
+    drawing
+        The stored drawing.
     """
     interpretation = interpretation_of(drawing, drawing.overrides)
     if order.profile is not None:
@@ -139,7 +149,7 @@ def get_job(service: ServiceDep, id: JobId) -> JobOut:
 
 @router.get("/{id}/events")
 def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
-    """List the state changes of a job with time, author and reason."""
+    """List the state changes of a job with their times, causes and descriptions."""
     return [
         JobEvent.model_validate(
             {
@@ -182,9 +192,14 @@ def get_verdict(
 
 
 def verdict_out(block: bytes) -> VerdictOut:
-    """Return the API model of a verdict from its packed columns.
+    """Return the API model of a verdict.
 
-    Columns that are missing, because an older version stored the verdict, are empty.
+    Columns that are missing, because an older version stored the verdict, become empty lists.
+
+    Parameters
+    ----------
+    block
+        The verdict as stored, a block of packed columns.
     """
     columns, meta = unpack_columns(block)
     figures = {
@@ -205,8 +220,9 @@ def verdict_out(block: bytes) -> VerdictOut:
 def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
     """Get the tool path of a job as binary columns with one row per move of the head.
 
-    The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip, C; one row more),
-    ``bulge``, ``motion``, ``feed``, ``source`` (row of the edge), ``tool`` (station number) and
+    The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip in mm, C in degrees;
+    one row more than moves), ``bulge`` (tan(sweep / 4) of an arc, 0 for a line), ``motion`` (kind
+    of the move), ``feed`` (mm/min), ``source`` (row of the edge), ``tool`` (station number) and
     ``line`` (program line).
     """
     row = service.store.jobs.get(id)
@@ -216,7 +232,7 @@ def get_toolpath(service: ServiceDep, request: Request, id: JobId) -> Response:
 
 @router.post("/{id}/release")
 def release_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Queue a job that has the state ``ready``."""
+    """Queue a job that has the state ``ready``, so that its machine can claim it."""
     return job_out(service.store, service.store.jobs.release(id))
 
 
@@ -242,7 +258,7 @@ def hold_job(service: ServiceDep, id: JobId) -> JobOut:
 
 @router.post("/{id}/resume")
 def resume_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Request to resume a job; between two copies this confirms the new sheet."""
+    """Request to resume a held job; between two copies this confirms the new sheet."""
     return job_out(service.store, service.store.jobs.resume(id))
 
 
@@ -307,7 +323,8 @@ def _job_out(row: Job, waiting: Waiting, now: float) -> JobOut:
 def progress(row: Job) -> float:
     """Return the completed fraction of a job, 0 … 1.
 
-    It is the fraction of the compile until the job is queued, and then that of the execution.
+    It is the fraction of the compile until the job is queued, 0 while it is queued, and then the
+    fraction of all copies that is executed.
     """
     match row.state:
         case State.DONE:

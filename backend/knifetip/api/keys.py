@@ -34,7 +34,7 @@ def load_key(key: str, file: Path | None) -> str:
 def _read_key(file: Path) -> str:
     """Return the key in a file.
 
-    A missing file is created with a random key, readable by its owner only.
+    A file that does not exist is created with a random key, readable by its owner only.
     """
     try:
         with contextlib.suppress(FileExistsError):
@@ -55,7 +55,7 @@ def _check(key: str, what: str) -> str:
 
 
 def check_hosts(hosts: Sequence[str]) -> tuple[str, ...]:
-    """Return the host names as a tuple if each has the form NAME or NAME:PORT.
+    """Return the host names as a tuple; each must have the form NAME or NAME:PORT.
 
     Raises
     ------

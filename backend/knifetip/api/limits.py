@@ -1,6 +1,6 @@
 """Middleware that refuses requests whose body is too large.
 
-The size is the Content-Length that the client sends; without it, the received bytes are counted.
+The size of a body is its Content-Length; without this header, the received bytes are counted.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class TooLarge(Exception):
 
 
 class Limits:
-    """ASGI middleware that limits the size of request bodies."""
+    """ASGI middleware that refuses requests whose body is too large."""
 
     def __init__(self, app: ASGIApp, upload: int, body: int) -> None:
         self.app = app

@@ -1,4 +1,4 @@
-"""Routes for the machines: stations, tools, gateway and current job."""
+"""Routes for machines, with their stations, their tools, their gateway and their current job."""
 
 from __future__ import annotations
 

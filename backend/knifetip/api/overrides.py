@@ -1,4 +1,4 @@
-"""Apply overrides of line types, which select edges by row, handle, layer or colour."""
+"""Apply overrides, which set line types of edges selected by row, handle, layer or colour."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from knifetip.presentation.columns import unpack_columns
 
 
 def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) -> bytes:
-    """Return the overrides of the n edges of a drawing after ``overrides`` are added to ``before``.
+    """Return the overrides of the n edges of a drawing after a request has changed them.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) 
     before : (n,)
         Present overrides, for each edge one byte: ``NO_OVERRIDE`` or a LineType.
     overrides
-        Applied in order; later ones replace earlier ones.
+        Overrides in the request, applied in order; later ones replace earlier ones.
 
     Returns
     -------
@@ -60,8 +60,11 @@ def _select_edges(
 
     Parameters
     ----------
+    override
+        Override in a request.
     columns, layers
-        Columns of the drawing's ``EdgeTable``, and the layer names to which ``layer`` refers.
+        Columns of the drawing's ``EdgeTable``, and the layer names to which its column ``layer``
+        refers.
     rows_of
         Rows of the edges of each entity, by the handle of the entity.
     count

@@ -29,6 +29,8 @@ def problem(
 
     Parameters
     ----------
+    status
+        HTTP status.
     message
         The error message, which the response contains with its text and hint.
     kind

@@ -131,7 +131,7 @@ def delete_profile(service: ServiceDep, name: ProfileName, match: IfMatch = None
 @router.post("/drawings/{id}/preview")
 @queued
 def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> PreviewOut:
-    """Preview the effect of a profile on a drawing; nothing is stored."""
+    """Get the effect that a profile would have on the edges of a drawing; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
     found = service.run(
         profiling.preview,
@@ -145,7 +145,7 @@ def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> P
 @router.post("/drawings/{id}/learned")
 @queued
 def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalOut]:
-    """Propose rules that explain the user's corrections of line types; nothing is stored."""
+    """Propose rules that give edges the line types which the user has set; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
     found = service.run(
         profiling.learn,

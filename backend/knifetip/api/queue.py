@@ -75,7 +75,7 @@ class WorkQueue:
             self._seconds += 0.2 * (time.monotonic() - started - self._seconds)
 
     def close(self) -> None:
-        """Stop accepting and executing calls."""
+        """Refuse new calls, and do not begin the calls that wait; running calls continue."""
         self._threads.shutdown(wait=False, cancel_futures=True)
 
 
@@ -84,7 +84,10 @@ class _Queued(Protocol):
 
 
 def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
-    """Return a route that executes ``endpoint`` in the work queue of its argument ``service``."""
+    """Return a route that executes ``endpoint`` in the ``WorkQueue`` of the server.
+
+    The server is the argument ``service`` of ``endpoint``.
+    """
 
     @wraps(endpoint)
     async def route(*args: P.args, **named: P.kwargs) -> T:

@@ -1,7 +1,8 @@
 """Revisions of drawings as ETag, If-Match and If-None-Match (RFC 9110, section 13).
 
-The ETag of a drawing is its revision.  If the profile has changed since the classification, the
-ETag also contains that state, because it changes the response but not the drawing.
+The ETag of a drawing is its revision.  If the profile of the drawing has been changed or deleted
+since the classification, the ETag also contains that state, because it changes the response
+although the drawing has not changed.
 """
 
 from __future__ import annotations
@@ -34,14 +35,28 @@ IfNoneMatch = Annotated[
 
 
 def etag(revision: int, profile_state: str = "current") -> str:
-    """Return the ETag of a drawing with a revision and a state of its profile ("changed" …)."""
+    """Return the ETag of a drawing.
+
+    Parameters
+    ----------
+    revision
+        Revision of the drawing.
+    profile_state
+        "current", or "changed" or "deleted" if the profile was changed or deleted since the drawing
+        was classified.
+    """
     return f'"{revision}"' if profile_state == "current" else f'"{revision}-{profile_state}"'
 
 
 def check_match(match: str | None, row: Drawing) -> None:
     """Raise StaleRevision if an If-Match header does not contain the revision of the drawing.
 
-    There is no error if the header is ``*``, or missing (None).
+    Parameters
+    ----------
+    match
+        The header.  There is no error if it is ``*``, or None (the request has no such header).
+    row
+        The drawing.
     """
     if match is None or "*" in _tags(match):
         return
@@ -51,9 +66,14 @@ def check_match(match: str | None, row: Drawing) -> None:
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
-    """Raise StaleRevision if a job request names another revision than that of the drawing.
+    """Raise StaleRevision if a request for a job names an older revision of the drawing.
 
-    There is no error if the request names no revision (None).
+    Parameters
+    ----------
+    revision
+        Revision in the request.  There is no error if it is None (the request names no revision).
+    row
+        The drawing.
     """
     if revision is not None and revision != row.version:
         raise StaleRevision(row.id, row.version, str(revision))

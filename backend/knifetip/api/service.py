@@ -44,7 +44,7 @@ class Settings:
 
 @dataclass(slots=True)
 class Service:
-    """Components of one server, which its routes use."""
+    """Components of one server, such as its store and its worker processes, for its routes."""
 
     settings: Settings
     store: Store
@@ -56,7 +56,7 @@ class Service:
     ready: bool = False
 
     def stop(self) -> None:
-        """End event streams and long polls."""
+        """End the event streams and the waiting claims of gateways, because the server stops."""
         self.stopping.set()
         self.store.changes.notify()
 
@@ -85,7 +85,7 @@ BINARY: dict[str, Any] = {"content": {"application/octet-stream": {"schema": {"t
 def fingerprint(*parts: str | bytes) -> str:
     """Return a SHA-256 hash of the parts of a request, in hexadecimal digits.
 
-    It shows whether an Idempotency-Key was used for two different requests.
+    Two requests with the same Idempotency-Key are the same request if their hashes are equal.
     """
     digest = hashlib.sha256()
     for part in parts:
@@ -100,12 +100,14 @@ def check_library_name(shelf: str, name: str) -> str:
     Parameters
     ----------
     shelf
-        Kind of entry: "machines", "boards" or "profiles".
+        Kind of the entry: "machines", "boards" or "profiles".
+    name
+        Name of the entry.
 
     Raises
     ------
     LibraryError
-        The library has no such entry; paths of files are no names.
+        The library has no such entry; a path of a file is not accepted.
     """
     known = load.names(shelf)
     if name not in known:
@@ -116,12 +118,19 @@ def check_library_name(shelf: str, name: str) -> str:
 
 
 def customer_rules(service: Service, name: str) -> str:
-    """Return the TOML text of a customer's profile; "" for a profile of the library.
+    """Return the TOML text of a customer's profile; "" if it is a profile of the library.
+
+    Parameters
+    ----------
+    service
+        The server.
+    name
+        Name of the profile.
 
     Raises
     ------
     LibraryError
-        No profile has the name.
+        There is no profile with this name.
     """
     row = service.store.profiles.get(name)
     if row is not None:
@@ -144,10 +153,13 @@ def set_next_page(response: Response, path: str, cursor: int | None, limit: int)
 
     Parameters
     ----------
+    response
+        Response whose header is set.
     path
         URL of the list with its other parameters; it ends with "?" or "&".
     cursor
-        Position of the next page in the list; None if there is none, which sets no header.
+        Position of the next page in the list.  If it is None, there is no next page, and no header
+        is set.
     limit
         Maximum number of items per page.
     """
@@ -162,6 +174,10 @@ def bytes_response(
 
     Parameters
     ----------
+    request
+        Request with the header ``If-None-Match``.
+    content
+        The bytes.
     tag
         ETag without quotation marks.
     media

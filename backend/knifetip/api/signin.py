@@ -80,7 +80,7 @@ def _signature(key: str, expiry: str) -> str:
 
 
 async def given_key(request: Request) -> str | None:
-    """Return the key in the link or in the form of a request, or None if there is no key."""
+    """Return the key in the URL or in the sign-in form of a request, or None if there is no key."""
     path = request.url.path
     if request.method == "GET" and path != "/api" and not path.startswith("/api/"):
         return request.query_params.get("key")
@@ -96,7 +96,7 @@ async def given_key(request: Request) -> str | None:
 
 
 def wants_page(request: Request) -> bool:
-    """Return whether the client accepts HTML."""
+    """Return whether a request accepts HTML in its response."""
     return "text/html" in request.headers.get("accept", "")
 
 
@@ -128,7 +128,7 @@ def welcome(request: Request, key: str, now: float) -> Response:
 
 
 def retry_url(request: Request) -> str:
-    """Return the URL with which the browser repeats a request; "" if this is the repetition."""
+    """Return the URL with which a browser repeats a refused request once; "" if it has done so."""
     # A different URL: a reload of the same one would still count as a request of the other site.
     if _AGAIN in request.query_params:
         return ""
@@ -137,7 +137,7 @@ def retry_url(request: Request) -> str:
 
 
 def sign_in_page(fault: str = "", *, again: str = "") -> Response:
-    """Return the sign-in page, with status 401.
+    """Return the sign-in page as a response with status 401.
 
     Parameters
     ----------

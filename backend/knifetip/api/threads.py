@@ -25,11 +25,14 @@ class GatewayThreads:
         self._claims = ThreadPoolExecutor(2, "claim")
 
     async def reports(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Execute ``call`` for a heartbeat, a finish or a health check, and return its result."""
+        """Execute a call for a heartbeat, a finish or a health check, and return its result.
+
+        The call has threads of its own, so that claims do not delay it.
+        """
         return await _run(self._reports, partial(call, *args, **named))
 
     async def claims(self, call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
-        """Execute ``call``, which claims a job or fetches a program, and return its result."""
+        """Execute a call that claims a job or fetches a program, and return its result."""
         return await _run(self._claims, partial(call, *args, **named))
 
     def close(self) -> None:

@@ -37,7 +37,7 @@ class Waiting(NamedTuple):
 
 
 def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
-    """Return for each job the reason why it waits; queries the store only if a job is queued."""
+    """Return the reasons why jobs wait, one per job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.gateways.queues(machines, ABSENT) if machines else {}
     return [_waiting(row, queues.get(row.machine)) for row in jobs]
@@ -92,7 +92,7 @@ def _taken(title: str, queue: Queue) -> Message:
     title
         Title of the machine.
     queue
-        State of the queue of the machine, with the id of the job that occupies it.
+        State of the queue of the machine; its field ``ahead`` is the id of the other job.
     """
     match queue.ahead_state:
         case State.INTERRUPTED:
@@ -128,7 +128,10 @@ def _title(machine: str) -> str:
 
 
 def _board_title(board: str) -> str:
-    """Return the title of a board, or its name if the library lacks it or it has no title."""
+    """Return the title of a board.
+
+    The name ``board`` is returned if the library has no such board, or if the board has no title.
+    """
     try:
         return load.board(board, files=False).title or board
     except LibraryError:

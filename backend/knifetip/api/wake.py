@@ -10,15 +10,15 @@ from knifetip.jobs.changes import Changes
 
 
 class Wake:
-    """An event of the running event loop that every change in the store sets, from any thread."""
+    """An event for coroutines; every change of a job or drawing sets it, on any thread."""
 
     def __init__(self) -> None:
         self._event = asyncio.Event()
 
     async def wait(self, seconds: float) -> None:
-        """Return at the next change in the store, or after ``seconds`` without a change.
+        """Wait until a job or drawing changes in the store, at most ``seconds``.
 
-        A change since the previous call counts: the call then returns immediately.
+        Returns immediately if a change was made since the previous call.
         """
         with suppress(TimeoutError):
             await asyncio.wait_for(self._event.wait(), seconds)
@@ -27,9 +27,17 @@ class Wake:
 
 @contextmanager
 def wake_on_change(changes: Changes) -> Iterator[Wake]:
-    """Context manager that yields a ``Wake`` of the running event loop.
+    """Return a context in which a ``Wake`` is set after every change in the store.
 
-    The ``Wake`` is set by every change in the store from the start of the context on.
+    Parameters
+    ----------
+    changes
+        Notifier of the changes in the store.
+
+    Yields
+    ------
+    Wake
+        The event, for coroutines of the running event loop.
     """
     loop = asyncio.get_running_loop()
     wake = Wake()

@@ -24,7 +24,7 @@ _COLUMNS = ("azimuth", "dx", "dy")
 
 
 class Side(Enum):
-    """Side of the drawn contour on which the cutter cut, seen in the direction of travel."""
+    """Side of the drawn contour on which the cutter ran, seen in the direction of travel."""
 
     LEFT = "left"
     RIGHT = "right"
@@ -130,5 +130,5 @@ def calibrate(
 
 
 def register(app: typer.Typer) -> None:
-    """Add the command ``calibrate`` to a Typer application."""
+    """Add the command ``calibrate`` to the Typer application of the command line."""
     app.command()(expand(calibrate))

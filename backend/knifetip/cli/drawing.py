@@ -60,7 +60,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]
 
 @dataclass(frozen=True, slots=True)
 class ReadingOptions:
-    """Command-line options for the unit, the classification profile and the layers of a drawing."""
+    """Command-line options: unit, classification profile, and line types of layers of a drawing."""
 
     profile: Profile = "default"
     layer: Layers = None
@@ -73,7 +73,7 @@ class ReadingOptions:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class LoadedDrawing:
-    """The drawing in a file, read and classified with the command-line options."""
+    """The drawing in a file, read and classified, with its edges and their line types."""
 
     data: bytes
     drawing: Drawing
@@ -86,7 +86,8 @@ class LoadedDrawing:
         Parameters
         ----------
         machine
-            Machine whose tools the questions concern too; None for questions without a machine.
+            Machine that is to make the drawing; None to omit questions about line types for which a
+            machine has no tool.
         """
         return pipeline.questions(self.drawing, self.dieline, machine)
 
@@ -110,7 +111,10 @@ class LoadedDrawing:
         }
 
     def _cleaned(self) -> Cleaned | None:
-        """Return the cleaned drawing; None if its unit is unknown or it cannot be cleaned."""
+        """Return the result of cleaning the drawing; None if it cannot be cleaned.
+
+        A drawing without a unit cannot be cleaned.
+        """
         if not self.drawing.unit:
             return None
         try:
@@ -127,8 +131,10 @@ def load_drawing(
 
     Parameters
     ----------
+    file
+        Path of the file.
     unit
-        Unit of the drawing; None for the unit that the file states.
+        Unit of the drawing; None for the unit in the file.
     profile
         Name of a classification profile, or path of its TOML file.
     layers
@@ -168,8 +174,15 @@ def load_drawing(
 def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return name, unit, size and import report of a drawing as JSON data with texts.
 
-    The fields are the fields of a drawing in the REST interface.  In addition, ``size`` is the list
-    of width and height, and ``warnings`` contains the warnings about the unit.
+    The fields are those of a drawing in the REST interface.  In addition, ``size`` is the list of
+    width and height, and ``warnings`` contains the warnings about the unit.
+
+    Parameters
+    ----------
+    name
+        Name of the file.
+    drawing
+        The drawing.
     """
     return _with_report(name, drawing, drawing_json(drawing))
 
@@ -322,13 +335,15 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
 def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
     """Return text lines about the rules that classified some edges, one text line per rule.
 
-    Each text line states the number of edges, the confidence of their line types (percent) and the
-    conditions of the rule.
+    Each text line contains the number of edges, the confidence of their line types (percent) and
+    the conditions of the rule.
 
     Parameters
     ----------
+    result
+        The classified drawing.
     rows
-        Indices of the edges.
+        Rows of the edges to describe.
     """
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]
@@ -359,7 +374,7 @@ def _evidence_lines(finding: dict[str, Any]) -> list[str]:
 
 
 def _size(drawing: Drawing) -> str:
-    """Return a text with the width and the height of a drawing and their unit."""
+    """Return a text with the width and the height of a drawing and the unit of both."""
     min_x, min_y, max_x, max_y = drawing.bounds
     unit = "mm" if drawing.unit else "units (unit unknown)"
     return f"{max_x - min_x:.2f} × {max_y - min_y:.2f} {unit}"

@@ -1,4 +1,4 @@
-"""knifetip job: list the jobs of a server and send commands to them.
+"""knifetip job: list the jobs of a server and send commands to the server about them.
 
 list, show        print the state of the jobs, their progress and the allowed actions
 confirm           confirm at the machine that the table is clear, and board and tools are ready
@@ -38,7 +38,7 @@ _CANCEL = (
 
 
 class JobClient:
-    """HTTP client for the job routes of a server."""
+    """HTTP client for the routes of the server under ``/api/jobs``."""
 
     def __init__(self, server: str, key: str = "") -> None:
         self._headers = {"X-Knifetip": "cli"}
@@ -55,6 +55,15 @@ class JobClient:
         body: dict[str, str] | None = None,
     ) -> Any:
         """Send a request to a path under ``/api/jobs`` and return the decoded JSON answer.
+
+        Parameters
+        ----------
+        method, path
+            HTTP method, and path after ``/api/jobs``.
+        params
+            Query parameters; None for none.
+        body
+            JSON body; None for none.
 
         Raises
         ------
@@ -86,7 +95,17 @@ class JobClient:
         return dict(self.request("GET", _path(id)))
 
     def command(self, id: str, command: str, body: dict[str, str] | None = None) -> dict[str, Any]:
-        """Send a command, such as ``hold``, for a job; return the changed job as JSON data."""
+        """Send a command for a job to the server; return the changed job as JSON data.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        command
+            Name of the command, such as ``hold``.
+        body
+            JSON body of the request; None for none.
+        """
         return dict(self.request("POST", f"{_path(id)}/{command}", body=body))
 
 
@@ -197,12 +216,14 @@ _PLAIN_COMMANDS = {
 
 
 def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
-    """Add a subcommand that sends a command of its own name for one job to the server.
+    """Add a subcommand that sends a command about one job to the server.
 
     Parameters
     ----------
+    app
+        Typer application of the command ``job``.
     name
-        Name of the subcommand, such as ``hold``.
+        Name of the subcommand and of the command to send, such as ``hold``.
     help_text
         Help text of the subcommand.
     """
@@ -213,7 +234,13 @@ def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
 
 
 def _print_job(row: dict[str, Any]) -> None:
-    """Print a summary of a job, given as JSON data."""
+    """Print a summary of a job.
+
+    Parameters
+    ----------
+    row
+        The job as JSON data.
+    """
     typer.echo(f"{row['id']}  {row['state']}  {row['drawing_name']}")
     typer.echo(f"  {row['machine']}, board {row['board']}")
     if row["tools"]:

@@ -14,7 +14,7 @@ from knifetip.errors import KnifetipError
 
 
 class _Command(NamedTuple):
-    """The module that registers a command of the command line, and the help text of the command."""
+    """The module that implements a command of the command line, and the command's help text."""
 
     module: str  #: module of this package that registers the command
     help: str  #: first sentence of the help text, at most 63 characters
@@ -47,7 +47,13 @@ COMMANDS: Final[dict[str, _Command]] = {
 
 
 def load_command(name: str) -> Any:
-    """Import the module of a command and return the command as a Typer object."""
+    """Import the module of a command; return the command as a Typer object.
+
+    Parameters
+    ----------
+    name
+        Name of the command, such as ``read``.
+    """
     # Imported objects live until the process ends, so the garbage collector need not scan them,
     # neither now nor later.
     gc.disable()
@@ -64,7 +70,17 @@ class _Commands(TyperGroup):
     """Command group that lists all commands, and imports only the module of the invoked command."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Return the name of the invoked command, the imported command, and its arguments."""
+        """Return the name of the invoked command, the command, and its arguments.
+
+        Imports the module of the command.
+
+        Parameters
+        ----------
+        ctx
+            Context of click.
+        args
+            Arguments of the command line, with the name of the command first.
+        """
         name, _, rest = super().resolve_command(ctx, args)
         return name, None if name is None else load_command(name), rest
 
@@ -81,8 +97,8 @@ app = _Commands(
 def main() -> None:
     """Run the command line.
 
-    If a ``KnifetipError`` is raised, its text and hint are printed and the process exits with code
-    3.
+    If a command raises a ``KnifetipError``, the text and the hint of the error are printed and the
+    process exits with code 3.
     """
     try:
         app()

@@ -45,10 +45,12 @@ def expand(command: Callable[..., None]) -> Callable[..., None]:
 
 
 def _parameter(field: Field[Any], kind: Any) -> inspect.Parameter:
-    """Return a keyword parameter with the name and the default of a dataclass field.
+    """Return a keyword parameter of a function with the name and the default of a field.
 
     Parameters
     ----------
+    field
+        Field of a dataclass.
     kind
         Type annotation of the field.
     """

@@ -67,17 +67,17 @@ class Interference(Enum):
 
 
 def parse_corner(text: str) -> CornerAt:
-    """Return the corner position and the corner type that a text describes.
+    """Return the corner position and the corner type that an option describes.
 
     Parameters
     ----------
     text
-        Value of the option ``--corner-at``, in the form ``X,Y=TYPE`` or ``X,Y=TYPE:K``.
+        Value of the option ``--corner-at``: ``X,Y=TYPE`` or ``X,Y=TYPE:K``, with X and Y in mm.
 
     Raises
     ------
     PlanError
-        The text does not have this form.
+        The text does not have one of these forms.
     """
     match = _CORNER.fullmatch(text)
     if match is None:
@@ -152,7 +152,7 @@ class CornerOptions:
 
 
 def print_verdict(verdict: Verdict) -> None:
-    """Print the figures and the first findings of a verdict of the verifier."""
+    """Print the measurements and the first findings of a verdict of the verifier."""
     word = "accepted" if verdict.accepted else "refused"
     print_stderr(
         f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm "
@@ -180,7 +180,15 @@ def _parse_placement(text: str) -> tuple[float, float]:
 
 
 def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
-    """If there are open questions about a drawing, print them and exit."""
+    """Print the open questions about a drawing and exit; return if there are none.
+
+    Parameters
+    ----------
+    loaded
+        The drawing.
+    machine
+        Machine that is to make the drawing.
+    """
     open_questions = loaded.questions(machine)
     if open_questions:
         report_questions(open_questions)
@@ -247,7 +255,7 @@ def program(
 
 
 def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any]:
-    """Return the figures of a compiled program and the verdict of the verifier as JSON data."""
+    """Return the measurements of a compiled program and the verifier's verdict as JSON data."""
     return {
         "placement": list(result.placement),
         "seconds": result.seconds,

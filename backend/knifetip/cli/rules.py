@@ -16,15 +16,15 @@ DATABASE_FILE = Path("knifetip.sqlite")
 
 
 def database_of(given: str | None) -> str | None:
-    """Return the URL of the database with stored profiles, or None if there is none.
+    """Return the URL of the database that contains stored profiles, or None if there is none.
 
-    The first of the following is used: ``given``, the environment variable ``KNIFETIP_DATABASE``,
+    The first of the following is used: the option, the environment variable ``KNIFETIP_DATABASE``,
     and the file ``knifetip.sqlite`` if it exists.
 
     Parameters
     ----------
     given
-        URL of a database from the command line; None if the user gave none.
+        URL of a database from a command-line option; None if the option is missing.
     """
     if url := given or os.environ.get(DATABASE_VARIABLE):
         return url
@@ -88,6 +88,11 @@ def find_profile(name: str, database: str | None = None) -> LineRules:
         Name of a profile of the library or of the database, or path of a TOML file.
     database
         URL of the database; None for the default of ``database_of``.
+
+    Raises
+    ------
+    KnifetipError
+        There is no such profile, or it cannot be read.
     """
     if name in load.names("profiles") or name.endswith(".toml"):
         return load.profile(name)

@@ -32,6 +32,8 @@ def print_stderr(text: str, colour: str | None = None) -> None:
 
     Parameters
     ----------
+    text
+        The text line.
     colour
         Colour of the text, which is then also bold; None for plain text.
     """
@@ -41,7 +43,7 @@ def print_stderr(text: str, colour: str | None = None) -> None:
 def report_error(error: KnifetipError) -> None:
     """Print the text and the hint of an error on stderr.
 
-    For the error ``OpenQuestions``, its questions are printed instead.
+    If the error is an ``OpenQuestions``, its questions are printed instead.
     """
     if isinstance(error, OpenQuestions):
         for question in error.questions:
@@ -88,7 +90,7 @@ def read_bytes(path: Path) -> bytes:
 
 
 def write_bytes(path: Path, data: bytes) -> None:
-    """Write a file.
+    """Write bytes to a file.
 
     Raises
     ------
@@ -116,7 +118,7 @@ def progress(title: str) -> Iterator[Any]:
     Yields
     ------
     callable
-        ``update(stage, fraction)`` shows the name of the stage and the fraction done (0 … 1).
+        ``update(stage, fraction)`` shows the name of the stage and the completed fraction (0 … 1).
     """
     if not sys.stderr.isatty():
         yield lambda _stage, _fraction: None

@@ -1,4 +1,4 @@
-"""messages: records of a code with typed arguments, which are rendered as text in a language.
+"""messages: records of a code with typed arguments, from which the text is rendered.
 
 ``catalogue`` has one module for each area of knifetip, such as ``cleaning`` or ``job``; it contains
 the code, English text, hint and types of the arguments of each message.  ``codes`` and ``english``

@@ -1,7 +1,7 @@
 """codes: the codes of all messages that knifetip can report, with the types of their arguments.
 
 The part of a code before the dot is the area of knifetip to which the message belongs.  The OpenAPI
-description contains this table as the union ``Message``, so that a client can check that its own
+description contains this table as the schema ``Message``, so that a client can check that its own
 catalogue is complete.
 """
 

@@ -32,8 +32,8 @@ def entry(text: str, hint: str = "", /, **arguments: Kind) -> Entry:
     text
         English template of the text, as described in ``messages.render``.
     hint
-        English template of the hint; empty if the user can do nothing.
+        English template of the hint; "" if the user can do nothing.
     arguments
-        Type of each argument of the message, as keyword arguments.
+        Types of the arguments of the message, as keyword arguments.
     """
     return Entry(text, hint, arguments)

@@ -16,7 +16,7 @@ _NOT_FINITE: Final = 1e9
 
 @runtime_checkable
 class _Number(Protocol):
-    """Protocol of Python and NumPy numbers."""
+    """Protocol of a Python or NumPy number, with its method ``__float__``."""
 
     def __float__(self) -> float: ...
 
@@ -78,7 +78,7 @@ class Message:
         return (_rebuild, (self.code, self.arguments))
 
     def as_json(self) -> dict[str, Any]:
-        """Return a dictionary that JSON can represent, with the keys "code" and "arguments"."""
+        """Return the message as a dictionary for JSON, with the keys "code" and "arguments"."""
         arguments = {name: _plain(value) for name, value in self.arguments.items()}
         return {"code": self.code, "arguments": arguments}
 
@@ -87,8 +87,8 @@ def from_json(plain: Mapping[str, Any] | str) -> Message:
     """Return the message from the JSON data that ``Message.as_json`` returned.
 
     Older versions of knifetip stored sentences.  Such a sentence becomes a message with the code
-    ``stored.text``.  So does a message of another version if this version does not have its code or
-    lists other arguments for the code.
+    ``stored.text``.  A message of another version also gets this code if this version does not have
+    the code of the message, or lists other arguments for it.
     """
     if isinstance(plain, str):
         return Message(STORED, text=plain, hint="")
@@ -147,9 +147,10 @@ def _texts(value: Iterable[object]) -> tuple[str, ...]:
 
 
 def _message(value: object) -> Message:
-    """Return a message unchanged, and any other value as a message with the code ``stored.text``.
+    """Return the message that a stored value represents.
 
-    Older versions of knifetip stored a text where this version stores a message.
+    A ``Message`` is returned unchanged.  Any other value becomes the text of a message with the
+    code ``stored.text``, because older versions of knifetip stored a text in place of a message.
     """
     return value if isinstance(value, Message) else Message(STORED, text=str(value), hint="")
 

@@ -19,7 +19,9 @@ export interface paths {
         put?: never;
         /**
          * Upload Drawing
-         * @description Upload a DXF, CF2, SVG or PDF file, detected by content; read and classify it.
+         * @description Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
+         *
+         *     The format is detected from the content of the file.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -37,7 +39,9 @@ export interface paths {
         };
         /**
          * Get Drawing
-         * @description Get a drawing with its open questions and its import report; 304 if the client has it.
+         * @description Get a drawing with its open questions and its import report.
+         *
+         *     The status is 304 if ``If-None-Match`` contains the ETag of the drawing.
          */
         get: operations["get_drawing"];
         put?: never;
@@ -52,6 +56,8 @@ export interface paths {
         /**
          * Change Drawing
          * @description Set the unit of a drawing, or classify it with another profile or profile version.
+         *
+         *     The drawing is read and classified again, and gets a new revision.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -89,7 +95,7 @@ export interface paths {
         };
         /**
          * Get Import Report
-         * @description Get the import report: all entities of the file, or only the entities with one outcome.
+         * @description Get the import report of a drawing: all entities of its file, or those with one outcome.
          */
         get: operations["get_import_report"];
         put?: never;
@@ -109,7 +115,9 @@ export interface paths {
         };
         /**
          * Get Cleaning
-         * @description Get the cleaning report: edges merged, shortened, joined or dropped before planning.
+         * @description Get the cleaning report of a drawing: the edges that cleaning changes before planning.
+         *
+         *     Cleaning merges, shortens, joins and drops edges.
          */
         get: operations["get_cleaning"];
         put?: never;
@@ -156,6 +164,8 @@ export interface paths {
         /**
          * Order Job
          * @description Create a job and compile it; 409 with ``questions`` if the drawing has open questions.
+         *
+         *     The program is compiled and verified while the job is ``received`` and ``compiling``.
          */
         post: operations["order_job"];
         delete?: never;
@@ -193,7 +203,7 @@ export interface paths {
         };
         /**
          * Get Job Events
-         * @description List the state changes of a job with time, author and reason.
+         * @description List the state changes of a job with their times, causes and descriptions.
          */
         get: operations["get_job_events"];
         put?: never;
@@ -255,8 +265,9 @@ export interface paths {
          * Get Toolpath
          * @description Get the tool path of a job as binary columns with one row per move of the head.
          *
-         *     The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip, C; one row more),
-         *     ``bulge``, ``motion``, ``feed``, ``source`` (row of the edge), ``tool`` (station number) and
+         *     The columns are ``pose`` (X and Y of the head's axis, Z of the tool's tip in mm, C in degrees;
+         *     one row more than moves), ``bulge`` (tan(sweep / 4) of an arc, 0 for a line), ``motion`` (kind
+         *     of the move), ``feed`` (mm/min), ``source`` (row of the edge), ``tool`` (station number) and
          *     ``line`` (program line).
          */
         get: operations["get_toolpath"];
@@ -279,7 +290,7 @@ export interface paths {
         put?: never;
         /**
          * Release Job
-         * @description Queue a job that has the state ``ready``.
+         * @description Queue a job that has the state ``ready``, so that its machine can claim it.
          */
         post: operations["release_job"];
         delete?: never;
@@ -343,7 +354,7 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Request to resume a job; between two copies this confirms the new sheet.
+         * @description Request to resume a held job; between two copies this confirms the new sheet.
          */
         post: operations["resume_job"];
         delete?: never;
@@ -442,6 +453,9 @@ export interface paths {
         /**
          * Get Events
          * @description Stream changes of jobs and drawings as server-sent events.
+         *
+         *     ``Last-Event-ID`` or ``after`` is the id of the last event that the client received; the changes
+         *     since then are sent first.  Without both, only new changes are sent.
          */
         get: operations["get_events"];
         put?: never;
@@ -675,7 +689,7 @@ export interface paths {
         put?: never;
         /**
          * Preview Profile
-         * @description Preview the effect of a profile on a drawing; nothing is stored.
+         * @description Get the effect that a profile would have on the edges of a drawing; nothing is stored.
          */
         post: operations["preview_profile"];
         delete?: never;
@@ -695,7 +709,7 @@ export interface paths {
         put?: never;
         /**
          * Learn From Corrections
-         * @description Propose rules that explain the user's corrections of line types; nothing is stored.
+         * @description Propose rules that give edges the line types which the user has set; nothing is stored.
          */
         post: operations["learn_from_corrections"];
         delete?: never;
@@ -717,7 +731,8 @@ export interface paths {
          * Claim
          * @description Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
          *
-         *     If ``confirm`` is true in the response, the job stays queued until the operator confirms it.
+         *     If ``confirm`` is true in the response, nothing may be sent to the machine before the operator
+         *     confirms the job.
          */
         post: operations["claim"];
         delete?: never;
@@ -735,7 +750,7 @@ export interface paths {
         };
         /**
          * Get Gateway Program
-         * @description Download the program of a claimed job.
+         * @description Download the program of a job that a gateway has claimed.
          */
         get: operations["get_gateway_program"];
         put?: never;
@@ -777,9 +792,9 @@ export interface paths {
         put?: never;
         /**
          * Finish
-         * @description Report the end of a job.
+         * @description Report that a job has ended, with its outcome.
          *
-         *     A late report of the gateway that owned an interrupted job last ends the job, or corrects the
+         *     The last gateway of an interrupted job may report late; the report ends the job, or corrects the
          *     last executed line and the message of the job.
          */
         post: operations["finish"];
@@ -838,7 +853,7 @@ export interface paths {
         };
         /**
          * Status
-         * @description Get the version of the server, and how many of its parts are compiled after installation.
+         * @description Get the version of the server, and the progress of compiling functions after installation.
          */
         get: operations["status"];
         put?: never;
@@ -925,7 +940,7 @@ export interface components {
         };
         /**
          * CalibrationIn
-         * @description Points that were measured on a contour cut in a board.
+         * @description Points that were measured on a contour that a cutter has cut in a board.
          */
         CalibrationIn: {
             /**
@@ -953,7 +968,7 @@ export interface components {
         };
         /**
          * CalibrationOut
-         * @description Deflection of the cutter in the board, and the TOML text for the file of the board.
+         * @description Computed deflection of a cutter in a board, and the TOML text for the file of the board.
          */
         CalibrationOut: {
             /**
@@ -1108,9 +1123,6 @@ export interface components {
         /**
          * CleaningLengths
          * @description Total lengths of the edges of a drawing by outcome of cleaning (mm).
-         *
-         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.  ``worked`` is the sum of ``kept``
-         *     and ``added``.
          */
         CleaningLengths: {
             /**
@@ -1176,7 +1188,7 @@ export interface components {
         };
         /**
          * CleaningRow
-         * @description Outcome of cleaning for one edge that is not machined exactly as drawn.
+         * @description Outcome of cleaning for one edge that is machined with a change, or not at all.
          */
         CleaningRow: {
             /** @description Code that identifies the message; its arguments are in the schema Message */
@@ -1338,7 +1350,7 @@ export interface components {
         };
         /**
          * DeflectionOut
-         * @description Maximum deflection of a cutter under load in a board (mm).
+         * @description Measured maximum deflection of one cutter in a board, by the force of cutting (mm).
          */
         DeflectionOut: {
             /**
@@ -1501,7 +1513,7 @@ export interface components {
         };
         /**
          * DrawingSummary
-         * @description A drawing in a list of drawings.
+         * @description A drawing as an item of a list of drawings.
          */
         DrawingSummary: {
             /**
@@ -1552,9 +1564,7 @@ export interface components {
         };
         /**
          * EdgeOut
-         * @description One edge with its line type, the rule that decided the line type, and the edge's outcome.
-         *
-         *     The outcome is that of import or cleaning: kept, merged or dropped.
+         * @description One edge of a drawing with its line type and its outcome of cleaning.
          */
         EdgeOut: {
             /**
@@ -1654,7 +1664,7 @@ export interface components {
         };
         /**
          * EdgesPatch
-         * @description Overrides, which are applied in order; later ones replace earlier ones.
+         * @description Changes of the line types of edges.
          */
         EdgesPatch: {
             /**
@@ -2427,7 +2437,7 @@ export interface components {
         };
         /**
          * MeasuredPoint
-         * @description One measured point of a cut contour.
+         * @description One measured point of the contour of a test cut.
          */
         MeasuredPoint: {
             /**
@@ -2504,7 +2514,7 @@ export interface components {
         };
         /**
          * OperatorAction
-         * @description Actions of an operator on a job, in the order in which the page offers them.
+         * @description Actions that an operator can perform on jobs, in the order of their buttons on the page.
          * @enum {string}
          */
         OperatorAction: "release" | "confirm" | "hold" | "resume" | "requeue" | "finish" | "scrap" | "cancel";
@@ -2624,7 +2634,7 @@ export interface components {
         };
         /**
          * ProfileIn
-         * @description The profile of a customer; the first rule that matches an edge sets its line type.
+         * @description A classification profile of a customer, as a request contains it.
          */
         ProfileIn: {
             /**
@@ -2821,9 +2831,7 @@ export interface components {
         };
         /**
          * ReportOut
-         * @description Total lengths by outcome of import and cleaning (mm), and groups of edges and entities.
-         *
-         *     ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.
+         * @description Total lengths by outcome of import and cleaning, and groups of edges and entities.
          */
         ReportOut: {
             /**
@@ -2898,7 +2906,7 @@ export interface components {
         };
         /**
          * RuleOut
-         * @description One rule of a profile.
+         * @description A rule of a profile: an edge that meets all conditions of the rule gets its line type.
          */
         RuleOut: {
             /**
@@ -2948,7 +2956,7 @@ export interface components {
         };
         /**
          * ServiceOut
-         * @description Version of the server, and progress of compiling its kernels after an installation.
+         * @description Version of the server, and progress of compiling functions after an installation.
          */
         ServiceOut: {
             /**
@@ -2982,7 +2990,7 @@ export interface components {
          * StationOut
          * @description A tool station on the head of a machine.
          *
-         *     With this station, the joint position of the machine is the programmed position plus the datum.
+         *     The position of each axis is the programmed position plus the datum of the station in use.
          */
         StationOut: {
             /**

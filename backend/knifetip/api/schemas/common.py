@@ -74,7 +74,7 @@ class Problem(MessageOut):
 
 
 class ServiceOut(BaseModel):
-    """Version of the server, and progress of compiling its kernels after an installation."""
+    """Version of the server, and progress of compiling functions after an installation."""
 
     version: str = Field(description="Version of knifetip on the server, such as 1.2.0")
     preparing: bool = Field(

@@ -84,11 +84,7 @@ class ImportReportOut(BaseModel):
 
 
 class CleaningLengths(BaseModel):
-    """Total lengths of the edges of a drawing by outcome of cleaning (mm).
-
-    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.  ``worked`` is the sum of ``kept``
-    and ``added``.
-    """
+    """Total lengths of the edges of a drawing by outcome of cleaning (mm)."""
 
     drawn: float = Field(
         description="Length of the edges that have to be machined, as drawn: `kept` + `merged` + "
@@ -115,7 +111,7 @@ class CleaningCounts(BaseModel):
 
 
 class CleaningRow(MessageOut):
-    """Outcome of cleaning for one edge that is not machined exactly as drawn."""
+    """Outcome of cleaning for one edge that is machined with a change, or not at all."""
 
     row: int = Field(description="Row of the edge in the drawing, counted from 0")
     handle: str = Field(description="Handle of the edge's entity in the file")
@@ -209,10 +205,7 @@ class ReportGroup(BaseModel):
 
 
 class ReportOut(BaseModel):
-    """Total lengths by outcome of import and cleaning (mm), and groups of edges and entities.
-
-    ``drawn`` is the sum of ``kept``, ``merged`` and ``dropped``.
-    """
+    """Total lengths by outcome of import and cleaning, and groups of edges and entities."""
 
     drawn: float = Field(
         description="Length of all edges and entities of the file: `kept` + `merged` + `dropped` "
@@ -308,7 +301,7 @@ class DrawingOut(BaseModel):
 
 
 class DrawingSummary(BaseModel):
-    """A drawing in a list of drawings."""
+    """A drawing as an item of a list of drawings."""
 
     id: str = Field(description="Id of the drawing, assigned by the server")
     revision: Revision
@@ -331,10 +324,7 @@ class DrawingSummary(BaseModel):
 
 
 class EdgeOut(BaseModel):
-    """One edge with its line type, the rule that decided the line type, and the edge's outcome.
-
-    The outcome is that of import or cleaning: kept, merged or dropped.
-    """
+    """One edge of a drawing with its line type and its outcome of cleaning."""
 
     row: int = Field(description="Row of the edge in the drawing, counted from 0")
     handle: str = Field(description="Handle of the edge's entity in the file")
@@ -402,7 +392,7 @@ class Override(Strict):
 
 
 class EdgesPatch(Strict):
-    """Overrides, which are applied in order; later ones replace earlier ones."""
+    """Changes of the line types of edges."""
 
     overrides: list[Override] = Field(
         min_length=1,

@@ -20,7 +20,7 @@ class FormatOut(BaseModel):
 
 
 class DeflectionOut(BaseModel):
-    """Maximum deflection of a cutter under load in a board (mm)."""
+    """Measured maximum deflection of one cutter in a board, by the force of cutting (mm)."""
 
     tool: str = Field(description="Name of the station that holds the cutter")
     x: float = Field(description="Maximum deflection in X (mm)")
@@ -47,7 +47,7 @@ class BoardOut(BaseModel):
 
 
 class MeasuredPoint(Strict):
-    """One measured point of a cut contour."""
+    """One measured point of the contour of a test cut."""
 
     azimuth: float = Field(
         ge=-360.0,
@@ -60,7 +60,7 @@ class MeasuredPoint(Strict):
 
 
 class CalibrationIn(Strict):
-    """Points that were measured on a contour cut in a board."""
+    """Points that were measured on a contour that a cutter has cut in a board."""
 
     machine: Name = Field(
         description="Name of the machine in the library on which the contour was cut"
@@ -77,7 +77,7 @@ class CalibrationIn(Strict):
 
 
 class CalibrationOut(BaseModel):
-    """Deflection of the cutter in the board, and the TOML text for the file of the board."""
+    """Computed deflection of a cutter in a board, and the TOML text for the file of the board."""
 
     board: str = Field(description="Name of the board in the library")
     machine: str = Field(description="Name of the machine in the library")

@@ -54,7 +54,7 @@ class ToolOut(BaseModel):
 class StationOut(BaseModel):
     """A tool station on the head of a machine.
 
-    With this station, the joint position of the machine is the programmed position plus the datum.
+    The position of each axis is the programmed position plus the datum of the station in use.
     """
 
     number: int = Field(description="Number of the station in the T words of programs")

@@ -51,9 +51,12 @@ class MessageOut(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _render(cls, given: Any) -> Any:
-        """Return JSON data with the text and the hint of a message.
+        """Return a message as JSON data with its text and its hint, before the model is validated.
 
-        ``given`` is the Message, or its JSON data.
+        Parameters
+        ----------
+        given
+            The message as a ``Message``, or as JSON data.
         """
         plain = with_text(given)
         return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
@@ -88,7 +91,7 @@ class MessageIn(BaseModel):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        """Return the message itself; raise ValueError if it is too long or its arguments are wrong.
+        """Return this model; raise ValueError if it is too long or its arguments are wrong.
 
         Arguments are wrong if they cannot be inserted into the text of the code.
         """
@@ -102,16 +105,25 @@ class MessageIn(BaseModel):
 
     @property
     def message(self) -> Message:
-        """The message as a Message; its code is ``stored.text`` if the server has no such code."""
+        """The content of this model as a ``Message``.
+
+        The code of the message is ``stored.text`` if this server does not have the code of the
+        model.
+        """
         return from_json(self.model_dump())
 
 
 def describe_codes(schemas: dict[str, Any]) -> None:
-    """Add the schemas ``MessageCode`` and ``Message`` to the schemas of an OpenAPI document.
+    """Add the schemas ``MessageCode`` and ``Message`` to an OpenAPI document.
 
-    ``MessageCode`` is the enumeration of all codes, to which the field ``code`` of messages in
-    responses then refers.  ``Message`` is the union of one object per code with the types of its
-    arguments.
+    ``MessageCode`` is the enumeration of all codes; the field ``code`` of messages in responses
+    becomes a reference to it.  ``Message`` is the union of one object per code with the types of
+    its arguments.
+
+    Parameters
+    ----------
+    schemas
+        Schemas of the document, by name; changed in place.
     """
     for schema in schemas.values():
         if schema.pop(_MARK, False):

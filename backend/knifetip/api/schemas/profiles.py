@@ -45,7 +45,7 @@ class RuleIn(Strict):
 
 
 class ProfileIn(Strict):
-    """The profile of a customer; the first rule that matches an edge sets its line type."""
+    """A classification profile of a customer, as a request contains it."""
 
     title: Name = Field(description="Name of the profile for display")
     extends: Name | None = Field(
@@ -70,7 +70,7 @@ class ProfileIn(Strict):
 
 
 class RuleOut(BaseModel):
-    """One rule of a profile."""
+    """A rule of a profile: an edge that meets all conditions of the rule gets its line type."""
 
     type: LineTypeWord = Field(description="Line type for the edges that the rule matches")
     conditions: MessageOut = Field(description="Conditions that an edge must fulfil, as a message")
