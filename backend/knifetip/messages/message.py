@@ -16,7 +16,7 @@ _NOT_FINITE: Final = 1e9
 
 @runtime_checkable
 class _Number(Protocol):
-    """Protocol of a Python or NumPy number, with its method ``__float__``."""
+    """Protocol of Python and NumPy numbers, which convert to float and int."""
 
     def __float__(self) -> float: ...
 
