@@ -119,7 +119,7 @@ def plan_half_cuts(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
 
 
 def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
-    """Return one operation that makes all of the given cuts with a knife.
+    """Return one operation that makes ``cuts``, cuts of one line type and one depth, with a knife.
 
     The operation leaves bridges in the outlines of parts if the board requires bridges.  If it
     requires none, and the knife has a lead-in or a lead-out, the outlines of parts are cut with the

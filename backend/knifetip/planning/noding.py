@@ -113,18 +113,19 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tuple[F64, F64, I64]:
-    """Return edges, split at given points.
+    """Split edges at points on them; return the m pieces.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
         Ends and bulges of the edges.
     row, fraction, point : (k,), (k,) and (k, 2) mm
-        Edge of each point, parameter of the point on it (0 … 1), and position of the point.
+        Index of the edge of each point, parameter of the point on it (0 … 1), and position of the
+        point.
 
     Returns
     -------
-    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the edge of each piece (m,).
+    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece (m,).
     """
     rows = np.concatenate([np.arange(len(ends)), row])
     low = np.concatenate([np.zeros(len(ends)), fraction])

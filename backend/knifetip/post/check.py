@@ -43,7 +43,8 @@ def check_toolpath(toolpath: Toolpath) -> None:
         raise ProgramError("toolpath.empty")
 
     def refuse(wrong: Bool, code: str, **measures: float) -> None:
-        """Raise ``ProgramError`` for the first row in the mask ``wrong``, if there is one.
+        """Raise ``ProgramError`` for the first row in the mask ``wrong``; do nothing if the mask is
+        empty.
 
         ``code`` is the code of the error message.
         """

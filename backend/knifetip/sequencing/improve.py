@@ -42,9 +42,15 @@ def _travel_time(
 ) -> float:
     """Return the time of the air move from the end of one track to the start of another track (s).
 
-    ``before`` and ``after`` are the numbers of the two tracks.  Their sides are 0 for a track that
-    is run forwards and 1 for a track that is run backwards.  ``ends`` and ``rates`` are as in
-    ``improve_tour``.
+    Parameters
+    ----------
+    before, after
+        Numbers of the two tracks.
+    side_before, side_after
+        0 for a track that is run forwards, 1 for a track that is run backwards.
+    ends, rates
+        Poses of the head at the ends of the tracks, and speed data of the axes; see
+        ``improve_tour``.
     """
     x = abs(ends[side_after, 0, after, 0] - ends[side_before, 1, before, 0])
     y = abs(ends[side_after, 0, after, 1] - ends[side_before, 1, before, 1])
@@ -73,10 +79,18 @@ def _link_time(
 ) -> float:
     """Return the time of the air move between the tracks at two positions of the tour (s).
 
-    The move leads from the track at position ``before`` to the track at position ``after``.
-    ``flip_before`` and ``flip_after`` are 1 if the track at that position is run opposite to its
-    ``side``.  The time is 0 if ``after`` is beyond the end of the tour.  The arrays are as in
-    ``improve_tour``.
+    The time is 0 if ``after`` is beyond the end of the tour.
+
+    Parameters
+    ----------
+    before, after
+        Positions in the tour: the move leads from the track at ``before`` to the track at
+        ``after``.
+    flip_before, flip_after
+        1 if the track is to be run in the direction opposite to its entry in ``side``, else 0.
+    tour, side, ends, rates
+        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
+        and speed data of the axes; see ``improve_tour``.
     """
     if after >= len(tour):
         return 0.0
@@ -91,10 +105,18 @@ def _inner_change(
 ) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
-    The time is the sum of the air moves between the tracks of the section, which reaches from
-    position ``first`` to position ``last`` of the tour.  If ``flip`` is 1, each track in it is also
-    run in its other direction; then no time changes and the result is 0.  The arrays are as in
-    ``improve_tour``.
+    The time is the sum of the air moves between the tracks of the section.  If ``flip`` is 1, it
+    does not change, and the result is 0.
+
+    Parameters
+    ----------
+    first, last
+        First and last position of the section in the tour.
+    flip
+        1 if each track of the section is also run in its other direction, else 0.
+    tour, side, ends, rates
+        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
+        and speed data of the axes; see ``improve_tour``.
     """
     if flip:
         return 0.0
@@ -111,11 +133,19 @@ def _reversal_change(
 ) -> float:
     """Return the increase of the time of the tour if a section of it is reversed (s).
 
-    The section reaches from position ``first`` to position ``last`` of the tour.  If ``flip`` is 1,
-    each track in it is also run in its other direction.  The section cannot be reversed if it
-    contains the origin, or if ``flip`` is 0 and it is longer than ``_LONGEST_SECTION``; the result
-    is 0 then.  If the two air moves at its ends do not become shorter in total, only these are
-    counted, not the air moves inside it.  The arrays are as in ``improve_tour``.
+    The section cannot be reversed if it contains the origin, or if ``flip`` is 0 and it is longer
+    than ``_LONGEST_SECTION``; the result is 0 then.  If the two air moves at its ends do not become
+    shorter in total, only these two are counted, not the air moves inside it.
+
+    Parameters
+    ----------
+    first, last
+        First and last position of the section in the tour.
+    flip
+        1 if each track of the section is also run in its other direction, else 0.
+    tour, side, ends, rates
+        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
+        and speed data of the axes; see ``improve_tour``.
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
@@ -136,9 +166,15 @@ def _removal_gain(
 ) -> float:
     """Return the time saved if a section of the tour is removed (s).
 
-    The section reaches from position ``first`` to position ``last`` of the tour.  The result is 0
-    if the section contains the origin or reaches beyond the end of the tour.  The arrays are as in
-    ``improve_tour``.
+    The result is 0 if the section contains the origin or reaches beyond the end of the tour.
+
+    Parameters
+    ----------
+    first, last
+        First and last position of the section in the tour.
+    tour, side, ends, rates
+        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
+        and speed data of the axes; see ``improve_tour``.
     """
     if first < 1 or last >= len(tour):
         return 0.0
@@ -194,19 +230,23 @@ def _improve_track(
     near: I32_2,
     least_time: F64_2,
 ) -> Any:
-    """Apply, in place, the first change near one track that is found to shorten the tour.
+    """Search the changes of the tour near one track, and apply the first one that shortens the
+    tour.
 
-    Returns the first and last position that changed, and the change of the tour's time (s,
-    negative).  Returns (0, -1, 0) if no change shortens the tour.
+    Returns the first and last position of the tour that changed, and the change of the tour's time
+    (s, negative).  Returns (0, -1, 0) if no change shortens the tour.
 
     Parameters
     ----------
     track
         The track at which the changed section starts or ends.
-    tour, side, ends, rates, reversal, near, least_time
-        As in ``improve_tour``.
+    tour, side
+        Tracks in their order, and their directions; both are changed in place.
     position
-        Position of each track in the tour.
+        Position of each track in the tour; it is updated.
+    ends, rates, reversal, near, least_time
+        Poses of the head at the ends of the tracks, speed data of the axes, permitted directions of
+        tracks, neighbours of each track, and least times to these; see ``improve_tour``.
     """
     last = len(tour) - 1
     symmetric = 1 if reversal == 1 else 0
@@ -297,8 +337,8 @@ def _improve_queued(
 ) -> Any:
     """Improve the tour in place at the queued tracks, and at the tracks next to each change.
 
-    It ends when no further change shortens the tour, or after ``limit`` changes.  Returns the total
-    change of the tour's time (s), and the first and last position that changed.
+    The search ends when no further change shortens the tour, or after ``limit`` changes.  Returns
+    the total change of the tour's time (s), and the first and last position that changed.
 
     Parameters
     ----------
@@ -308,10 +348,13 @@ def _improve_queued(
         Index of the first track in ``queue``, and the number of tracks that are in the queue.
     limit
         Greatest number of changes.
+    tour, side
+        Tracks in their order, and their directions; both are changed in place.
     position
-        Position of each track in the tour.
-    tour, side, ends, rates, reversal, near, least_time
-        As in ``improve_tour``.
+        Position of each track in the tour; it is updated.
+    ends, rates, reversal, near, least_time
+        Poses of the head at the ends of the tracks, speed data of the axes, permitted directions of
+        tracks, neighbours of each track, and least times to these; see ``improve_tour``.
     """
     count = len(queue)
     gained = 0.0
@@ -376,7 +419,14 @@ def _swap_change(
 ) -> float:
     """Return the increase of the time of the tour if two neighbouring sections are swapped (s).
 
-    The sections are as in ``_swap``, and neither of them contains the origin.
+    Parameters
+    ----------
+    first, middle, last
+        The first section contains the positions ``first`` to ``middle - 1`` of the tour, the second
+        the positions ``middle`` to ``last``.  Neither of them contains the origin.
+    tour, side, ends, rates
+        Tracks in their order, their directions, the poses of the head at the ends of the tracks,
+        and speed data of the axes; see ``improve_tour``.
     """
     more = (
         _link_time(first - 1, 0, middle, 0, tour, side, ends, rates)

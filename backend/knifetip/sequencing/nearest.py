@@ -75,13 +75,16 @@ def _search_rings(
     the head.
 
     The entries are candidates: i is track i run forwards, and i + ``count`` is track i run
-    backwards.  The candidates are listed in the cells of a grid.  When a candidate is chosen, all
+    backwards. The candidates are listed in the cells of a grid.  When a candidate is chosen, all
     candidates of its track are removed from the grid.
 
     Parameters
     ----------
-    start, end, origin, count
-        As in ``nearest_walk``.
+    start, end : (count, 2) or (2 count, 2) mm
+        Positions of the head at the start and the end of each candidate; with ``count`` rows all
+        tracks are run forwards.
+    origin : (2,) mm
+        Position of the head before the first track.
     low, size : (2,) and (2,) mm
         Lower left corner of the grid, and width and height of its cells.
     side
@@ -89,6 +92,8 @@ def _search_rings(
     listed, first, key
         Candidates sorted by cell, index in ``listed`` of the first candidate of each cell, and cell
         of each candidate.
+    count
+        Number of tracks.
     """
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)

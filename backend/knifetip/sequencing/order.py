@@ -29,7 +29,17 @@ def greedy_order(entry: F64, leave: F64, origin: F64, reversal: Reversal) -> tup
     """Return t tracks in nearest-neighbour order, and which of them are run from their far end.
 
     The first array, (t,), contains the indices of the tracks in their order.  The second, (t,), is
-    a mask with one entry per entry of the first.  The parameters are those of ``short_order``.
+    a mask with one entry per entry of the first.
+
+    Parameters
+    ----------
+    entry, leave : (2, t, 3) x y in mm, c in degrees
+        Poses of the head at the start and at the end of each track.  Row 0 contains the poses of
+        the track as given, and row 1 the poses of the track if it is run from its far end.
+    origin : (3,) x y in mm, c in degrees
+        Pose of the head before the first track.
+    reversal
+        Ends of a track at which the tool may start.
     """
     count = entry.shape[1]
     if reversal == Reversal.ONE:

@@ -35,7 +35,9 @@ _REVERSED[[Motion.LIFT, Motion.LEAD_IN, Motion.LEAD_OUT]] = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Moves:
-    """Columns of n moves, as in ``Toolpath``, but ``pose`` has only the pose at each move's end."""
+    """n moves in columns as in ``Toolpath``, except that ``pose`` has only the pose at each move's
+    end.
+    """
 
     pose: F64
     bulge: F64

@@ -13,7 +13,7 @@ MAX_FINDINGS: Final = 1000
 
 
 class Findings:
-    """A list of findings that holds at most ``MAX_FINDINGS``; later findings are dropped."""
+    """A list of at most ``MAX_FINDINGS`` findings; later findings are dropped."""
 
     def __init__(self) -> None:
         self._kept: list[Finding] = []
@@ -47,7 +47,7 @@ class Findings:
 
     @property
     def full(self) -> bool:
-        """True if the list holds ``MAX_FINDINGS`` findings, so that later ones are dropped."""
+        """Whether the list contains ``MAX_FINDINGS`` findings, so that later ones are dropped."""
         return len(self._kept) >= MAX_FINDINGS
 
     def __len__(self) -> int:

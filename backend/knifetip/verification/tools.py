@@ -151,7 +151,7 @@ _EXPECTED: Final[Mapping[type[Tool], Callable[[Any], ExpectedTool]]] = {
 
 
 def extra_outputs(machine: Machine) -> tuple[int, ...]:
-    """Return the numbers of the outputs that tools need besides those of their stations,
+    """Return the numbers of the outputs that tools need in addition to their stations' own,
     ascending.
     """
     return tuple(

@@ -23,7 +23,7 @@ class PenWork(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """Type of plotter or flat cutter."""
+    """A type of plotter or flat cutter, with its units, reachable area and limits."""
 
     title: str
     units: float  #: plotter units per millimetre

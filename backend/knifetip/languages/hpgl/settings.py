@@ -19,7 +19,9 @@ from knifetip.model.tool.base import Positive
 
 
 class _Fault(NamedTuple):
-    """A fault of a field: the path of the field, and code and further arguments of the message."""
+    """A fault of a field of a TOML file: the path of the field, and the code and arguments of the
+    message.
+    """
 
     path: tuple[str, ...]
     code: str
@@ -27,12 +29,15 @@ class _Fault(NamedTuple):
 
     @property
     def message(self) -> Message:
-        """The message with the path of the field."""
+        """The message of the fault, with the path of the field as an argument."""
         return Message(self.code, path=" → ".join(self.path), **self.arguments)
 
 
 def _fault(path: Sequence[str], code: str, **arguments: Any) -> _Fault:
-    """Return the fault of the field with this path."""
+    """Return the fault of the field ``path`` of a TOML file, with the message code ``code``.
+
+    Other keyword arguments are arguments of the message.
+    """
     return _Fault(tuple(path), code, arguments)
 
 
@@ -44,7 +49,11 @@ def _shipped_devices() -> Mapping[str, Mapping[str, Any]]:
 
 
 def _find_device(value: Any) -> Any:
-    """Return the fields of a device, which ``value`` contains, or of which it is the name."""
+    """Return the fields of an HPGL device.
+
+    ``value`` is a table with these fields, which is returned unchanged, or the name of a device
+    that knifetip ships.
+    """
     if isinstance(value, Mapping):
         return value
     if value not in list(_shipped_devices()):
@@ -81,7 +90,9 @@ class DeviceTable(Table):
     comments: bool = False
 
     def record(self, machine: Machine) -> Device:
-        """Return the device that the table describes, on the table of a machine."""
+        """Return the device that the TOML table describes; ``machine`` is the machine that it
+        belongs to.
+        """
         x0, y0, x1, y1 = self.area
         centred = self.origin == "centre"
         return Device(
@@ -97,7 +108,7 @@ class DeviceTable(Table):
 
 
 class PenTable(Table):
-    """The TOML table of a pen."""
+    """The TOML table of one pen of an HPGL device."""
 
     number: int = Field(gt=0)
     station: int
@@ -105,7 +116,7 @@ class PenTable(Table):
     force: int = 0
 
     def record(self) -> Pen:
-        """Return the pen that the table describes."""
+        """Return the pen that the TOML table describes."""
         return Pen(self.number, self.station, self.work, self.force)
 
 
@@ -142,14 +153,14 @@ def read_settings(fields: Mapping[str, Any], machine: Machine) -> Plotter:
 
 
 def _check_numbers(plotter: Plotter, _machine: Machine) -> Iterator[_Fault]:
-    """Yield a fault if two pens have the same number."""
+    """Yield a fault if two pens of the plotter have the same number."""
     numbers = [pen.number for pen in plotter.pens]
     if len(set(numbers)) != len(numbers):
         yield _fault(("controller", "pen"), "field.repeated-numbers", numbers=numbers)
 
 
 def _check_pens(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield the faults of pens that the device lacks, or that their station cannot serve."""
+    """Yield a fault for each field of a pen that the device or the pen's station does not support."""
     device, stations = plotter.device, {station.number: station for station in machine.stations}
     works: set[tuple[int, PenWork]] = set()
     for row, pen in enumerate(plotter.pens, 1):
@@ -170,7 +181,10 @@ def _check_pens(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
 
 
 def _check_force(path: Sequence[str], pen: Pen, device: Device) -> Iterator[_Fault]:
-    """Yield a fault if a device cannot set the force of a pen; ``path`` is that of the force."""
+    """Yield a fault if a device cannot set the force of a pen.
+
+    ``path`` is the path of the field in the TOML file that contains the force.
+    """
     if device.force is None:
         if pen.force:
             yield _fault(path, "hpgl.no-force", value=pen.force, device=device.title)
@@ -180,7 +194,7 @@ def _check_force(path: Sequence[str], pen: Pen, device: Device) -> Iterator[_Fau
 
 
 def _check_stations(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield the faults of stations whose tool HPGL cannot drive."""
+    """Yield a fault for each setting with which HPGL cannot drive the tool of a station."""
     device = plotter.device
     for row, station in enumerate(machine.stations, 1):
         path, tool = (f"station {row}",), station.tool
@@ -205,7 +219,7 @@ def _check_stations(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
 
 
 def _check_idle(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield the faults of stations that no pen uses."""
+    """Yield a fault for each station of the machine that no pen uses."""
     used = {pen.station for pen in plotter.pens}
     for row, station in enumerate(machine.stations, 1):
         if station.number not in used:
@@ -213,7 +227,7 @@ def _check_idle(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
 
 
 def _check_travel(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield the faults of axes that travel farther than the device reaches."""
+    """Yield a fault for each axis of the machine whose travel is longer than the device can reach."""
     device = plotter.device
     x0, y0, x1, y1 = device.area
     for axis, zero, ends in (("x", device.zero[0], (x0, x1)), ("y", device.zero[1], (y0, y1))):

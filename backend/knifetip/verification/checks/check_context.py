@@ -1,4 +1,4 @@
-"""The record of inputs, findings and figures that all checks share, and the checks' tolerances."""
+"""The record of inputs and results that all checks use, and the tolerances of the checks."""
 
 from __future__ import annotations
 

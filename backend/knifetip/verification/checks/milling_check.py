@@ -62,7 +62,7 @@ class CentrePaths:
 def check_milling(
     context: CheckContext, edges: Edges, centres: CentrePaths, station: Station, slack: float
 ) -> None:
-    """Check that a cutter removes the board along its cuts on their waste side, and no other board.
+    """Check that a cutter removes the board on the waste side of its cuts, and nowhere else.
 
     Parameters
     ----------
@@ -283,8 +283,8 @@ class _MillingCheck:
             )
 
     def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
-        """Check the bridges among k untouched stretches; return the mask of the bridges, shape
-        (k,).
+        """Check the bridges among k untouched stretches of edges; return the mask of the stretches
+        that are bridges, shape (k,).
 
         ``edge``, ``begin`` and ``end`` are the index of the edge of each stretch, and the start and
         the end of the stretch along that edge (mm).  The width of a bridge is the length of the gap
@@ -364,8 +364,8 @@ class _MillingCheck:
     # -- the paths of the centre -----------------------------------------------------------------
 
     def _check_parts(self) -> None:
-        """Check that the disc has not cut into a part; record how far it has as the overcut of the
-        edge.
+        """Add a finding for each cut of the disc into a part; record its depth as the overcut of
+        the edge.
         """
         closing = np.flatnonzero(self.bounds.closing)
         curve = self.edges.curve[closing]
@@ -431,7 +431,8 @@ class _MillingCheck:
         return result
 
     def _check_open_ends(self) -> None:
-        """Check that the centre's paths on open cuts stop at the ends of these cuts.
+        """Add a finding for each path of the centre that passes an end of the open cut that it
+        follows.
 
         An open cut is a cut that does not separate a part from waste.
         """

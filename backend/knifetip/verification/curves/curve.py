@@ -65,10 +65,10 @@ def left_distance(curve: F64, along: F64, edge: F64) -> F64:
 
 
 def line_curves(start: F64, end: F64) -> F64:
-    """Return the n lines from the points ``start`` to the points ``end`` as curves, (n, 6).
+    """Return n lines as rows in the format that the module describes, (n, 6).
 
-    The points are (n, 2) mm.  A line between equal points has length 0 and the direction of the X
-    axis.
+    Line i leads from the point ``start[i]`` to the point ``end[i]``; the points are (n, 2) mm.  A
+    line between equal points has length 0 and the direction of the X axis.
     """
     vector = end - start
     length = np.hypot(vector[:, 0], vector[:, 1])
@@ -78,10 +78,10 @@ def line_curves(start: F64, end: F64) -> F64:
 
 
 def arc_curves(centre: F64, start: F64, sweep: F64) -> F64:
-    """Return n arcs with the given centres and start points as curves, (n, 6).
+    """Return n arcs as rows in the format that the module describes, (n, 6).
 
-    ``centre`` and ``start`` are (n, 2) mm.  ``sweep`` is (n,) radians, positive for an
-    anticlockwise arc.
+    ``centre`` and ``start`` are the centres and start points, (n, 2) mm each.  ``sweep`` is the
+    angle of each arc, (n,) radians, positive for an anticlockwise arc.
     """
     radial = start - centre
     radius = np.hypot(radial[:, 0], radial[:, 1])

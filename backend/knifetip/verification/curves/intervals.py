@@ -1,7 +1,7 @@
 """Overlaps of curves with edges, and the stretches of curves and edges without an overlap.
 
-An overlap is a stretch of a curve that lies within a given distance of an edge.  If a stretch of a
-curve overlaps several edges, only the overlap with the nearest edge counts.
+An overlap is a stretch of a curve whose distance from an edge is at most a limit.  If a stretch of
+a curve overlaps several edges, only the overlap with the nearest edge counts.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ SHORT: Final = 0.005
 class Overlaps:
     """k overlaps of curves with edges, sorted by curve and then by distance from the edge.
 
-    An overlap is a stretch of a curve that lies within a given distance of an edge.
+    An overlap is a stretch of a curve whose distance from an edge is at most a limit.
     """
 
     curve: I32  #: (k,) index of the curve

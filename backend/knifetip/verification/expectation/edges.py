@@ -47,7 +47,7 @@ class Edges:
         return len(self.row)
 
     def with_types(self, *types: LineType) -> Edges:
-        """Return the edges whose line type is one of the given line types."""
+        """Return the edges whose line type is one of the arguments."""
         return self.select(np.flatnonzero(np.isin(self.line_type, types)))
 
     def select(self, rows: I64) -> Edges:
@@ -135,7 +135,7 @@ def pairs_within(points: F64, others: F64, distance: float) -> tuple[I64, I64]:
     Parameters
     ----------
     points, others : (n, 2) and (m, 2) mm
-        The points to pair.
+        The points of which pairs are formed.
     distance : mm
         Greatest distance between the two points of a pair.
 

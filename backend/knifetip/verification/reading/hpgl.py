@@ -180,8 +180,8 @@ def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
 
     Returns
     -------
-    The integers (k,), the positions of their first bytes (k,), and the positions of the first bytes
-    of those numbers that have no digits or too many.
+    The integers (k,), the positions of their first bytes (k,), and the position of the first byte
+    of each number that has no digits or too many.
     """
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:

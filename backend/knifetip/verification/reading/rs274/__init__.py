@@ -1,1 +1,1 @@
-"""Reader of RS274/NGC programs, for the subset of the language that LinuxCNC and grblHAL share."""
+"""Reader of RS274/NGC programs that use only words which both LinuxCNC and grblHAL accept."""

@@ -96,10 +96,10 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
 
 @inline_kernel
 def _scan_number(raw: U8_1, at: int) -> tuple[int, float, int]:
-    """Read the decimal number that begins at byte ``at`` of a program.
+    """Read the decimal number that begins at index ``at`` in the bytes ``raw`` of a program.
 
-    Returns the index of the byte after the number, its value, and how many digits it has.  The
-    value is wrong if there are more than 15 digits.
+    Returns the index of the byte after the number, the value of the number, and its number of
+    digits. The value is wrong if there are more than 15 digits.
     """
     size = len(raw)
     negative = False
@@ -127,15 +127,16 @@ def _scan_number(raw: U8_1, at: int) -> tuple[int, float, int]:
 
 @kernel(checks_division=True)
 def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
-    """Scan the bytes of a program once, and return its n words and k faults.
+    """Scan the bytes ``raw`` of a program once, and return its n words and k faults.
 
     A line of more than ``longest`` bytes is a fault, and so is a number greater than ``greatest``.
     The valid words of a line with a fault are returned too.
 
     Returns
     -------
-    Five values: program line, letter and value of each word, (n,) each; program line, fault code
-    and wrong byte of each fault, (k, 3); and the number of lines of the program.
+    Five values: program line, letter and value of each word, (n,) each; program line, fault code (a
+    key of ``_FAULTS``) and wrong byte of each fault, (k, 3); and the number of lines of the
+    program.
     """
     letters = 0
     for byte in raw:
