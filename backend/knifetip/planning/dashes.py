@@ -25,7 +25,7 @@ from knifetip.planning.creases import find_cut_crossings
 
 #: Greatest gap between dashes: in mm, and as a multiple of the mean length of the dashes.
 _GREATEST_GAP = 12.0
-_GREATEST_SHARE = 1.5
+_GREATEST_RATIO = 1.5
 #: Gaps are regular if the dash pitch differs by at most this fraction from the first one.
 _REGULAR = 0.25
 
@@ -251,7 +251,7 @@ def _merge_along_lines(
                     length += high[run[k]] - begin[run[k]]
                     if k:
                         widest = max(widest, low[run[k]] - high[run[k - 1]])
-                if widest <= _GREATEST_SHARE * length / size:
+                if widest <= _GREATEST_RATIO * length / size:
                     for k in range(size):
                         first[run[k]] = run[0]
                         last[run[k]] = run[size - 1]

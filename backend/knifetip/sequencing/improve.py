@@ -120,11 +120,11 @@ def _inner_change(
     """
     if flip:
         return 0.0
-    more = 0.0
-    for place in range(first, last):
-        more += _link_time(place + 1, 0, place, 0, tour, side, ends, rates)
-        more -= _link_time(place, 0, place + 1, 0, tour, side, ends, rates)
-    return more
+    change = 0.0
+    for slot in range(first, last):
+        change += _link_time(slot + 1, 0, slot, 0, tour, side, ends, rates)
+        change -= _link_time(slot, 0, slot + 1, 0, tour, side, ends, rates)
+    return change
 
 
 @kernel
@@ -149,15 +149,15 @@ def _reversal_change(
     """
     if first < 1 or (not flip and last - first > _LONGEST_SECTION):
         return 0.0
-    more = _link_time(first - 1, 0, last, flip, tour, side, ends, rates)
-    more -= _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
+    change = _link_time(first - 1, 0, last, flip, tour, side, ends, rates)
+    change -= _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
     if last + 1 < len(tour):
-        more += _link_time(first, flip, last + 1, 0, tour, side, ends, rates)
-        more -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+        change += _link_time(first, flip, last + 1, 0, tour, side, ends, rates)
+        change -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
     # A loss at the two ends is hardly ever regained inside, and computing that is costly.
-    if more >= 0.0:
-        return more
-    return more + _inner_change(first, last, flip, tour, side, ends, rates)
+    if change >= 0.0:
+        return change
+    return change + _inner_change(first, last, flip, tour, side, ends, rates)
 
 
 @kernel
@@ -198,9 +198,9 @@ def _reverse(
         side[low], side[high] = side[high], side[low]
         low += 1
         high -= 1
-    for place in range(first, last + 1):
-        side[place] ^= flip
-        position[tour[place]] = place
+    for slot in range(first, last + 1):
+        side[slot] ^= flip
+        position[tour[slot]] = slot
 
 
 @kernel
@@ -252,43 +252,41 @@ def _improve_track(
     symmetric = 1 if reversal == 1 else 0
     here = position[track]
     if reversal == 2:
-        more = _link_time(here - 1, 0, here, 1, tour, side, ends, rates)
-        more -= _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
+        change = _link_time(here - 1, 0, here, 1, tour, side, ends, rates)
+        change -= _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
         if here < last:
-            more += _link_time(here, 1, here + 1, 0, tour, side, ends, rates)
-            more -= _link_time(here, 0, here + 1, 0, tour, side, ends, rates)
-        if more < -1e-9:
+            change += _link_time(here, 1, here + 1, 0, tour, side, ends, rates)
+            change -= _link_time(here, 0, here + 1, 0, tour, side, ends, rates)
+        if change < -1e-9:
             side[here] ^= 1
-            return here, here, more
+            return here, here, change
     # Every improvement replaces, at one of its tracks, a longer link by a shorter one.
     longest = _link_time(here - 1, 0, here, 0, tour, side, ends, rates)
     longest = max(longest, _link_time(here, 0, here + 1, 0, tour, side, ends, rates))
     freed = np.empty(6)
-    for place in range(6):
-        s = here if place % 2 else here - place // 2
-        freed[place] = (
-            _removal_gain(s, s + place // 2, tour, side, ends, rates) if place != 1 else 0.0
-        )
+    for slot in range(6):
+        s = here if slot % 2 else here - slot // 2
+        freed[slot] = _removal_gain(s, s + slot // 2, tour, side, ends, rates) if slot != 1 else 0.0
     for rank in range(near.shape[1]):
         if least_time[track, rank] >= longest:
             break
         other = near[track, rank]
         there = position[other]
         low, high = min(here, there), max(here, there)
-        more = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates)
-        if more < -1e-9:
+        change = _reversal_change(low + 1, high, symmetric, tour, side, ends, rates)
+        if change < -1e-9:
             _reverse(low + 1, high, symmetric, tour, side, position)
-            return low + 1, high, more
-        more = _reversal_change(low, high - 1, symmetric, tour, side, ends, rates)
-        if more < -1e-9:
+            return low + 1, high, change
+        change = _reversal_change(low, high - 1, symmetric, tour, side, ends, rates)
+        if change < -1e-9:
             _reverse(low, high - 1, symmetric, tour, side, position)
-            return low, high - 1, more
-        for place in range(6):
+            return low, high - 1, change
+        for slot in range(6):
             # Sections of one to three tracks that start or end at this track.
-            size, ahead = place // 2 + 1, place % 2
+            size, ahead = slot // 2 + 1, slot % 2
             s = here if ahead else here - size + 1
             e = s + size - 1
-            if freed[place] <= 1e-9 or s <= there <= e:
+            if freed[slot] <= 1e-9 or s <= there <= e:
                 continue
             # After or before the neighbour, reversed if needed to put the two side by side.
             for before in range(2):
@@ -301,20 +299,20 @@ def _improve_track(
                 for _ in range(2 if size == 1 and reversal != 0 else 1):
                     flip = back if (symmetric or size == 1) else 0
                     head, tail = (e, s) if back else (s, e)
-                    more = _link_time(k, 0, head, flip, tour, side, ends, rates)
-                    more -= _link_time(k, 0, k + 1, 0, tour, side, ends, rates) + freed[place]
-                    if more < -1e-9 and k < last:
-                        more += _link_time(tail, flip, k + 1, 0, tour, side, ends, rates)
-                    if more < -1e-9 and back and not flip:
-                        more += _inner_change(s, e, 0, tour, side, ends, rates)
-                    if more < -1e-9:
+                    change = _link_time(k, 0, head, flip, tour, side, ends, rates)
+                    change -= _link_time(k, 0, k + 1, 0, tour, side, ends, rates) + freed[slot]
+                    if change < -1e-9 and k < last:
+                        change += _link_time(tail, flip, k + 1, 0, tour, side, ends, rates)
+                    if change < -1e-9 and back and not flip:
+                        change += _inner_change(s, e, 0, tour, side, ends, rates)
+                    if change < -1e-9:
                         if back:
                             _reverse(s, e, flip, tour, side, position)
                         if k > e:
                             _swap(s, e + 1, k, tour, side, position)
-                            return s, k, more
+                            return s, k, change
                         _swap(k + 1, s, e, tour, side, position)
-                        return k + 1, e, more
+                        return k + 1, e, change
                     back = 1
     return 0, -1, 0.0
 
@@ -365,17 +363,17 @@ def _improve_queued(
         size -= 1
         waiting[track] = False
         while limit > 0:
-            first, last, more = _improve_track(
+            first, last, change = _improve_track(
                 track, tour, side, position, ends, rates, reversal, near, least_time
             )
             if last < first:
                 break
             limit -= 1
-            gained += more
+            gained += change
             low, high = min(low, first), max(high, last)
-            for place in (first - 1, first, last, last + 1):
-                if 1 <= place < len(tour):
-                    other = tour[place]
+            for slot in (first - 1, first, last, last + 1):
+                if 1 <= slot < len(tour):
+                    other = tour[slot]
                     if other != track and not waiting[other]:
                         waiting[other] = True
                         queue[(front + size) % count] = other
@@ -428,16 +426,16 @@ def _swap_change(
         Tracks in their order, their directions, the poses of the head at the ends of the tracks,
         and speed data of the axes; see ``improve_tour``.
     """
-    more = (
+    change = (
         _link_time(first - 1, 0, middle, 0, tour, side, ends, rates)
         - _link_time(first - 1, 0, first, 0, tour, side, ends, rates)
         + _link_time(last, 0, first, 0, tour, side, ends, rates)
         - _link_time(middle - 1, 0, middle, 0, tour, side, ends, rates)
     )
     if last + 1 < len(tour):
-        more += _link_time(middle - 1, 0, last + 1, 0, tour, side, ends, rates)
-        more -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
-    return more
+        change += _link_time(middle - 1, 0, last + 1, 0, tour, side, ends, rates)
+        change -= _link_time(last, 0, last + 1, 0, tour, side, ends, rates)
+    return change
 
 
 @kernel(checks_division=True)
@@ -475,8 +473,8 @@ def improve_tour(
     """
     last = len(tour) - 1
     position = np.empty(len(tour), np.int64)
-    for place in range(len(tour)):
-        position[tour[place]] = place
+    for slot in range(len(tour)):
+        position[tour[slot]] = slot
     queue = tour[1:].copy()
     waiting = np.ones(last, np.bool_)
     _improve_queued(
@@ -494,7 +492,7 @@ def improve_tour(
         near,
         least_time,
     )
-    kept, kept_side = tour.copy(), side.copy()
+    best_tour, best_side = tour.copy(), side.copy()
     state = 12345
     for _ in range(trials if last >= 3 else 0):
         state, s, m, end = _random_sections(state, last)
@@ -503,10 +501,10 @@ def improve_tour(
         e = end - 1
         change = _swap_change(s, m, e, tour, side, ends, rates)
         size = 0
-        for place in (s - 1, s, m - 1, m, e, e + 1):
-            if 1 <= place <= last and not waiting[tour[place]]:
-                waiting[tour[place]] = True
-                queue[size] = tour[place]
+        for slot in (s - 1, s, m - 1, m, e, e + 1):
+            if 1 <= slot <= last and not waiting[tour[slot]]:
+                waiting[tour[slot]] = True
+                queue[size] = tour[slot]
                 size += 1
         _swap(s, m, e, tour, side, position)
         more, low, high = _improve_queued(
@@ -526,9 +524,9 @@ def improve_tour(
         )
         low, high = min(low, s), max(high, e)
         if change + more < 0.0:
-            kept[low : high + 1] = tour[low : high + 1]
-            kept_side[low : high + 1] = side[low : high + 1]
+            best_tour[low : high + 1] = tour[low : high + 1]
+            best_side[low : high + 1] = side[low : high + 1]
         else:
-            for place in range(low, high + 1):
-                tour[place], side[place] = kept[place], kept_side[place]
-                position[tour[place]] = place
+            for slot in range(low, high + 1):
+                tour[slot], side[slot] = best_tour[slot], best_side[slot]
+                position[tour[slot]] = slot

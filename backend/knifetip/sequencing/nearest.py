@@ -75,7 +75,7 @@ def _search_rings(
     the head.
 
     The entries are candidates: i is track i run forwards, and i + ``count`` is track i run
-    backwards. The candidates are listed in the cells of a grid.  When a candidate is chosen, all
+    backwards.  The candidates are listed in the cells of a grid.  When a candidate is chosen, all
     candidates of its track are removed from the grid.
 
     Parameters

@@ -160,7 +160,7 @@ def _check_numbers(plotter: Plotter, _machine: Machine) -> Iterator[_Fault]:
 
 
 def _check_pens(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield a fault for each field of a pen that the device or the pen's station does not support."""
+    """Yield a fault for each field of a pen that its device or its station does not support."""
     device, stations = plotter.device, {station.number: station for station in machine.stations}
     works: set[tuple[int, PenWork]] = set()
     for row, pen in enumerate(plotter.pens, 1):
@@ -170,8 +170,8 @@ def _check_pens(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
             yield _fault((*path, "number"), "field.above", value=pen.number, limit=limit)
         yield from _check_force((*path, "force"), pen, device)
         if (station := stations.get(pen.station)) is None:
-            known = sorted(stations)
-            yield _fault((*path, "station"), "field.not-one-of", value=pen.station, known=known)
+            numbers = sorted(stations)
+            yield _fault((*path, "station"), "field.not-one-of", value=pen.station, known=numbers)
         elif _creases(station) is not (pen.work is PenWork.CREASE):
             work, number = pen.work.value, station.number
             yield _fault((*path, "work"), "hpgl.pen-cannot", work=work, station=number)
@@ -227,7 +227,7 @@ def _check_idle(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
 
 
 def _check_travel(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
-    """Yield a fault for each axis of the machine whose travel is longer than the device can reach."""
+    """Yield a fault for each axis of the machine that travels farther than the device reaches."""
     device = plotter.device
     x0, y0, x1, y1 = device.area
     for axis, zero, ends in (("x", device.zero[0], (x0, x1)), ("y", device.zero[1], (y0, y1))):

@@ -1,6 +1,6 @@
-"""Find the faults in the words, values and modes of a program's lines, and at the program's end.
+"""Find faults in the words, values and modes of the lines of a program, and at the program's end.
 
-The rules are those of LinuxCNC and of grblHAL, whichever is stricter.
+A line must obey the rules of both LinuxCNC and grblHAL.
 """
 
 from __future__ import annotations
@@ -33,7 +33,12 @@ _REQUIRED_MODES: Final[Mapping[Group, Message]] = {
 
 
 def check_blocks(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> None:
-    """Add the faults in the words, values and modes of all blocks, and at the program's end."""
+    """Add a fault to ``blocks`` for each wrong word, value or mode, and for a wrong end of the
+    program.
+
+    A block is a program line with words; ``state`` is the modal state of the controller after each
+    block.
+    """
     _check_words(blocks, state)
     settle = _settle_times(state, machine)
     _check_values(blocks, state, machine, settle)
@@ -70,11 +75,11 @@ def _check_words(blocks: ProgramBlocks, state: ModalState) -> None:
 
 
 def _settle_times(state: ModalState, machine: Machine) -> F64:
-    """Return the dwell (s) that is required before each block after outputs were switched,
+    """Return the dwell (s) that is required before each block if outputs have been switched,
     (count,).
 
-    It is the settling time of the machine or of the selected tool, whichever is longer.  A beam
-    needs its piercing time after it is switched on, and none after it is switched off.
+    The dwell is the settling time of the machine or of the selected tool, whichever is longer.  A
+    beam needs its piercing time after it is switched on, and none after it is switched off.
     """
     tools = [expected_tool(held.tool) for held in machine.stations]
     settle = np.maximum([*(tool.min_dwell for tool in tools), 0.0], machine.settle)[state.station]
@@ -130,7 +135,7 @@ def _check_values(blocks: ProgramBlocks, state: ModalState, machine: Machine, se
 
 
 def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
-    """Add a fault for each move before the modes that it needs are set, or before outputs have
+    """Add a fault for each move before which a required mode is not set or outputs have not
     settled.
 
     ``settle`` is the dwell that is required between the last switching and each block (s),
@@ -164,7 +169,11 @@ def _check_modes(blocks: ProgramBlocks, state: ModalState, settle: F64) -> None:
 
 
 def _check_end(blocks: ProgramBlocks, state: ModalState) -> None:
-    """Check that the program ends with M2 or M30, in the safe state and with nothing after it."""
+    """Add faults unless the program ends with M2 or M30, in the safe state and with nothing after
+    the end.
+
+    In the safe state all outputs and the spindle are off, and no tool offset is active.
+    """
     fault, has_code = blocks.fault, blocks.has_code
     ends = has_code(Group.END)
     if not ends.any():

@@ -71,7 +71,7 @@ _M: Final = {
 
 
 class ProgramBlocks:
-    """The words of a program in columns; a row, or block, for each program line with words."""
+    """The words of a program in columns; each program line with words is one row, called a block."""
 
     def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
@@ -123,7 +123,7 @@ class ProgramBlocks:
         self.faults.append((int(self.line[block]), message))
 
     def fault(self, mask: Bool, message: Message) -> None:
-        """Add a fault with this message for each block of a mask, at most a thousand."""
+        """Add a fault with this message for each block in ``mask``, but at most a thousand."""
         for block in np.flatnonzero(mask)[:1000]:
             self._fault(block, message)
 
@@ -133,10 +133,10 @@ class ProgramBlocks:
         return result
 
     def has_code(self, group: Group, code: int | None = None) -> Bool:
-        """Return the mask of the blocks with a G or M word of a modal group, shape (count,).
+        """Return the mask of the blocks that have a G or M word of a modal group, shape (count,).
 
-        With ``code``, only blocks with the word of that code are in the mask.  The code of a G word
-        is ten times its number; the code of an M word is its number.
+        If ``code`` is not None, only blocks whose word has this code are in the mask.  The code of
+        a G word is ten times its number; the code of an M word is its number.
         """
         column = self.group[group]
         result: Bool = column >= 0 if code is None else column == code
@@ -144,9 +144,10 @@ class ProgramBlocks:
 
 
 def latest_block(mask: Bool) -> I64:
-    """Return, for each block, the index of the last block of a mask up to it, (count,).
+    """Return for each block the index of the last block, up to itself, that is in ``mask``,
+    (count,).
 
-    The block itself counts; the index is -1 if there is none.
+    The index is -1 if there is none.
     """
     rows: I64 = np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
     return rows
@@ -155,8 +156,16 @@ def latest_block(mask: Bool) -> I64:
 def value_in_force(values: F64, mask: Bool, initial: float = np.nan) -> F64:
     """Return the value in force at each block, (count,).
 
-    It is the value in ``values`` of the last block of ``mask`` up to and including that block,
-    or ``initial`` if there is none yet.
+    It is the value that this block or the last one before it has set.
+
+    Parameters
+    ----------
+    values : (count,)
+        Value of each block, if the block sets it.
+    mask : (count,)
+        Mask of the blocks that set the value.
+    initial
+        Value before the first block that sets it.
     """
     rows = latest_block(mask)
     if len(rows) == 0:

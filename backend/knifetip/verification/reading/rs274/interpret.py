@@ -1,7 +1,7 @@
 """Convert the words of an RS274/NGC program to moves, each with the controller's modal state.
 
-The language is the subset of RS274/NGC that LinuxCNC and grblHAL share, limited to the words that a
-sample-maker's program needs.  All other words are faults.
+Only the words of RS274/NGC that both LinuxCNC and grblHAL accept and that a sample-maker's program
+needs are interpreted.  All other words are faults.
 
 Source: Kramer, Proctor & Messina, "The NIST RS274NGC interpreter", section 3 (modal groups, order
 of execution); grbl's own rules where they are stricter.
@@ -79,7 +79,7 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState) -> Moves:
 def _switching_lines(blocks: ProgramBlocks, state: ModalState, moving: I64) -> Switches:
     """Return the program lines that switch an output or the spindle, or select a station.
 
-    ``moving`` holds the indices of the blocks that contain moves, ascending.
+    ``moving`` are the indices of the blocks that contain moves, ascending.
     """
     spindle, change = blocks.has_code(Group.SPINDLE), blocks.has_code(Group.CHANGE)
     output = blocks.has_code(Group.OUTPUT)

@@ -16,7 +16,7 @@ from knifetip.verification.tools import extra_outputs
 
 
 class ModalState:
-    """The modal state of the controller after each block of a program, in columns."""
+    """The modal state of the controller after each block (program line with words), in columns."""
 
     def __init__(self, blocks: ProgramBlocks, machine: Machine) -> None:
         count = blocks.count

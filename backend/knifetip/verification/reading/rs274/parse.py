@@ -55,8 +55,8 @@ def comment_placement(text: bytes) -> tuple[float, float] | None:
 
     The placement is the offset (x, y) in mm from the drawing's to the sheet's coordinates.
     """
-    found = _PLACEMENT.search(text)
-    return (float(found[1]), float(found[2])) if found else None
+    match = _PLACEMENT.search(text)
+    return (float(match[1]), float(match[2])) if match else None
 
 
 def parse_words(text: bytes) -> ProgramWords:
@@ -86,11 +86,11 @@ def realtime_bytes(text: bytes) -> list[tuple[int, Message]]:
     """
     raw = np.frombuffer(text, np.uint8)
     acts = np.isin(raw, np.frombuffer(b"!~?\x18", np.uint8)) | (raw >= 0x80)
-    places = np.flatnonzero(acts)[:_MAX_FAULTS]
-    line = 1 + np.searchsorted(np.flatnonzero(raw == 10), places)
+    positions = np.flatnonzero(acts)[:_MAX_FAULTS]
+    line = 1 + np.searchsorted(np.flatnonzero(raw == 10), positions)
     return [
         (int(row), Message("rs274.control-byte", byte=f"{int(byte):#04x}"))
-        for row, byte in zip(line, raw[places], strict=True)
+        for row, byte in zip(line, raw[positions], strict=True)
     ]
 
 
@@ -99,7 +99,7 @@ def _scan_number(raw: U8_1, at: int) -> tuple[int, float, int]:
     """Read the decimal number that begins at index ``at`` in the bytes ``raw`` of a program.
 
     Returns the index of the byte after the number, the value of the number, and its number of
-    digits. The value is wrong if there are more than 15 digits.
+    digits.  The value is wrong if there are more than 15 digits.
     """
     size = len(raw)
     negative = False
