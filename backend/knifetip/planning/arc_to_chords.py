@@ -42,7 +42,7 @@ def arcs_to_chords(
     Parameters
     ----------
     ends, bulge, rows : (n, 2, 2) mm, (n,) and (n,)
-        Ends and bulges of the grooves, and their rows in the dieline.
+        Start and end points, and bulges, of the grooves, and their rows in the dieline.
     cutter
         The tool, whose blade continues straight beyond the end of each chord.
     error : mm

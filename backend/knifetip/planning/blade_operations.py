@@ -63,7 +63,7 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
         subset = np.flatnonzero((side != 0) == bounds)
         if len(subset):
             waste = side[subset] if bounds else None
-            cuts = _Cuts(LineType.CUT, rows[subset], setup.through, waste, layer[subset])
+            cuts = _Cuts(LineType.CUT, rows[subset], setup.through_depth, waste, layer[subset])
             operations += _split_by_rank(_cut(dieline, cuts, setup), rows, rank)
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
@@ -207,7 +207,7 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     """
     paths, source = chain_edges(dieline, rows, ANGLE)
     dashes, segment = _split_into_dashes(paths, *setup.board.perforation)
-    depth = np.full((len(segment), 1), setup.through)
+    depth = np.full((len(segment), 1), setup.through_depth)
     ends = end_kinds(dashes, np.zeros(2 * len(dashes), np.bool_), End.FREE)
     return setup.operation(LineType.PERFORATION, dashes, source[segment], depth, ends)
 

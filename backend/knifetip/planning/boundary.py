@@ -51,7 +51,7 @@ class BoardOutline:
         Parameters
         ----------
         ends, bulge : (n, 2, 2) mm and (n,)
-            Ends and bulges of all cuts.
+            Start and end points, and bulges, of all cuts.
         side : (n,)
             Side of the waste of each cut: +1 left, -1 right, 0 if the cut is no outline of a part.
         """
@@ -183,7 +183,7 @@ def _check_angles(contacts: _Contacts, sine: F64, source: I32) -> None:
     angle between the two is less than 5°.
 
     ``sine`` is the sine of the angle between the groove and the board's edge at each contact, (k,).
-    ``source`` is the edge of the drawing to which each end of a groove belongs; the error names it.
+    ``source`` is the index in the dieline of the edge of each end of a groove, for the message.
     """
     is_single = np.bincount(contacts.end, minlength=len(source)) == 1
     along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & is_single[contacts.end])

@@ -131,10 +131,10 @@ class _FreeRanges:
     high: F64  #: mm
 
     def without(self, positions: F64, clear: float, length: float) -> _FreeRanges:
-        """Return the parts of the ranges that are at least ``clear`` mm away from all positions
-        ``positions``.
+        """Return the parts of the ranges that are at least ``clear`` mm away from some positions.
 
-        ``positions`` are positions along the closed contour, and ``length`` is its length (mm).
+        ``positions`` are these positions along the closed contour, and ``length`` is its length
+        (mm).
         """
         low, high = self.low, self.high
         for position in np.concatenate([positions - length, positions, positions + length]):
@@ -146,8 +146,9 @@ class _FreeRanges:
         return _FreeRanges(low, high)
 
     def nearest(self, desired: F64) -> F64:
-        """Return, for each of n desired positions on the contour, the nearest permitted one, (n,)
-        mm.
+        """Return the nearest permitted position for each of n desired positions, (n,) mm.
+
+        ``desired`` are the desired positions along the contour, (n,) mm.
         """
         clipped = np.clip(desired[:, None], self.low, self.high)
         # Of two equally near positions the first is taken, whatever the rounding.

@@ -34,7 +34,7 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts.
+        Start and end points, and bulges, of the cuts.
 
     Returns
     -------
@@ -80,18 +80,17 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[Paths, I32, Bool
 
 
 def find_cut_crossings(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, F64]:
-    """Return the k points at which cuts cross segments: the segment of each point (k,), and the
-    parameter of the point on the segment, 0 … 1 (k,).
+    """Return the k points at which cuts cross segments of paths.
 
-    A cut crosses a segment if their common point is an end of neither of them.  Several cuts cross
-    a segment together if they end at one point of the segment and leave it on both sides.
+    Returns the index of the segment of each point (k,), and the parameter of the point on the
+    segment, 0 … 1 (k,).  A cut crosses a segment if their common point is an end of neither of
+    them.  Several cuts cross a segment together if they end at one point of the segment and leave
+    it on both sides.
 
     Parameters
     ----------
-    paths
-        Paths that consist of the segments.
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts.
+        Start and end points, and bulges, of the cuts.
     """
     if len(paths) == 0 or len(bulge) == 0:
         return np.zeros(0, np.int64), np.zeros(0)
@@ -215,14 +214,14 @@ def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I
     Parameters
     ----------
     distance : mm
-        Distance between the two lines; the drawn line lies in their middle.
+        Distance between the two paths; the drawn path lies in their middle.
     source : (n,)
-        Edge of each segment; errors name it.
+        Index in the dieline of the edge of each segment, for error messages.
 
     Returns
     -------
-    The new paths, the path of ``paths`` that each new path replaces, and the segment of ``paths``
-    that each new segment replaces.
+    The new paths, the index in ``paths`` of the path that each new path replaces, and the index of
+    the segment of ``paths`` that each new segment replaces.
 
     Raises
     ------

@@ -30,7 +30,7 @@ def cut_sides(ends: F64, bulge: F64) -> CutSides:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts, in any order and direction.
+        Start and end points, and bulges, of the cuts, in any order and direction.
     """
     subdivision = subdivide(ends, bulge)
     face = subdivision.face

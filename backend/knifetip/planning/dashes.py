@@ -1,7 +1,7 @@
 """dashes: merge creases that are drawn as dashes, and remove repeated edges.
 
-``merge_dashes`` returns edges without overlaps, with the gaps between dashes filled;
-``distinct_edges`` returns the rows of edges without repeated ones.
+``merge_dashes`` returns edges without overlaps, with the gaps between dashes filled.
+``distinct_edges`` returns the indices of the edges that do not repeat an earlier edge.
 
 Three or more edges on one line are dashes if the gaps between them are regular, no gap is longer
 than 12 mm, no gap is longer than 1.5 times the mean length of the edges, and no cut starts, ends or
@@ -33,22 +33,21 @@ _REGULAR = 0.25
 def merge_dashes(
     ends: F64, bulge: F64, cuts: tuple[F64, F64] | None = None
 ) -> tuple[F64, F64, I32]:
-    """Return edges that cover each stretch of the given edges once, with gaps between dashes
-    filled.
+    """Return edges without overlaps that cover all given edges and the gaps between dashes.
 
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the given edges.
+        Start and end points, and bulges, of the given edges.
     cuts : (m, 2, 2) mm and (m,)
-        Ends and bulges of the cuts.  A gap with a cut in it is not filled.  If ``cuts`` is None, no
-        gap is filled.
+        Start and end points, and bulges, of the cuts.  A gap with a cut in it is not filled.  If
+        ``cuts`` is None, no gap is filled.
 
     Returns
     -------
     ends, bulge, row : (q, 2, 2) mm, (q,) and (q,)
-        Ends and bulges of the new edges, and the given edge from which each new edge comes.  A
-        filled gap comes from the dash before the gap.
+        Start and end points, and bulges, of the new edges, and the index of the given edge from
+        which each new edge comes.  A filled gap comes from the dash before the gap.
     """
     straight = np.abs(bulge) < BULGE
     bent = np.flatnonzero(~straight)

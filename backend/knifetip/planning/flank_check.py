@@ -42,8 +42,9 @@ class _NearbyChords:
     high: F64  #: (k,) parameter on the chord, 0 … 1
 
     def select(self, rows: I64 | Bool) -> _NearbyChords:
-        """Return some of the pairs of groove and chord: those with the indices, or the mask,
-        ``rows``.
+        """Return some of the pairs of groove and chord.
+
+        ``rows`` are the indices, or the mask, of these pairs.
         """
         return _NearbyChords(*(getattr(self, name)[rows] for name in self.__slots__))
 
@@ -88,8 +89,10 @@ def check_flanks(paths: Paths, source: I32, reach: float, run_out: F64, dieline:
 
     Parameters
     ----------
-    paths, source
-        Straight grooves, and the edge of each segment of the grooves, (n,).
+    paths
+        Straight grooves.
+    source : (n,)
+        Index in the dieline of the edge of each segment of the grooves, for error messages.
     reach : mm
         Distance of the flanks from the groove's line on the top face.
     run_out : (p, 2) mm
@@ -142,7 +145,7 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     begin, finish : (p, 2) mm
         Start and end points of the grooves.
     reach : mm
-        Distance of the flanks from the groove's line; a cut is near if it is nearer than this.
+        Distance of the flanks from the groove's line; cuts farther away than this may be left out.
     dieline
         Dieline that contains the cuts.
     """

@@ -36,7 +36,7 @@ def closing_links(ends: F64, bulge: F64) -> F64:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts, in any order and direction.
+        Start and end points, and bulges, of the cuts, in any order and direction.
     """
     points = ends.reshape(-1, 2)
     start, end = ends[:, 0], ends[:, 1]

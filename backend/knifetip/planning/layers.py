@@ -33,8 +33,8 @@ def cut_layers(ends: F64, bulge: F64, contour: I64) -> I64:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the cuts, in any order and direction.  Contours may have gaps of up to
-        ``CONTOUR_GAP``.
+        Start and end points, and bulges, of the cuts, in any order and direction.  Contours may
+        have gaps of up to ``CONTOUR_GAP``.
     contour : (n,)
         Number of the closed contour to which each cut belongs, -1 for none.  All cuts of a contour
         get one layer, unless contours enclose each other in a cycle; then each cut gets its own

@@ -78,7 +78,7 @@ def plan_milling(
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
     source = source[order]
-    depth = cutter.passes(setup.through)
+    depth = cutter.passes(setup.through_depth)
     operations = []
     path_rank = 2 * (number.max(initial=0) - number) + np.abs(side)
     for rank in np.unique(path_rank):

@@ -27,7 +27,7 @@ def split_at_ends(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the edges.
+        Start and end points, and bulges, of the edges.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the edges.
+        Start and end points, and bulges, of the edges.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tup
     Parameters
     ----------
     ends, bulge : (n, 2, 2) mm and (n,)
-        Ends and bulges of the edges.
+        Start and end points, and bulges, of the edges.
     row, fraction, point : (k,), (k,) and (k, 2) mm
         Index of the edge of each point, parameter of the point on it (0 … 1), and position of the
         point.

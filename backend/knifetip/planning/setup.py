@@ -23,8 +23,8 @@ class Setup:
     station: Station
 
     @property
-    def through(self) -> float:
-        """Depth of a through cut below the board's top face (mm)."""
+    def through_depth(self) -> float:
+        """Depth below the board's top face to which this station's tool makes a through cut (mm)."""
         return self.board.caliper + self.machine.into_mat
 
     def operation(

@@ -138,7 +138,7 @@ def _search_rings(
 def find_neighbours(start: F64_2, end: F64_2, number: int) -> Any:
     """Return the ``number`` nearest other tracks of each of t tracks, and their distances (mm).
 
-    Both arrays are (t, wanted), nearest first.  The distance of two tracks is the shortest distance
+    Both arrays are (t, number), nearest first.  The distance of two tracks is the shortest distance
     between a start or end of one track and a start or end of the other.  ``start`` and ``end`` are
     the positions of the head at the start and the end of each track, (t, 2) mm.
     """

@@ -71,7 +71,7 @@ _M: Final = {
 
 
 class ProgramBlocks:
-    """The words of a program in columns; each program line with words is one row, called a block."""
+    """The words of a program in columns: one row for each block (program line with words)."""
 
     def __init__(self, words: ProgramWords, faults: list[tuple[int, Message]]) -> None:
         self.faults = faults
