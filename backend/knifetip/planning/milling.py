@@ -151,8 +151,9 @@ def _bridge_positions(
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
-    """Return the operations; those that mill contain the corner types of single corners from
-    ``corners``, which the user chose.
+    """Return all operations, with the corner types that the user chose for single corners.
+
+    ``corners`` contains the choices.  Only operations that mill contours are changed.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """noding: split edges where other edges end on them or cross them.
 
-The functions return pieces that meet only at their ends, and the edge of which each piece is a
-part.
+The functions return the pieces of all edges, which meet only at their ends, and the index of the
+edge of which each piece is a part.
 """
 
 from __future__ import annotations
@@ -68,7 +68,8 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     Returns
     -------
     edge, fraction, point : (k,), (k,) and (k, 2) mm
-        Edge, parameter of the point on it (0 … 1), and the position of the other edge's end.
+        Index of the edge, parameter of the point on it (0 … 1), and the position of the other
+        edge's end.
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
@@ -83,12 +84,13 @@ def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
 
 
 def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
-    """Return the points at which two edges cross, once for each of the two edges.
+    """Return the points at which two edges cross; each point is returned once for each of the two
+    edges.
 
     Returns
     -------
     edge, fraction, point : (k,), (k,) and (k, 2) mm
-        Edge, parameter of the point on it (0 … 1), and the position of the point.
+        Index of the edge, parameter of the point on it (0 … 1), and the position of the point.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes, boxes, 0.0)

@@ -11,9 +11,9 @@ from knifetip.model.machine import Machine
 
 
 def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
-    """Return the shift (x, y) in mm to be added to the drawing's coordinates.
+    """Return the shift (x, y) in mm that moves the drawing to its position on the machine's table.
 
-    It moves the lower left corner of the drawing to the machine's origin.  Ignored and unclassified
+    The lower left corner of the drawing is moved to the machine's origin.  Ignored and unclassified
     edges do not count.
 
     Raises

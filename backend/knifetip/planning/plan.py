@@ -45,8 +45,7 @@ def lacks_tool(machine: Machine, line_type: LineType) -> bool:
 
 
 def check_corners(corners: Corners, machine: Machine) -> None:
-    """Check the corner types that the user chose, and that the machine has a cutter for which they
-    matter.
+    """Check the corner types that the user chose for a machine.
 
     Raises
     ------

@@ -20,7 +20,7 @@ from knifetip.offset.offset_paths import offset_paths
 
 
 class ReachableStretches(NamedTuple):
-    """m stretches of segments that a tool reaches, ordered by segment and position."""
+    """m stretches of segments that a tool can reach, ordered by segment and by position on it."""
 
     segment: I64  #: (m,)
     low: F64  #: (m,) mm from the segment's start

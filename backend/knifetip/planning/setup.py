@@ -24,7 +24,7 @@ class Setup:
 
     @property
     def through_depth(self) -> float:
-        """Depth below the board's top face to which this station's tool makes a through cut (mm)."""
+        """Depth below the board's top face of a through cut on this machine and board (mm)."""
         return self.board.caliper + self.machine.into_mat
 
     def operation(
@@ -37,7 +37,7 @@ class Setup:
         line_type
             Line type that the operation makes.
         source : (n,)
-            Edge of each segment.
+            Index in the dieline of the edge of each segment.
         depth : (n, k) mm
             Depth of each segment in each of k passes.
         ends : (p,) and (p,)

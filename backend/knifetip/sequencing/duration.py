@@ -56,8 +56,8 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
 
     On an arc, Δx and Δy are the length of the arc, and v² ≤ a R limits the centripetal
     acceleration, with the radius R.  At a joint the velocity of axis i jumps by at most aᵢ ·
-    ``JOLT``.  The times agree with those of the simulated table within 2 %.  LinuxCNC took 12 to 21
-    % longer for the sample programs, because its blending of moves is not modelled.
+    ``JOLT``.  The times agree within 2 % with those of the simulated table.  LinuxCNC took
+    12 to 21 % longer for the sample programs, because its blending of moves is not modelled.
     """
     if len(toolpath) == 0:
         return np.zeros(0)
