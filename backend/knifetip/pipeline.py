@@ -195,24 +195,24 @@ def compile(
         raise OpenQuestions([question.as_json() for question in open_questions])
     progress(Stage.CLEAN, 0.02)
     cleaned = clean(dieline)
-    where = placement(cleaned.dieline, machine)
+    offset = placement(cleaned.dieline, machine)
     try:
-        toolpath = _toolpath(cleaned, where, machine, board, corners, progress)
+        toolpath = _toolpath(cleaned, offset, machine, board, corners, progress)
     except (PlanError, CompensationError) as error:
         raise _located(error, drawing, cleaned.dieline.source) from None
     progress(Stage.PROCESS, 0.5)
     head = (
         f"machine {machine.name}",
         f"board {board.name} caliper {board.caliper:g}",
-        f"placement X{where[0]:.4f} Y{where[1]:.4f}",
+        f"placement X{offset[0]:.4f} Y{offset[1]:.4f}",
         *notes,
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(program.text, dieline, cleaned, where, machine, board)
+    verdict = _verdict(program.text, dieline, cleaned, offset, machine, board)
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
-    return Compiled(toolpath, program, verdict, where, duration(toolpath, machine), full)
+    return Compiled(toolpath, program, verdict, offset, duration(toolpath, machine), full)
 
 
 def verify(
@@ -247,7 +247,7 @@ def verify(
 
 def _toolpath(
     cleaned: Cleaned,
-    where: tuple[float, float],
+    offset: tuple[float, float],
     machine: Machine,
     board: Board,
     corners: Corners | None,
@@ -257,7 +257,7 @@ def _toolpath(
 
     Parameters
     ----------
-    where
+    offset
         Offset that is added to the coordinates of the drawing on the sheet (mm).
     corners
         Types of the cutter's path round outer corners (B, C or D); None chooses the types that are
@@ -265,10 +265,10 @@ def _toolpath(
     progress
         Called at the start of each stage with the completed fraction of the compile, 0 … 1.
     """
-    placed = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(where))
+    shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
     progress(Stage.PLAN, 0.05)
-    chosen = None if corners is None else replace(corners, placement=where)
-    operations: Sequence[Operation] = plan(placed, machine, board, chosen)
+    chosen = None if corners is None else replace(corners, placement=offset)
+    operations: Sequence[Operation] = plan(shifted, machine, board, chosen)
     progress(Stage.COMPENSATE, 0.2)
     toolpaths = [compensate(operation) for operation in operations]
     progress(Stage.SEQUENCE, 0.4)
@@ -281,7 +281,7 @@ def _verdict(
     text: bytes,
     dieline: Dieline,
     cleaned: Cleaned,
-    where: tuple[float, float],
+    offset: tuple[float, float],
     machine: Machine,
     board: Board,
     tolerance: float = TOLERANCE,
@@ -296,12 +296,14 @@ def _verdict(
         The program.
     dieline, cleaned
         The drawn edges, and the result of cleaning them.
-    where
+    offset
         Offset that is added to the coordinates of the drawing on the sheet (mm).
     tolerance
         Maximum distance of the tool's tip from the drawn line (mm).
     """
-    verdict = verification.verify(text, cleaned.dieline, where, machine, board, tolerance=tolerance)
+    verdict = verification.verify(
+        text, cleaned.dieline, offset, machine, board, tolerance=tolerance
+    )
     mapped = map_to_drawn(verdict, cleaned, dieline)
     lost = check_cleaning(dieline, cleaned)
     if not lost:

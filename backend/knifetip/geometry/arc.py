@@ -110,7 +110,7 @@ def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
     ``point`` has one point for each segment, (n, 2) mm.
     """
     chord = end - start
-    along: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
+    position: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
     straight = np.abs(bulge) < BULGE
     if not straight.all():
         middle, theta = centre(start, end, bulge), sweep(bulge)
@@ -120,18 +120,18 @@ def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
         )
         # Measured from the middle of the arc, so that points beyond an end get that end's fraction.
         turned = (turned - theta / 2.0 + np.pi) % (2.0 * np.pi) - np.pi
-        along = np.where(straight, along, 0.5 + turned / np.where(straight, 1.0, theta))
-    return np.clip(along, 0.0, 1.0)
+        position = np.where(straight, position, 0.5 + turned / np.where(straight, 1.0, theta))
+    return np.clip(position, 0.0, 1.0)
 
 
 def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
     """Return ``count`` equidistant points of each segment, both ends included, (n, count, 2) mm."""
-    share = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
+    fraction = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
     points = point_at(
         np.repeat(start, count, axis=0),
         np.repeat(end, count, axis=0),
         np.repeat(bulge, count),
-        share,
+        fraction,
     )
     return points.reshape(-1, count, 2)
 

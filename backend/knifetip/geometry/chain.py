@@ -180,13 +180,13 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
         for dx in range(2):
             # Cells of the same column that come later, and of the next column: each pair is tested
             # once.
-            wanted = cell[i, 0] + dx
+            key = cell[i, 0] + dx
             low = place + 1
             if dx == 1:
-                low = np.searchsorted(column, wanted)
-                high = np.searchsorted(column, wanted + 1)
+                low = np.searchsorted(column, key)
+                high = np.searchsorted(column, key + 1)
                 low = low + np.searchsorted(row[low:high], cell[i, 1] - 1)
-            while low < n and column[low] == wanted and row[low] <= cell[i, 1] + 1:
+            while low < n and column[low] == key and row[low] <= cell[i, 1] + 1:
                 j = order[low]
                 x = points[i, 0] - points[j, 0]
                 y = points[i, 1] - points[j, 1]
@@ -198,7 +198,9 @@ def _cluster_points(points: F64_2, cell: I64_2, order: OutI64_1, gap: float) -> 
 
 
 @kernel
-def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float) -> Any:
+def _link_ends(
+    outward: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, straight: float
+) -> Any:
     """Return for each end of n edges the end to which it is connected, (2n,), -1 for none.
 
     The turn between two ends is measured by its cosine, which is minus the scalar product of their
@@ -206,7 +208,7 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
 
     Parameters
     ----------
-    out : (2n, 2)
+    outward : (2n, 2)
         Unit directions from the ends into the edges; end 2i is the start of edge i.
     by_node : (2n,)
         The ends, sorted by vertex.
@@ -217,14 +219,14 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
     straight
         Least cosine of the turn at which two ends are connected if three or more ends meet.
     """
-    link = np.full(len(out), -1, np.int64)
+    link = np.full(len(outward), -1, np.int64)
     for node in range(len(bounds) - 1):
         low = bounds[node]
         high = bounds[node + 1]
         if high - low == 2:
             a = by_node[low]
             b = by_node[low + 1]
-            cosine = -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1])
+            cosine = -(outward[a, 0] * outward[b, 0] + outward[a, 1] * outward[b, 1])
             if a // 2 != b // 2 and cosine >= any_turn:
                 link[a] = b
                 link[b] = a
@@ -235,7 +237,7 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
                 rivals = 0
                 for q in range(low, high):
                     b = by_node[q]
-                    cosine = -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1])
+                    cosine = -(outward[a, 0] * outward[b, 0] + outward[a, 1] * outward[b, 1])
                     if q != p and a // 2 != b // 2 and cosine >= straight:
                         partner = b
                         rivals += 1
@@ -249,12 +251,12 @@ def _link_ends(out: F64_2, by_node: I64_1, bounds: I64_1, any_turn: float, strai
 
 
 @kernel
-def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
+def _continues_straight(outward: F64_2, by_node: I64_1, bounds: I64_1, straight: float) -> Any:
     """Return the mask of ends of n edges from whose vertex another edge continues straight, (2n,).
 
     Parameters
     ----------
-    out : (2n, 2)
+    outward : (2n, 2)
         Unit directions from the ends into the edges; end 2i is the start of edge i.
     by_node : (2n,)
         The ends, sorted by vertex.
@@ -263,15 +265,18 @@ def _continues_straight(out: F64_2, by_node: I64_1, bounds: I64_1, straight: flo
     straight
         Least cosine of a turn that counts as straight.
     """
-    found = np.zeros(len(out), np.bool_)
+    straight_on = np.zeros(len(outward), np.bool_)
     for node in range(len(bounds) - 1):
         for p in range(bounds[node], bounds[node + 1]):
             a = by_node[p]
             for q in range(bounds[node], bounds[node + 1]):
                 b = by_node[q]
-                if p != q and -(out[a, 0] * out[b, 0] + out[a, 1] * out[b, 1]) >= straight:
-                    found[a] = True
-    return found
+                if (
+                    p != q
+                    and -(outward[a, 0] * outward[b, 0] + outward[a, 1] * outward[b, 1]) >= straight
+                ):
+                    straight_on[a] = True
+    return straight_on
 
 
 @kernel
@@ -299,11 +304,11 @@ def follow_links(link: I64_1) -> Any:
     flipped = np.empty(count, np.bool_)
     first = np.empty(count + 1, np.int32)
     closed = np.zeros(count, np.bool_)
-    seen = np.zeros(count, np.bool_)
+    visited = np.zeros(count, np.bool_)
     done = 0
     runs = 0
     for edge in range(count):
-        if seen[edge]:
+        if visited[edge]:
             continue
         # Go back to the open end, or once around a closed run.
         tail = 2 * edge
@@ -317,10 +322,10 @@ def follow_links(link: I64_1) -> Any:
         while True:
             order[done] = tail // 2
             flipped[done] = tail % 2 == 1
-            seen[tail // 2] = True
+            visited[tail // 2] = True
             done += 1
             tail = link[tail ^ 1]
-            if tail < 0 or seen[tail // 2]:
+            if tail < 0 or visited[tail // 2]:
                 break
     first[runs] = done
     return order, flipped, first[: runs + 1].copy(), closed[:runs].copy()

@@ -110,7 +110,7 @@ def fit_many(
         Ends of the lines and arcs.
     bulge : (n,) float64, |bulge| ≤ 0.5
         Bulge of each line or arc.
-    which : (n,) int64
+    curve : (n,) int64
         Number of the curve that each line or arc belongs to, never decreasing.  A curve without
         length has no line or arc.
 
@@ -125,8 +125,8 @@ def fit_many(
     ]
     if not parts:
         return np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64)
-    start, end, bulge, which = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return start, end, bulge, which
+    start, end, bulge, curve = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return start, end, bulge, curve
 
 
 def _fit_block(
@@ -155,14 +155,14 @@ def _fit_block(
     with np.errstate(all="ignore"):
         edges = _spread_breaks(point_at, tangent_at, np.arange(2.0 * count), tolerance)
         first, last = edges[:-1], edges[1:]
-        drawn = first // 1.0 % 2.0 == 0.0
+        nonempty = first // 1.0 % 2.0 == 0.0
         begin, finish, joints, bulges = _halve_until_fitted(
-            point_at, tangent_at, first[drawn], last[drawn], tolerance
+            point_at, tangent_at, first[nonempty], last[nonempty], tolerance
         )
     start = np.stack([point_at(begin), joints], axis=1).reshape(-1, 2)
     end = np.stack([joints, point_at(finish)], axis=1).reshape(-1, 2)
-    which = np.repeat((begin // 2.0).astype(np.int64), 2) + low
-    return _merge_collinear(start, end, bulges.reshape(-1), which, 1e-6 * tolerance)
+    curve = np.repeat((begin // 2.0).astype(np.int64), 2) + low
+    return _merge_collinear(start, end, bulges.reshape(-1), curve, 1e-6 * tolerance)
 
 
 def _halve_until_fitted(
@@ -222,21 +222,21 @@ def _halve_until_fitted(
 
 
 def _merge_collinear(
-    start: F64, end: F64, bulge: F64, which: I64, min_length: float
+    start: F64, end: F64, bulge: F64, curve: I64, min_length: float
 ) -> tuple[F64, F64, F64, I64]:
     """Return the segments longer than ``min_length`` mm, with collinear neighbours merged.
 
     Arguments and results are the start (n, 2), the end (n, 2), the bulge (n,) and the number of the
-    curve, ``which`` (n,), of each segment.  Segments of different curves are not merged.
+    curve, ``curve`` (n,), of each segment.  Segments of different curves are not merged.
     """
     # A piece that is a single arc or line has its joint at its end, so its second segment is empty.
     length = np.hypot(*(end - start).T)
     some = length > min_length
     start, end, bulge, length = start[some], end[some], bulge[some], length[some]
-    which = which[some]
+    curve = curve[some]
     if not len(bulge):
-        return start, end, bulge, which
-    same = which[1:] == which[:-1]
+        return start, end, bulge, curve
+    same = curve[1:] == curve[:-1]
     start[1:][same] = end[:-1][same]
     ahead = (end - start) / length[:, None]
     cross = ahead[:-1, 0] * ahead[1:, 1] - ahead[:-1, 1] * ahead[1:, 0]
@@ -244,7 +244,7 @@ def _merge_collinear(
     collinear &= (bulge[:-1] == 0.0) & (bulge[1:] == 0.0) & same
     first = np.concatenate([[True], ~collinear])
     last = np.concatenate([~collinear, [True]])
-    return start[first], end[last], bulge[first], which[first]
+    return start[first], end[last], bulge[first], curve[first]
 
 
 def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
@@ -289,8 +289,8 @@ def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: fl
         count = np.clip(np.ceil(wanted.sum(axis=1) - 1e-6), 1, 64).astype(np.int64)
         for row, pieces in enumerate(count):
             sum_ = np.concatenate([[0.0], np.cumsum(wanted[row])])
-            share = np.linspace(0.0, sum_[-1], pieces + 1)[:-1]
-            edges.append(np.interp(share, sum_, grid[row]))
+            fraction = np.linspace(0.0, sum_[-1], pieces + 1)[:-1]
+            edges.append(np.interp(fraction, sum_, grid[row]))
     edges.append(knots[-1:])
     every = np.concatenate(edges)
     result: F64 = every[np.concatenate([[True], np.diff(every) > 0.0])]
@@ -329,19 +329,21 @@ def _biarcs(
     bulge = np.stack([tan_half_angle(u, joint - a), tan_half_angle(b - joint, v)], axis=1)
 
     # Use one arc where it fits as well as two (circles, straight parts).
-    whole = tan_half_angle(u, chord)
-    one_arc = np.abs(whole - tan_half_angle(chord, v)) < 1e-9
+    one_arc_bulge = tan_half_angle(u, chord)
+    one_arc = np.abs(one_arc_bulge - tan_half_angle(chord, v)) < 1e-9
     joint[one_arc] = b[one_arc]
-    bulge[one_arc, 0] = whole[one_arc]
+    bulge[one_arc, 0] = one_arc_bulge[one_arc]
     bulge[one_arc, 1] = 0.0
 
     t = first[:, None] + (last - first)[:, None] * _PROBE_FRACTIONS
     probes = point(t.reshape(-1)).reshape(len(first), -1, 2)
     allowed = tolerance * _MARGIN
-    near = _distances(a, joint, bulge[:, 0], probes)
+    deviation = _distances(a, joint, bulge[:, 0], probes)
     two = ~one_arc
-    near[two] = np.minimum(near[two], _distances(joint[two], b[two], bulge[two, 1], probes[two]))
-    good = (near.max(axis=1) <= allowed) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
+    deviation[two] = np.minimum(
+        deviation[two], _distances(joint[two], b[two], bulge[two, 1], probes[two])
+    )
+    good = (deviation.max(axis=1) <= allowed) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
 
     # At a cusp the direction is undefined; use the chord if it is within tolerance.
     flat = ~good & (_distances(a, b, np.zeros(len(a)), probes).max(axis=1) <= allowed)

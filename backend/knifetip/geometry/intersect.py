@@ -57,23 +57,23 @@ def intersect_pairs(
     one = np.column_stack([start, end, bulge]).astype(np.float64, copy=False)
     two = np.column_stack([other_start, other_end, other_bulge]).astype(np.float64, copy=False)
     count = np.zeros(len(one), np.int32)
-    found = np.full((len(one), MAX_POINTS, 4), np.nan)
-    _intersect_pairs(one, two, touch, count, found)
-    return Crossings(count, found[:, :, :2], found[:, :, 2], found[:, :, 3])
+    points = np.full((len(one), MAX_POINTS, 4), np.nan)
+    _intersect_pairs(one, two, touch, count, points)
+    return Crossings(count, points[:, :, :2], points[:, :, 2], points[:, :, 3])
 
 
 @kernel(allocates=False)
 def _intersect_pairs(
-    one: F64_2, two: F64_2, touch: float, count: OutI32_1, found: OutF64_3
+    one: F64_2, two: F64_2, touch: float, count: OutI32_1, points: OutF64_3
 ) -> None:
-    """Write the common points of n pairs of segments to ``found``, and their numbers to ``count``.
+    """Write the common points of n pairs of segments to ``points``, and how many to ``count``.
 
     Pair i consists of the segments in row i of ``one`` and in row i of ``two``, which are (x0, y0,
-    x1, y1, bulge).  ``found[i]`` has one row per common point of pair i, and ``count[i]`` is their
+    x1, y1, bulge).  ``points[i]`` has one row per common point of pair i, and ``count[i]`` is their
     number.  ``touch`` is the largest distance (mm) at which two segments count as touching.
     """
     for i in range(len(one)):
-        count[i] = intersect_rows(one, i, two, i, touch, found[i])
+        count[i] = intersect_rows(one, i, two, i, touch, points[i])
 
 
 @kernel(allocates=False)
@@ -94,8 +94,8 @@ def circle_of_arc(rows: F64_2, i: int) -> tuple[float, float, float]:
 
 
 @kernel(allocates=False)
-def write_box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
-    """Write a box around a segment to row ``at`` of ``boxes``: x min, y min, x max, y max.
+def write_box(rows: F64_2, i: int, boxes: OutF64_2, box_row: int) -> None:
+    """Write a box around a segment to row ``box_row`` of ``boxes``: x min, y min, x max, y max.
 
     The segment is row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge.  The box of an arc may be
     larger than necessary.
@@ -123,10 +123,10 @@ def write_box(rows: F64_2, i: int, boxes: OutF64_2, at: int) -> None:
         low_y += min(rise_y, 0.0)
         high_x += max(rise_x, 0.0)
         high_y += max(rise_y, 0.0)
-    boxes[at, 0] = low_x
-    boxes[at, 1] = low_y
-    boxes[at, 2] = high_x
-    boxes[at, 3] = high_y
+    boxes[box_row, 0] = low_x
+    boxes[box_row, 1] = low_y
+    boxes[box_row, 2] = high_x
+    boxes[box_row, 3] = high_y
 
 
 @kernel(allocates=False)
@@ -203,16 +203,16 @@ def _add_point(
     x: float,
     y: float,
     touch: float,
-    found: OutF64_2,
+    points: OutF64_2,
     count: int,
 ) -> int:
-    """Add the point (x, y) to ``found`` if it is on both segments and not in ``found`` yet.
+    """Append (x, y) to ``points`` if it is on both segments and not in ``points`` yet.
 
     The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
-    of equal points.  ``count`` is the number of points in ``found``; returns the new number.
+    of equal points.  ``count`` is the number of points in ``points``; returns the new number.
     """
     for k in range(count):
-        if abs(found[k, 0] - x) <= touch and abs(found[k, 1] - y) <= touch:
+        if abs(points[k, 0] - x) <= touch and abs(points[k, 1] - y) <= touch:
             return count
     first = parameter_of_point(one, i, x, y, touch)
     if first < 0.0:
@@ -220,47 +220,47 @@ def _add_point(
     second = parameter_of_point(two, j, x, y, touch)
     if second < 0.0 or count == MAX_POINTS:
         return count
-    found[count, 0] = x
-    found[count, 1] = y
-    found[count, 2] = first
-    found[count, 3] = second
+    points[count, 0] = x
+    points[count, 1] = y
+    points[count, 2] = first
+    points[count, 3] = second
     return count + 1
 
 
 @kernel(allocates=False)
-def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write each end of two segments that is on the other segment to ``found``; return the number.
+def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+    """Write each end of two segments that is on the other segment to ``points``; return the number.
 
     The segments are row i of ``one`` and row j of ``two``.  ``touch`` is the largest distance (mm)
     of an end from the other segment at which the end still counts as on it.
     """
-    count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, found, 0)
-    count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, found, count)
-    count = _add_point(one, i, two, j, two[j, 0], two[j, 1], touch, found, count)
-    return _add_point(one, i, two, j, two[j, 2], two[j, 3], touch, found, count)
+    count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, points, 0)
+    count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, points, count)
+    count = _add_point(one, i, two, j, two[j, 0], two[j, 1], touch, points, count)
+    return _add_point(one, i, two, j, two[j, 2], two[j, 3], touch, points, count)
 
 
 @kernel(allocates=False)
-def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of two segments to ``found`` and return the number of the points.
+def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+    """Write the common points of two segments to ``points`` and return the number of the points.
 
     The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row
-    of ``found`` is x, y, and the parameters on the first and on the second segment.  ``touch`` is
+    of ``points`` is x, y, and the parameters on the first and on the second segment.  ``touch`` is
     the largest distance (mm) at which two segments count as touching.
     """
     flat = abs(one[i, 4]) < BULGE
     other_flat = abs(two[j, 4]) < BULGE
     if flat and other_flat:
-        return _intersect_lines(one, i, two, j, touch, found)
+        return _intersect_lines(one, i, two, j, touch, points)
     if flat or other_flat:
-        return _intersect_line_arc(one, i, two, j, flat, touch, found)
+        return _intersect_line_arc(one, i, two, j, flat, touch, points)
     ax, ay, ar = circle_of_arc(one, i)
     bx, by, br = circle_of_arc(two, j)
     dx = bx - ax
     dy = by - ay
     apart = math.sqrt(dx * dx + dy * dy)
     if apart <= touch and abs(ar - br) <= touch:
-        return _add_common_ends(one, i, two, j, touch, found)
+        return _add_common_ends(one, i, two, j, touch, points)
     if apart > ar + br + touch or apart < abs(ar - br) - touch or apart == 0.0:
         return 0
     foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
@@ -272,13 +272,13 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: 
     uy = dy / apart
     x = ax + foot * ux
     y = ay + foot * uy
-    count = _add_point(one, i, two, j, x - rise * uy, y + rise * ux, touch, found, 0)
-    return _add_point(one, i, two, j, x + rise * uy, y - rise * ux, touch, found, count)
+    count = _add_point(one, i, two, j, x - rise * uy, y + rise * ux, touch, points, 0)
+    return _add_point(one, i, two, j, x + rise * uy, y - rise * ux, touch, points, count)
 
 
 @kernel(allocates=False)
-def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found: OutF64_2) -> int:
-    """Write the common points of two lines to ``found`` and return the number of the points.
+def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+    """Write the common points of two lines to ``points`` and return the number of the points.
 
     The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
     ``touch`` is the largest distance (mm) at which two lines count as touching.
@@ -296,7 +296,7 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found
         off = ax * cy - ay * cx
         if off * off > touch * touch * a2:
             return 0
-        return _add_common_ends(one, i, two, j, touch, found)
+        return _add_common_ends(one, i, two, j, touch, points)
     # Most pairs are rejected because both ends of a segment are clearly on one side of the other.
     near = ax * cy - ay * cx
     far = near + cross
@@ -315,18 +315,18 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, found
     if second < -slack or second > 1.0 + slack:
         return 0
     first = min(max(first, 0.0), 1.0)
-    found[0, 0] = one[i, 0] + first * ax
-    found[0, 1] = one[i, 1] + first * ay
-    found[0, 2] = first
-    found[0, 3] = min(max(second, 0.0), 1.0)
+    points[0, 0] = one[i, 0] + first * ax
+    points[0, 1] = one[i, 1] + first * ay
+    points[0, 2] = first
+    points[0, 3] = min(max(second, 0.0), 1.0)
     return 1
 
 
 @kernel(allocates=False)
 def _intersect_line_arc(
-    one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, found: OutF64_2
+    one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, points: OutF64_2
 ) -> int:
-    """Write the common points of a line and an arc to ``found`` and return the number of points.
+    """Write the common points of a line and an arc to ``points`` and return the number of points.
 
     The two segments are row i of ``one`` and row j of ``two``; ``flat`` is True if the line is row
     i of ``one``, and False if it is row j of ``two``.  ``touch`` is the largest distance (mm) at
@@ -350,5 +350,5 @@ def _intersect_line_arc(
         reach = 0.0
     fx = cx + off * uy
     fy = cy - off * ux
-    count = _add_point(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, found, 0)
-    return _add_point(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, found, count)
+    count = _add_point(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, points, 0)
+    return _add_point(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, points, count)

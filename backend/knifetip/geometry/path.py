@@ -110,17 +110,17 @@ def trim_ends(paths: Paths, at_start: F64, at_end: F64) -> tuple[Paths, I32]:
     return Paths(near, far, np.where(whole, bulge, bent), first), rows
 
 
-def select_paths(paths: Paths, which: I32) -> tuple[Paths, I32]:
+def select_paths(paths: Paths, numbers: I32) -> tuple[Paths, I32]:
     """Return some of the paths, and the input segment that each returned segment comes from.
 
     Parameters
     ----------
-    which : (q,)
+    numbers : (q,)
         Numbers of the paths to return, in the order of the result; numbers may repeat.
     """
-    count = np.diff(paths.first)[which]
+    count = np.diff(paths.first)[numbers]
     first = np.concatenate([[0], np.cumsum(count)])
-    rows = np.arange(first[-1]) + np.repeat(paths.first[:-1][which] - first[:-1], count)
+    rows = np.arange(first[-1]) + np.repeat(paths.first[:-1][numbers] - first[:-1], count)
     return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], first), rows.astype(
         np.int32
     )
@@ -165,14 +165,14 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     return pieces, owner, rows[again[order]]
 
 
-def _traverse_twice(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def _traverse_twice(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     """Return all paths, some of them repeated, and the input segment of each returned segment.
 
-    A repeated path runs through all its segments twice.  ``which`` (p,) is the mask of the paths to
+    A repeated path runs through all its segments twice.  ``mask`` (p,) is the mask of the paths to
     repeat.
     """
     count = np.diff(paths.first)
-    times = np.where(which, 2, 1)
+    times = np.where(mask, 2, 1)
     first = np.concatenate([[0], np.cumsum(count * times)])
     owner = np.repeat(np.arange(len(paths)), count * times)
     rows = paths.first[owner] + (np.arange(first[-1]) - first[owner]) % count[owner]
@@ -203,25 +203,25 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
     before = np.concatenate([[0.0], reached])
     wanted = before[paths.first[:-1]] + distance
     rows = np.clip(np.searchsorted(reached, wanted), paths.first[:-1], paths.first[1:] - 1)
-    share = np.clip((wanted - before[rows]) / along[rows], 0.0, 1.0)
+    fraction = np.clip((wanted - before[rows]) / along[rows], 0.0, 1.0)
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     ahead = azimuth(arc.tangents(start, end, bulge)[0])
-    heading: F64 = ahead + np.degrees(arc.sweep(bulge)) * share
-    return arc.point_at(start, end, bulge, share), heading, rows.astype(np.int32)
+    heading: F64 = ahead + np.degrees(arc.sweep(bulge)) * fraction
+    return arc.point_at(start, end, bulge, fraction), heading, rows.astype(np.int32)
 
 
-def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def reverse_paths(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     """Return all paths, some of them reversed, and the input segment of each returned segment.
 
     Parameters
     ----------
-    which : (p,)
+    mask : (p,)
         Mask of the paths to reverse.
     """
     owner = paths.path_of
     rows = np.arange(len(paths.bulge))
     mirror = paths.first[:-1][owner] + paths.first[1:][owner] - 1 - rows
-    turn = which[owner]
+    turn = mask[owner]
     rows = np.where(turn, mirror, rows)
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
     back = turn[:, None]
@@ -236,7 +236,7 @@ def reverse_paths(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     )
 
 
-def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
+def start_in_middle(paths: Paths, mask: Bool) -> tuple[Paths, I32]:
     """Return all paths, some of them with their start moved to the middle of a segment.
 
     The segment is the longest line of the path, or its longest arc if it has no line, so that the
@@ -246,7 +246,7 @@ def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
 
     Parameters
     ----------
-    which : (p,)
+    mask : (p,)
         Mask of the paths whose start is moved; they must be closed.
     """
     owner = paths.path_of
@@ -255,11 +255,11 @@ def start_in_middle(paths: Paths, which: Bool) -> tuple[Paths, I32]:
     # The last row of each path in the order (line, length, earliest): one sort for all.
     ranked = np.lexsort((-np.arange(len(owner)), along, line, owner))
     longest = ranked[paths.first[1:] - 1]
-    count = np.diff(paths.first) + which
+    count = np.diff(paths.first) + mask
     first = np.concatenate([[0], np.cumsum(count)])
     place = np.arange(first[-1]) - np.repeat(first[:-1], count)
     size = np.repeat(np.diff(paths.first), count)
-    turned = np.repeat(which, count)
+    turned = np.repeat(mask, count)
     shift = np.where(turned, np.repeat(longest - paths.first[:-1], count), 0)
     rows = np.repeat(paths.first[:-1], count) + (place + shift) % size
     low = np.where(turned & (place == 0), 0.5, 0.0)

@@ -27,7 +27,7 @@ _ROUNDING: Final = 1e-12
 
 
 def find_points_on_segments(
-    points: F64, own: I32, start: F64, end: F64, bulge: F64, gap: float
+    points: F64, owner: I32, start: F64, end: F64, bulge: F64, gap: float
 ) -> Bool:
     """Return the mask of points that are on a segment other than their own, (m,).
 
@@ -35,7 +35,7 @@ def find_points_on_segments(
     ----------
     points : (m, 2) mm
         The points.
-    own : (m,)
+    owner : (m,)
         Number of the segment that each point belongs to, -1 for none; a point may be on it.
     start, end, bulge : (n, 2), (n, 2) mm and (n,)
         Ends and bulges of n segments.
@@ -55,7 +55,7 @@ def find_points_on_segments(
     # Enlarged for rounding.
     reach = gap + _ROUNDING * max(float(boxes.max()), -float(boxes.min()))
     hit: Bool = _find_points(
-        points, own, order, boxes[order], reach, start, end, middle, radius, first, sweep, gap
+        points, owner, order, boxes[order], reach, start, end, middle, radius, first, sweep, gap
     )
     return hit
 
@@ -76,7 +76,7 @@ def _boxes(rows: F64_2) -> Any:
 @kernel
 def _find_points(
     points: F64_2,
-    own: I32_1,
+    owner: I32_1,
     order: I64_1,
     boxes: F64_2,
     reach: float,
@@ -94,7 +94,7 @@ def _find_points(
     ----------
     points : (m, 2) mm
         The points.
-    own : (m,)
+    owner : (m,)
         Number of the segment that each point belongs to, -1 for none.
     order, boxes : (n,) and (n, 4)
         Segments in Morton order, and their bounding boxes.
@@ -120,7 +120,7 @@ def _find_points(
                 break
             i = order[at]
             hit[k] = (
-                i != own[k]
+                i != owner[k]
                 and _distance(points[k], start[i], end[i], middle[i], radius[i], first[i], sweep[i])
                 <= gap
             )

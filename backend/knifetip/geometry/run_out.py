@@ -20,7 +20,9 @@ from knifetip.geometry.columns import F64
 _MAX_ANGLE: Final = 89.0
 
 
-def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float | F64 = 0.0) -> F64:
+def corner_run_outs(
+    travel: F64, outward: F64, width: float | F64, distance: float | F64 = 0.0
+) -> F64:
     """Return the length by which to extend a track until each corner of its tool is off the board.
 
     The two corners are the left and the right end of the tool's width.  With u the direction of
@@ -39,7 +41,7 @@ def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float 
         u and m of n ends of tracks; for the start of a track, give -u.
     width : (n,) mm
         W, the width of the tool across the travel.
-    short : (n,) mm
+    distance : (n,) mm
         Distance between the end of the track and the edge of the board.
 
     Returns
@@ -59,5 +61,5 @@ def corner_run_outs(travel: F64, outward: F64, width: float | F64, short: float 
         angle = math.degrees(math.acos(min(max(float(leaves[never[0]]), -1.0), 1.0)))
         raise CompensationError("track.too-flat", track=never[0], angle=angle, limit=_MAX_ANGLE)
     beside = width / 2.0 * np.sum(left_normal(travel) * outward, axis=1)
-    further: F64 = np.column_stack([short - beside, short + beside]) / leaves[:, None]
+    further: F64 = np.column_stack([distance - beside, distance + beside]) / leaves[:, None]
     return further

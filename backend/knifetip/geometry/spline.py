@@ -72,8 +72,8 @@ class Spline:
                 low = knots[span - degree + j]
                 high = knots[span + 1 + j - level]
                 wide = high - low
-                share = np.where(wide > 0.0, (t - low) / np.where(wide > 0.0, wide, 1.0), 0.0)
-                d[:, j] = (1.0 - share)[:, None] * d[:, j - 1] + share[:, None] * d[:, j]
+                fraction = np.where(wide > 0.0, (t - low) / np.where(wide > 0.0, wide, 1.0), 0.0)
+                d[:, j] = (1.0 - fraction)[:, None] * d[:, j - 1] + fraction[:, None] * d[:, j]
         result: F64 = d[:, degree]
         return result
 

@@ -59,7 +59,7 @@ def _distinct_rows(table: I64_2) -> Any:
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
     slots = np.full(_SLOTS, -1, np.int64)
-    found = 0
+    count = 0
     for row in range(rows):
         if row > 0 and _equal_rows(table, row, row - 1):
             kind[row] = kind[row - 1]
@@ -68,18 +68,18 @@ def _distinct_rows(table: I64_2) -> Any:
         while slots[slot] >= 0 and not _equal_rows(table, row, first[slots[slot]]):
             slot = (slot + 1) & (len(slots) - 1)
         if slots[slot] < 0:
-            slots[slot] = found
-            first[found] = row
-            found += 1
+            slots[slot] = count
+            first[count] = row
+            count += 1
         kind[row] = slots[slot]
-        if 2 * found > len(slots):
+        if 2 * count > len(slots):
             slots = np.full(4 * len(slots), -1, np.int64)
-            for number in range(found):
+            for number in range(count):
                 slot = _slot(table, first[number], slots)
                 while slots[slot] >= 0:
                     slot = (slot + 1) & (len(slots) - 1)
                 slots[slot] = number
-    return first[:found].copy(), kind
+    return first[:count].copy(), kind
 
 
 @kernel

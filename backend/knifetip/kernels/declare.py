@@ -40,10 +40,10 @@ register_default(Group)(models.TupleModel)
 
 
 @lower_cast(types.BaseNamedTuple, Group)
-def _cast_group(context: Any, builder: Any, given: Any, declared: Any, value: Any) -> Any:
+def _cast_group(context: Any, builder: Any, source: Any, declared: Any, value: Any) -> Any:
     fields = [
         context.cast(builder, builder.extract_value(value, i), a, b)
-        for i, (a, b) in enumerate(zip(given, declared, strict=True))
+        for i, (a, b) in enumerate(zip(source, declared, strict=True))
     ]
     return context.make_tuple(builder, declared, fields)
 
@@ -59,18 +59,22 @@ def argument_types(function: Callable[..., Any]) -> dict[str, Any]:
     hints = get_type_hints(function, include_extras=True)
     declared = {}
     for name, parameter in inspect.signature(function).parameters.items():
-        where = f"{function.__module__}.{function.__qualname__}: argument {name}"
+        location = f"{function.__module__}.{function.__qualname__}: argument {name}"
         if parameter.default is not parameter.empty:
-            raise TypeError(f"{where} has a default value. Remove it, and pass it in every call.")
+            raise TypeError(
+                f"{location} has a default value. Remove it, and pass it in every call."
+            )
         if parameter.kind is not parameter.POSITIONAL_OR_KEYWORD:
-            raise TypeError(f"{where} collects several arguments. Declare each by its own name.")
+            raise TypeError(f"{location} collects several arguments. Declare each by its own name.")
         if name not in hints:
-            raise TypeError(f"{where} has no annotation. See knifetip.kernels for the vocabulary.")
-        declared[name] = _numba_type(hints[name], where)
+            raise TypeError(
+                f"{location} has no annotation. See knifetip.kernels for the vocabulary."
+            )
+        declared[name] = _numba_type(hints[name], location)
     return declared
 
 
-def _numba_type(annotation: Any, where: str) -> Any:
+def _numba_type(annotation: Any, location: str) -> Any:
     if annotation in _PLAIN:
         return _PLAIN[annotation]
     for extra in getattr(annotation, "__metadata__", ()):
@@ -84,12 +88,12 @@ def _numba_type(annotation: Any, where: str) -> Any:
                 readonly=not extra.writable,
             )
     if get_origin(annotation) is tuple:
-        return types.Tuple([_numba_type(each, where) for each in get_args(annotation)])
+        return types.Tuple([_numba_type(each, location) for each in get_args(annotation)])
     if isinstance(annotation, type) and hasattr(annotation, "_fields"):
         fields = get_type_hints(annotation, include_extras=True)
         return Group(
-            [_numba_type(fields[f], f"{where}.{f}") for f in annotation._fields], annotation
+            [_numba_type(fields[f], f"{location}.{f}") for f in annotation._fields], annotation
         )
     raise TypeError(
-        f"{where} is declared as {annotation}. See knifetip.kernels for the vocabulary."
+        f"{location} is declared as {annotation}. See knifetip.kernels for the vocabulary."
     )

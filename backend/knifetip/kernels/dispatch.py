@@ -107,20 +107,20 @@ class Kernel(CPUDispatcher):
         # numba's C code calls this for types of arguments that it has not met before, and then
         # calls the returned function, which converts the arguments.
         entry_point = self.compile()
-        given = tuple(typeof(value) for value in args)
-        if wrong := self._mismatch(given):
+        arguments = tuple(typeof(value) for value in args)
+        if wrong := self._mismatch(arguments):
             raise TypeError(wrong)
-        if given not in self._accepted:
-            self._accepted.add(given)
-            self._insert([each._code for each in given], entry_point, False)
+        if arguments not in self._accepted:
+            self._accepted.add(arguments)
+            self._insert([each._code for each in arguments], entry_point, False)
         return entry_point
 
-    def _mismatch(self, given: Sequence[Any]) -> str:
+    def _mismatch(self, arguments: Sequence[Any]) -> str:
         """Return an error message if an argument of a call has another type than declared, else "".
 
-        ``given`` are the numba types of the arguments of the call.
+        ``arguments`` are the numba types of the arguments of the call.
         """
-        for (name, declared), each in zip(self.declared.items(), given, strict=True):
+        for (name, declared), each in zip(self.declared.items(), arguments, strict=True):
             kind = self.typingctx.can_convert(each, declared)
             if kind is None or kind > Conversion.safe:
                 where = f"{self.py_func.__module__}.{self.py_func.__name__}"

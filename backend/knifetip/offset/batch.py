@@ -26,9 +26,9 @@ _MIN_SEGMENTS: Final = 10_000
 def offset_on_all_cores(
     paths: Paths, member: I32, group_first: I32, signed: F64, corner: U8, k: F64, refuse: bool
 ) -> Any:
-    """Return the offsets of all groups of paths as columns, and the first failure.
+    """Return the offsets of all groups of paths as a tuple of columns, computed on all cores.
 
-    The columns are those of ``groups.offset_groups``, computed on all cores.
+    The result equals that of ``groups.offset_groups``, which runs on one core.
 
     Parameters
     ----------
@@ -44,6 +44,18 @@ def offset_on_all_cores(
         Type of the transition at the start of each segment, and the parameter k of type D.
     refuse
         Whether a position where the tool does not fit is a failure.
+
+    Returns
+    -------
+    start, end, bulge, source, inserted : (m, 2), (m, 2) mm, (m,) each
+        Segments of the offsets, as in ``OffsetPaths``.
+    first, owner : (q + 1,), (q,)
+        First segment of each offset path, and its input path.
+    unreached : (p,) mm²
+        Area beside each input path that the tool cannot reach.
+    failure
+        Failure code (a constant of ``raw_segments``), the two contour segments concerned, and the
+        depth by which the tool would cut into the contour (mm), of the first region that failed.
     """
     runs = _split_groups(paths.first, member, group_first, core_count())
 
@@ -57,9 +69,9 @@ def offset_on_all_cores(
     if len(parts) == 1:
         return parts[0]
     columns = [np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)]
-    before = np.cumsum([0, *(len(part[2]) for part in parts)])
+    first_rows = np.cumsum([0, *(len(part[2]) for part in parts)])
     first = np.concatenate(
-        [[0], *(part[5][1:] + at for part, at in zip(parts, before, strict=False))]
+        [[0], *(part[5][1:] + offset for part, offset in zip(parts, first_rows, strict=False))]
     ).astype(np.int32)
     owner = np.concatenate([part[6] for part in parts])
     unreached = np.sum([part[7] for part in parts], axis=0)
@@ -81,13 +93,14 @@ def _split_groups(first: I32, member: I32, group_first: I32, number: int) -> lis
 
     Returns
     -------
-    list of slices of ``group_first``
-        For each run the positions at which its groups begin, then the end of its last group.
+    list of arrays
+        For each run, the positions in ``member`` at which its groups begin, then the end of its
+        last group.
     """
-    before = np.append(0, np.cumsum(np.diff(first)[member]))[group_first]
-    count = int(min(number, before[-1] // _MIN_SEGMENTS, len(group_first) - 1))
+    segments_before = np.append(0, np.cumsum(np.diff(first)[member]))[group_first]
+    count = int(min(number, segments_before[-1] // _MIN_SEGMENTS, len(group_first) - 1))
     if count < 2:
         return [group_first]
-    cuts = np.searchsorted(before, before[-1] * np.arange(1, count) / count)
+    cuts = np.searchsorted(segments_before, segments_before[-1] * np.arange(1, count) / count)
     bounds = np.unique([0, *cuts.tolist(), len(group_first) - 1]).tolist()
     return [group_first[a : b + 1] for a, b in pairwise(bounds)]

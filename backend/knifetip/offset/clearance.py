@@ -36,10 +36,10 @@ def distance_to_row(rows: F64_2, i: int, x: float, y: float) -> float:
     px = x - x0
     py = y - y0
     if abs(b) < BULGE:
-        share = (px * dx + py * dy) / (dx * dx + dy * dy)
-        share = min(max(share, 0.0), 1.0)
-        px -= share * dx
-        py -= share * dy
+        fraction = (px * dx + py * dy) / (dx * dx + dy * dy)
+        fraction = min(max(fraction, 0.0), 1.0)
+        px -= fraction * dx
+        py -= fraction * dy
         return math.sqrt(px * px + py * py)
     cx, cy, radius = circle_of_arc(rows, i)
     qx = x - cx
@@ -57,25 +57,35 @@ def distance_to_row(rows: F64_2, i: int, x: float, y: float) -> float:
 
 @kernel
 def _in_transition(
-    kind: int, k: float, table: F64_2, before: int, here: int, vx: float, vy: float, signed: float
+    kind: int,
+    k: float,
+    table: F64_2,
+    row_before: int,
+    row_after: int,
+    vx: float,
+    vy: float,
+    signed: float,
 ) -> bool:
     """Return whether a point is inside the area of a corner's transition of type C or D.
+
+    A transition is the path of the tool's centre round a corner; its area is between the path and
+    the corner.
 
     Parameters
     ----------
     kind, k
-        Type of the corner and parameter k of type D.
-    table, before, here
+        Type of the transition, and the parameter k of type D.
+    table, row_before, row_after
         ``MovedSegments.table``, and its rows for the segments before and after the corner.
     vx, vy : mm
         Position of the point relative to the corner's vertex.
     signed : mm
         Radius of the tool, positive left of travel.
     """
-    u1x = table[before, U2X]
-    u1y = table[before, U2Y]
-    u2x = table[here, U1X]
-    u2y = table[here, U1Y]
+    u1x = table[row_before, U2X]
+    u1y = table[row_before, U2Y]
+    u2x = table[row_after, U1X]
+    u2y = table[row_after, U1Y]
     size = abs(signed)
     turn = math.copysign(1.0, signed)
     n1 = turn * (vy * u1x - vx * u1y)
@@ -99,8 +109,8 @@ def _in_transition(
     gap = math.hypot(dx - cx, dy - cy)
     if gap < POINT:
         return True
-    beyond = turn * ((dx - cx) * (vy - cy) - (dy - cy) * (vx - cx)) / gap
-    if beyond <= -DISTANCE_TOLERANCE:
+    overlap = turn * ((dx - cx) * (vy - cy) - (dy - cy) * (vx - cx)) / gap
+    if overlap <= -DISTANCE_TOLERANCE:
         return True
     if kind == 1:
         return False
@@ -120,12 +130,15 @@ def is_clear(
     limit: float,
     corners: RegionCorners,
 ) -> bool:
-    """Return whether a point is at least ``limit`` mm from the contours and in no transition.
+    """Return whether a position of the tool's centre is clear of the contours.
+
+    It is clear if no contour is nearer than ``limit`` mm, and if it is not inside the area between
+    a corner and the tool's path round it (the transition) of type C or D.
 
     Parameters
     ----------
     x, y : mm
-        The point, a position of the tool's centre.
+        The position.
     origin : (n, 5)
         Segments of the contours: x0, y0, x1, y1, bulge.
     tree
@@ -140,7 +153,7 @@ def is_clear(
         Corners at the starts of the segments.
     """
     size = abs(signed)
-    around = size * 1.4142135623731 if corners.capped else limit
+    reach = size * 1.4142135623731 if corners.capped else limit
     depth = start_query(tree, stack)
     while True:
         i, depth = next_overlap(
@@ -148,10 +161,10 @@ def is_clear(
             tree.level,
             stack,
             depth,
-            x - around,
-            y - around,
-            x + around,
-            y + around,
+            x - reach,
+            y - reach,
+            x + reach,
+            y + reach,
             -1,
         )
         if i < 0:
@@ -160,13 +173,13 @@ def is_clear(
             return False
         if (
             corners.capped
-            and corners.moved.joint[i] == CONVEX
+            and corners.segments.joint[i] == CONVEX
             and corners.kind[i] > 0
             and _in_transition(
                 corners.kind[i],
                 corners.k[i],
-                corners.moved.table,
-                corners.before[i],
+                corners.segments.table,
+                corners.previous[i],
                 i,
                 x - origin[i, 0],
                 y - origin[i, 1],
@@ -183,12 +196,13 @@ def nearest_segment(
     origin: F64_2,
     tree: BoxTree,
     stack: OutI64_2,
-    around: float,
+    reach: float,
     skip: int,
 ) -> tuple[int, float]:
-    """Return the index of the segment nearest to the point (x, y), and its distance (mm).
+    """Return the index of the contour segment nearest to the point (x, y), and its distance (mm).
 
-    If no segment is nearer than ``around`` mm, returns ``skip`` and ``around``.
+    Only segments nearer than ``reach`` mm are found.  If there is none, returns ``skip`` and
+    ``reach``.
 
     Parameters
     ----------
@@ -196,22 +210,22 @@ def nearest_segment(
         Segments of the contours: x0, y0, x1, y1, bulge.
     tree, stack
         Tree of the bounding boxes of these segments, and a scratch array for its search.
-    around : mm
-        Only segments nearer than this are found.
+    reach : mm
+        Search distance.
     skip
         Index of a segment that is left out.
     """
-    best = around
-    which = skip
+    best = reach
+    nearest = skip
     depth = start_query(tree, stack)
     while True:
         i, depth = next_overlap(
             tree.boxes, tree.level, stack, depth, x - best, y - best, x + best, y + best, -1
         )
         if i < 0:
-            return which, best
+            return nearest, best
         if i != skip:
             away = distance_to_row(origin, i, x, y)
             if away < best:
                 best = away
-                which = i
+                nearest = i

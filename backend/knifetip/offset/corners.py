@@ -1,8 +1,8 @@
 """corners: classify the corners of a path, and connect the moved segments there.
 
-Moved segments are the rows of ``MovedSegments.table``.  At a corner, ``before`` and ``here`` are
-the rows of the segments before and after it, and ``signed`` is the radius of the tool (mm),
-positive left of travel.
+Moved segments are contour segments moved sideways by the tool's radius, in the rows of
+``MovedSegments.table``.  At a corner, ``row_before`` and ``row_after`` are the rows of the segments
+before and after it, and ``signed`` is the radius of the tool (mm), positive left of travel.
 """
 
 from __future__ import annotations
@@ -35,15 +35,22 @@ from knifetip.offset.transition import write_transition
 
 @inline_kernel
 def classify_corner(
-    table: F64_2, before: int, here: int, signed: float
+    table: F64_2, row_before: int, row_after: int, signed: float
 ) -> tuple[int, float, float]:
     """Return the kind of a corner, and the sine and cosine of the angle by which it turns left.
 
     The kind is ``SMOOTH`` if the moved segments meet within the tolerance of a point, ``CONVEX`` if
     they leave a gap, or if the path turns back, and ``CONCAVE`` if they overlap.
+
+    Parameters
+    ----------
+    table, row_before, row_after
+        Moved segments, and the rows of the segments before and after the corner.
+    signed : mm
+        Radius of the tool, positive left of travel.
     """
-    u1x, u1y = table[before, U2X], table[before, U2Y]
-    u2x, u2y = table[here, U1X], table[here, U1Y]
+    u1x, u1y = table[row_before, U2X], table[row_before, U2Y]
+    u2x, u2y = table[row_after, U1X], table[row_after, U1Y]
     cross = u1x * u2y - u1y * u2x
     dot = u1x * u2x + u1y * u2y
     if dot > 0.0 and abs(signed) * abs(cross) < POINT:
@@ -55,35 +62,46 @@ def classify_corner(
 
 @inline_kernel
 def line_crossing(
-    table: F64_2, before: int, here: int, x: float, y: float, factor: float
+    table: F64_2, row_before: int, row_after: int, x: float, y: float, factor: float
 ) -> tuple[float, float]:
-    """Return the intersection of two moved lines at the corner (x, y), in mm.
+    """Return the intersection (x, y) of two moved lines at a corner, in mm.
 
-    ``factor`` is the signed radius of the tool, divided by 1 plus the cosine of the corner's angle.
+    Parameters
+    ----------
+    table, row_before, row_after
+        Moved segments, and the rows of the lines before and after the corner.
+    x, y : mm
+        Vertex of the corner.
+    factor : mm
+        Signed radius of the tool, divided by 1 plus the cosine of the corner's angle.
     """
-    u1x, u1y = table[before, U2X], table[before, U2Y]
-    u2x, u2y = table[here, U1X], table[here, U1Y]
+    u1x, u1y = table[row_before, U2X], table[row_before, U2Y]
+    u2x, u2y = table[row_after, U1X], table[row_after, U1Y]
     return x - factor * (u1y + u2y), y + factor * (u1x + u2x)
 
 
 @inline_kernel
-def smooth_joint(table: F64_2, here: int, x: float, y: float) -> int:
-    """Return the kind of the joint if a smooth corner is joined at (x, y).
+def smooth_joint(table: F64_2, row: int, x: float, y: float) -> int:
+    """Return the kind of a joint at a smooth corner whose moved segments are joined at (x, y).
 
     The kind is ``SHIFTED`` if (x, y) is farther than rounding errors from the start of the moved
-    segment ``here``, else ``SMOOTH``.
+    segment in row ``row`` of ``table``, else ``SMOOTH``.
     """
-    shift = abs(x - table[here, SX]) + abs(y - table[here, SY])
+    shift = abs(x - table[row, SX]) + abs(y - table[row, SY])
     return SHIFTED if shift > NEGLIGIBLE_SHIFT else SMOOTH
 
 
 @inline_kernel
-def join_segments(table: OutF64_2, before: int, here: int, x: float, y: float) -> None:
-    """Move the end of the segment before a corner and the start of the one after it to (x, y)."""
-    table[before, EX] = x
-    table[before, EY] = y
-    table[here, SX] = x
-    table[here, SY] = y
+def join_segments(table: OutF64_2, row_before: int, row_after: int, x: float, y: float) -> None:
+    """Move the end of the segment before a corner and the start of the one after it to (x, y).
+
+    ``row_before`` and ``row_after`` are the rows of the two segments in ``table``, the moved
+    segments.
+    """
+    table[row_before, EX] = x
+    table[row_before, EY] = y
+    table[row_after, SX] = x
+    table[row_after, SY] = y
 
 
 @inline_kernel
@@ -91,29 +109,42 @@ def write_corner_transition(
     contours: Contours,
     i: int,
     table: F64_2,
-    before: int,
-    here: int,
+    row_before: int,
+    row_after: int,
     signed: float,
     corners: CornerTypes,
     rows: OutF64_2,
-    put: int,
+    next_row: int,
 ) -> int:
-    """Write the transition at the start of contour segment ``i`` to ``rows``, from row ``put`` on.
+    """Write the transition at the start of contour segment ``i``; return the next free row.
 
-    Returns the next free row.  The columns of ``rows`` are x0, y0, x1, y1 and bulge.
+    The transition is the path of the tool's centre round the corner.
+
+    Parameters
+    ----------
+    table, row_before, row_after
+        Moved segments, and the rows of the segments before and after the corner.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    corners
+        Types of the transitions of all corners.
+    rows
+        Gets the segments of the transition: x0, y0, x1, y1, bulge.
+    next_row
+        First row of ``rows`` to write.
     """
     return write_transition(
         corners.kind[corners.step * i],
         contours.start[i, 0],
         contours.start[i, 1],
-        table[before, U2X],
-        table[before, U2Y],
-        table[here, U1X],
-        table[here, U1Y],
+        table[row_before, U2X],
+        table[row_before, U2Y],
+        table[row_after, U1X],
+        table[row_after, U1Y],
         signed,
         corners.k[corners.step * i],
         rows,
-        put,
+        next_row,
     )
 
 
@@ -140,15 +171,15 @@ def _twice_circular_segment(x: float, y: float, radius: float) -> float:
 
 @kernel(allocates=False)
 def _contains_point(
-    table: F64_2, at: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
+    table: F64_2, row: int, sx: float, sy: float, ex: float, ey: float, x: float, y: float
 ) -> bool:
-    """Return whether a moved segment contains a point (x, y) that lies on its line or circle.
+    """Return whether a moved segment contains a point (x, y), given that its line or circle does.
 
-    The segment goes from (sx, sy) to (ex, ey); row ``at`` of ``table`` has its radius.
+    The segment goes from (sx, sy) to (ex, ey); row ``row`` of ``table`` has its radius.
     """
     dx, dy = ex - sx, ey - sy
     slack = TOUCH * (abs(dx) + abs(dy))
-    radius = table[at, RADIUS]
+    radius = table[row, RADIUS]
     if radius == 0.0:
         along = (x - sx) * dx + (y - sy) * dy
         return -slack <= along <= dx * dx + dy * dy + slack
@@ -158,7 +189,7 @@ def _contains_point(
 
 @inline_kernel
 def _contact_point(
-    gx: float, gy: float, table: F64_2, at: int, ux: float, uy: float
+    gx: float, gy: float, table: F64_2, row: int, ux: float, uy: float
 ) -> tuple[float, float]:
     """Return the point at which a disc around (gx, gy) touches a contour segment at a corner.
 
@@ -168,17 +199,17 @@ def _contact_point(
     ----------
     gx, gy : mm
         Centre of the disc, on the line or circle of the moved segment.
-    table, at
+    table, row
         Moved segments, and the row of the segment.
     ux, uy
         Unit tangent of the segment at the corner.
     """
-    radius = table[at, RADIUS]
+    radius = table[row, RADIUS]
     if radius == 0.0:
         along = gx * ux + gy * uy
         return along * ux, along * uy
     cx, cy = -radius * uy, radius * ux
-    scale = radius / table[at, MOVED]
+    scale = radius / table[row, MOVED]
     return cx + (gx - cx) * scale, cy + (gy - cy) * scale
 
 
@@ -188,8 +219,8 @@ def concave_crossing(
     last: int,
     next_: int,
     table: F64_2,
-    before: int,
-    here: int,
+    row_before: int,
+    row_after: int,
     signed: float,
 ) -> tuple[int, float, float, float, float, float]:
     """Intersect the two moved segments at a concave corner, at least one of which is an arc.
@@ -198,7 +229,7 @@ def concave_crossing(
     ----------
     last, next_
         Contour segments before and after the corner.
-    table, before, here
+    table, row_before, row_after
         Moved segments, and the rows in which ``last`` and ``next_`` are.
     signed : mm
         Radius of the tool, positive left of travel.
@@ -206,7 +237,7 @@ def concave_crossing(
     Returns
     -------
     hits
-        Number of intersections.
+        Number of intersections; the other results are valid only if it is 1.
     x, y : mm
         The intersection.
     cosine, sine
@@ -218,17 +249,17 @@ def concave_crossing(
     """
     start, end = contours.start, contours.end
     x, y = start[next_, 0], start[next_, 1]
-    u1x, u1y = table[before, U2X], table[before, U2Y]
-    u2x, u2y = table[here, U1X], table[here, U1Y]
-    radius1, radius2 = table[before, RADIUS], table[here, RADIUS]
-    moved1, moved2 = table[before, MOVED], table[here, MOVED]
+    u1x, u1y = table[row_before, U2X], table[row_before, U2Y]
+    u2x, u2y = table[row_after, U1X], table[row_after, U1Y]
+    radius1, radius2 = table[row_before, RADIUS], table[row_after, RADIUS]
+    moved1, moved2 = table[row_before, MOVED], table[row_after, MOVED]
     # Relative to the corner, untrimmed segments: a is the end of one, b the start of the other.
     ax, ay = -signed * u1y, signed * u1x
     bx, by = -signed * u2y, signed * u2x
-    sx = start[last, 0] - signed * table[before, U1Y] - x
-    sy = start[last, 1] + signed * table[before, U1X] - y
-    ex = end[next_, 0] - signed * table[here, U2Y] - x
-    ey = end[next_, 1] + signed * table[here, U2X] - y
+    sx = start[last, 0] - signed * table[row_before, U1Y] - x
+    sy = start[last, 1] + signed * table[row_before, U1X] - y
+    ex = end[next_, 0] - signed * table[row_after, U2Y] - x
+    ey = end[next_, 1] + signed * table[row_after, U2X] - y
     c1x, c1y = -radius1 * u1y, radius1 * u1x
     c2x, c2y = -radius2 * u2y, radius2 * u2x
     if radius1 == 0.0 or radius2 == 0.0:
@@ -253,18 +284,18 @@ def concave_crossing(
         return 0, x, y, 1.0, 0.0, 0.0
     gx, gy = fx + rx, fy + ry
     hits = int(
-        _contains_point(table, before, sx, sy, ax, ay, gx, gy)
-        and _contains_point(table, here, bx, by, ex, ey, gx, gy)
+        _contains_point(table, row_before, sx, sy, ax, ay, gx, gy)
+        and _contains_point(table, row_after, bx, by, ex, ey, gx, gy)
     )
     ox, oy = fx - rx, fy - ry
-    if _contains_point(table, before, sx, sy, ax, ay, ox, oy) and _contains_point(
-        table, here, bx, by, ex, ey, ox, oy
+    if _contains_point(table, row_before, sx, sy, ax, ay, ox, oy) and _contains_point(
+        table, row_after, bx, by, ex, ey, ox, oy
     ):
         hits += 1
         gx, gy = ox, oy
     # Contact points of the disc around g with both segments.
-    f1x, f1y = _contact_point(gx, gy, table, before, u1x, u1y)
-    f2x, f2y = _contact_point(gx, gy, table, here, u2x, u2y)
+    f1x, f1y = _contact_point(gx, gy, table, row_before, u1x, u1y)
+    f2x, f2y = _contact_point(gx, gy, table, row_after, u2x, u2y)
     twice = (
         f2x * f1y
         - f2y * f1x

@@ -30,16 +30,16 @@ from knifetip.offset.trim import offset_simple
 
 
 @kernel
-def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegments:
-    """Return ``out``, or a larger copy, with capacity for ``wanted`` rows.
+def _reserve_segments(out: OffsetSegments, chain_count: int, capacity: int) -> OffsetSegments:
+    """Return ``out``, or a larger copy, with capacity for ``capacity`` rows.
 
-    The first ``used`` rows are kept.
+    The first ``chain_count`` rows are kept.
     """
-    if wanted <= len(out.bulge):
+    if capacity <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
-    larger = empty_segments(2 * wanted)
+    larger = empty_segments(2 * capacity)
     # Copied row by row, since an assignment of slices takes seconds to compile.
-    for i in range(used):
+    for i in range(chain_count):
         larger.start[i, 0], larger.start[i, 1] = out.start[i, 0], out.start[i, 1]
         larger.end[i, 0], larger.end[i, 1] = out.end[i, 0], out.end[i, 1]
         larger.bulge[i] = out.bulge[i]
@@ -49,15 +49,15 @@ def _reserve_segments(out: OffsetSegments, used: int, wanted: int) -> OffsetSegm
 
 
 @kernel
-def _reserve_chains(chains: OffsetChains, wanted: int) -> OffsetChains:
-    """Return ``chains``, or a larger copy, with capacity for ``wanted`` chains.
+def _reserve_chains(chains: OffsetChains, capacity: int) -> OffsetChains:
+    """Return ``chains``, or a larger copy, with capacity for ``capacity`` chains.
 
     All rows of ``chains`` are kept.
     """
     size = len(chains.owner)
-    if wanted <= size:
+    if capacity <= size:
         return OffsetChains(chains.first, chains.owner, chains.unreached)
-    while size < wanted:
+    while size < capacity:
         size *= 2
     first = np.empty(size, np.int32)
     owner = np.empty(size, np.int32)
@@ -72,11 +72,11 @@ def _copy_paths(
     paths: I32_1,
     segments: MovedSegments,
     out: OffsetSegments,
-    done: int,
+    segment_count: int,
     chains: OffsetChains,
-    count: int,
+    chain_count: int,
 ) -> tuple[int, int, int, int]:
-    """Append paths unchanged, for a tool without radius.
+    """Append paths unchanged to the output columns, for a tool without radius.
 
     Stops at the first path that has a segment without length or with a coordinate that is not a
     number.  Paths without segments are omitted.
@@ -87,14 +87,14 @@ def _copy_paths(
         Indices of the paths in ``contours``.
     segments
         Scratch rows for the moved segments of one path.
-    out, done
+    out, segment_count
         Columns for the segments of all offsets, and the number of segments written before.
-    chains, count
+    chains, chain_count
         Columns for the chains of all offsets, and the number of chains written before.
 
     Returns
     -------
-    done, count
+    segment_count, chain_count
         Number of segments and number of chains that are written.
     code, segment
         Failure code (a constant of ``raw_segments``), and the contour segment that failed.
@@ -105,50 +105,62 @@ def _copy_paths(
             continue
         code, row = move_segments(contours, low, high, 0.0, segments.table, 0)
         if code != NO_FAILURE:
-            return done, count, code, row
-        chains.first[count] = done
-        chains.owner[count] = path
-        count += 1
+            return segment_count, chain_count, code, row
+        chains.first[chain_count] = segment_count
+        chains.owner[chain_count] = path
+        chain_count += 1
         for i in range(low, high):
-            out.start[done, 0], out.start[done, 1] = contours.start[i, 0], contours.start[i, 1]
-            out.end[done, 0], out.end[done, 1] = contours.end[i, 0], contours.end[i, 1]
-            out.bulge[done] = contours.bulge[i]
-            out.source[done] = i
-            out.inserted[done] = False
-            done += 1
-    return done, count, NO_FAILURE, 0
+            out.start[segment_count, 0], out.start[segment_count, 1] = (
+                contours.start[i, 0],
+                contours.start[i, 1],
+            )
+            out.end[segment_count, 0], out.end[segment_count, 1] = (
+                contours.end[i, 0],
+                contours.end[i, 1],
+            )
+            out.bulge[segment_count] = contours.bulge[i]
+            out.source[segment_count] = i
+            out.inserted[segment_count] = False
+            segment_count += 1
+    return segment_count, chain_count, NO_FAILURE, 0
 
 
 @kernel
 def _copy_region(
-    region: RegionOffset, out: OffsetSegments, done: int, chains: OffsetChains, count: int
+    region: RegionOffset,
+    out: OffsetSegments,
+    segment_count: int,
+    chains: OffsetChains,
+    chain_count: int,
 ) -> int:
-    """Append the chains of a region to ``out`` and ``chains``; return the next free row of ``out``.
+    """Append the offset of a region to the output columns; return the next free row of ``out``.
 
-    The chains are appended in the order of their paths.
+    The chains of the region are appended in the order of their paths.
 
     Parameters
     ----------
-    out, done
+    region
+        Offset of one region, as connected chains of segments.
+    out, segment_count
         Columns for the segments of all offsets, and the number of segments written before.
-    chains, count
+    chains, chain_count
         Columns for the chains of all offsets, and the number of chains written before.
     """
     line, tag, bounds = region.line, region.tag, region.bounds
     for c in np.argsort(tag[bounds[: region.chains], 2], kind="mergesort"):
-        chains.first[count] = done
-        chains.owner[count] = tag[bounds[c], 2]
-        count += 1
+        chains.first[chain_count] = segment_count
+        chains.owner[chain_count] = tag[bounds[c], 2]
+        chain_count += 1
         for r in range(bounds[c], bounds[c + 1]):
-            out.start[done, 0] = line[r, 0]
-            out.start[done, 1] = line[r, 1]
-            out.end[done, 0] = line[r, 2]
-            out.end[done, 1] = line[r, 3]
-            out.bulge[done] = line[r, 4]
-            out.source[done] = tag[r, 0]
-            out.inserted[done] = tag[r, 1] == 1
-            done += 1
-    return done
+            out.start[segment_count, 0] = line[r, 0]
+            out.start[segment_count, 1] = line[r, 1]
+            out.end[segment_count, 0] = line[r, 2]
+            out.end[segment_count, 1] = line[r, 3]
+            out.bulge[segment_count] = line[r, 4]
+            out.source[segment_count] = tag[r, 0]
+            out.inserted[segment_count] = tag[r, 1] == 1
+            segment_count += 1
+    return segment_count
 
 
 @kernel
@@ -157,15 +169,24 @@ def offset_groups(
 ) -> Any:
     """Return the offsets of all groups of contours as columns, and the first failure.
 
-    With ``refuse``, a position where the tool does not fit is a failure; without it, parts of the
-    offset where the tool does not fit are left out.
+    Parameters
+    ----------
+    contours
+        The p input paths.
+    groups
+        The paths ordered by group, and the signed radius of the tool for each path.
+    corners
+        Types of the transitions at the corners of the paths.
+    refuse
+        True if a position where the tool does not fit is a failure; otherwise parts of the offset
+        where the tool does not fit are left out.
 
     Returns
     -------
     start, end, bulge, source, inserted : (n, 2), (n, 2) mm, (n,) each
         Segments of the offsets, as in ``OffsetPaths``.
     first, owner : (q + 1,), (q,)
-        First segment of each offset path, and its input path.
+        First segment of each of q offset paths, and its input path.
     unreached : (p,) mm²
         Area beside each input path that the tool cannot reach.
     failure
@@ -173,26 +194,38 @@ def offset_groups(
         depth by which the tool would cut into the contour (mm).
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
-    count = len(first) - 1
-    most = 0
-    for p in range(count):
-        most = max(most, first[p + 1] - first[p])
-    segments = MovedSegments(np.empty((most, COLUMNS)), np.empty(most, np.int64))
-    boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * most))
+    chain_count = len(first) - 1
+    longest = 0
+    for p in range(chain_count):
+        longest = max(longest, first[p + 1] - first[p])
+    segments = MovedSegments(np.empty((longest, COLUMNS)), np.empty(longest, np.int64))
+    boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * longest))
     scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)))
-    size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * most + 256
+    size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * longest + 256
     out = empty_segments(size)
     result = OffsetChains(
-        np.empty(count + 16, np.int32), np.empty(count + 16, np.int32), np.zeros(count)
+        np.empty(chain_count + 16, np.int32),
+        np.empty(chain_count + 16, np.int32),
+        np.zeros(chain_count),
     )
     failure = (NO_FAILURE, 0, 0, 0.0)
-    done = 0
+    segment_count = 0
     chains = 0
     group = 0
     while True:
         result = _reserve_chains(result, chains + len(members) - group)
-        group, done, chains = offset_simple(
-            contours, groups, group, corners, segments, boxes, scratch, out, done, result, chains
+        group, segment_count, chains = offset_simple(
+            contours,
+            groups,
+            group,
+            corners,
+            segments,
+            boxes,
+            scratch,
+            out,
+            segment_count,
+            result,
+            chains,
         )
         if group == len(members) - 1:
             break
@@ -204,16 +237,16 @@ def offset_groups(
         if rows == 0:
             continue
         path = paths[0]
-        if done + (MAX_SEGMENTS + 1) * rows > len(out.bulge):
+        if segment_count + (MAX_SEGMENTS + 1) * rows > len(out.bulge):
             # ``offset_simple`` may have stopped for lack of rows: try the group again with more.
-            out = _reserve_segments(out, done, done + (MAX_SEGMENTS + 1) * rows)
+            out = _reserve_segments(out, segment_count, segment_count + (MAX_SEGMENTS + 1) * rows)
             if len(paths) == 1:
                 group -= 1
                 continue
         if signed[path] == 0.0:
             result = _reserve_chains(result, chains + len(paths) + 1)
-            done, chains, code, row = _copy_paths(
-                contours, paths, segments, out, done, result, chains
+            segment_count, chains, code, row = _copy_paths(
+                contours, paths, segments, out, segment_count, result, chains
             )
             if code != NO_FAILURE:
                 failure = (code, row, row, 0.0)
@@ -221,7 +254,7 @@ def offset_groups(
             continue
         region = offset_region(contours, paths, signed[path], corners, refuse, scratch)
         if region.code != NO_FAILURE:
-            failure = (region.code, region.row, region.other, region.depth)
+            failure = (region.code, region.row, region.other_row, region.depth)
             break
         area = region.unreached
         if region.overlaps:
@@ -229,17 +262,17 @@ def offset_groups(
         result.unreached[path] = max(area, 0.0)
         if region.chains == 0:
             continue
-        out = _reserve_segments(out, done, done + region.bounds[region.chains])
+        out = _reserve_segments(out, segment_count, segment_count + region.bounds[region.chains])
         result = _reserve_chains(result, chains + region.chains + 1)
-        done = _copy_region(region, out, done, result, chains)
+        segment_count = _copy_region(region, out, segment_count, result, chains)
         chains += region.chains
-    result.first[chains] = done
+    result.first[chains] = segment_count
     return (
-        out.start[:done],
-        out.end[:done],
-        out.bulge[:done],
-        out.source[:done],
-        out.inserted[:done],
+        out.start[:segment_count],
+        out.end[:segment_count],
+        out.bulge[:segment_count],
+        out.source[:segment_count],
+        out.inserted[:segment_count],
         result.first[: chains + 1],
         result.owner[:chains],
         result.unreached,

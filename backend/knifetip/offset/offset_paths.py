@@ -78,12 +78,10 @@ def offset_paths(
         ``interference`` is "refuse", and the tool would cut into a contour; ``source`` has the rows
         of the two segments, the message has the depth.
 
-    Notes
-    -----
-    ``unreached`` is the area between the contour and the area that the disc sweeps.  The edge of
-    the swept area is the offset curve moved back by r, with an arc of radius r around every corner
-    that the offset curve turns towards the contour.  The area of a group is stored with its first
-    path.  It is an estimate for an open path that loses an end.
+    Notes ----- ``OffsetPaths.unreached`` is the area between the contour and the area that the disc
+    sweeps.  The edge of the swept area is the offset curve moved back by r, with an arc of radius r
+    around every corner that the offset curve turns towards the contour.  The area of a group is
+    stored with its first path.  For an open path whose offset lost an end, the area is an estimate.
 
     Cost: n log n in the number of segments; the tree of boxes over the segments uses their order
     along the path.  Large batches are processed on all cores.
@@ -100,12 +98,12 @@ def offset_paths(
     # A single type and k for all corners remain single values.
     same = 1 if np.ndim(corner) == 0 and np.ndim(k) == 0 else rows
     kinds = _broadcast(corner, same, np.uint8)
-    share = _broadcast(k, same, np.float64)
-    check_corners(kinds, share)
+    k_values = _broadcast(k, same, np.float64)
+    check_corners(kinds, k_values)
     signed = radius * sides
     member, group_first = _order_by_group(group, signed)
     start, end, bulge, source, inserted, first, owner, unreached, failure = offset_on_all_cores(
-        paths, member, group_first, signed, kinds, share, interference == "refuse"
+        paths, member, group_first, signed, kinds, k_values, interference == "refuse"
     )
     if failure[0] != NO_FAILURE:
         raise _failure_error(failure, radius, paths)
@@ -116,8 +114,8 @@ def offset_paths(
 
 def _broadcast(values: ArrayLike, count: int, dtype: Any) -> Any:
     """Return values as a contiguous array of a type, (count,); a single value is repeated."""
-    given = np.asarray(values, dtype)
-    return np.ascontiguousarray(np.broadcast_to(given, count))
+    array = np.asarray(values, dtype)
+    return np.ascontiguousarray(np.broadcast_to(array, count))
 
 
 def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:

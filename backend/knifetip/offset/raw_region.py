@@ -46,11 +46,18 @@ GRID_CELLS: Final = 1 << 15
 
 @kernel
 def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
-    """Return the paths of a region, (c,), in the order of a Z-order curve: near paths are adjacent.
+    """Return the numbers of the c paths of a region, (c,), sorted so that near paths are adjacent.
 
-    A tree of boxes over paths in this order is searched fast.  ``start`` (n, 2) are the start
-    points of all segments, ``first`` is the first segment of each path, and ``member`` are the
-    numbers of the c paths.
+    The order is that of a Z-order curve; a tree of bounding boxes in this order is searched fast.
+
+    Parameters
+    ----------
+    start : (n, 2) mm
+        Start points of the segments of all paths.
+    first
+        First segment of each path.
+    member : (c,)
+        Numbers of the paths of the region.
     """
     count = len(member)
     if count <= NODE_SIZE:
@@ -99,62 +106,70 @@ def region_corners(
 ) -> RegionCorners:
     """Return the corners of a region, and write its contour segments to two arrays.
 
-    ``source`` (n,) gets the index of each contour segment, ``origin`` (n, 5) its x0, y0, x1, y1
-    and bulge.  The arrays for moved segments in the returned corners are allocated but not filled.
+    The arrays for moved segments in the returned corners are allocated but not filled.
+
+    Parameters
+    ----------
+    contours, paths, corners
+        Input contours, the paths of the region, and the types of transitions at its corners.
+    source : (n,)
+        Gets the index of each contour segment of the region.
+    origin : (n, 5)
+        Gets x0, y0, x1, y1 and bulge of each contour segment of the region.
     """
     total = len(source)
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
-    before = np.empty(total, np.int64)
+    previous = np.empty(total, np.int64)
     kind = np.empty(total, np.int64)
     corner_k = np.empty(total)
     capped = False
     for m in range(len(paths.member)):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
-        at = paths.begin[m]
+        first_row = paths.begin[m]
         for i in range(a, b):
-            here = at + i - a
-            origin[here, 0] = contours.start[i, 0]
-            origin[here, 1] = contours.start[i, 1]
-            origin[here, 2] = contours.end[i, 0]
-            origin[here, 3] = contours.end[i, 1]
-            origin[here, 4] = contours.bulge[i] if abs(contours.bulge[i]) >= BULGE else 0.0
-            source[here] = i
-            before[here] = here - 1 if i > a else at + b - a - 1
-            kind[here] = corners.kind[corners.step * i]
-            corner_k[here] = corners.k[corners.step * i]
+            row = first_row + i - a
+            origin[row, 0] = contours.start[i, 0]
+            origin[row, 1] = contours.start[i, 1]
+            origin[row, 2] = contours.end[i, 0]
+            origin[row, 3] = contours.end[i, 1]
+            origin[row, 4] = contours.bulge[i] if abs(contours.bulge[i]) >= BULGE else 0.0
+            source[row] = i
+            previous[row] = row - 1 if i > a else first_row + b - a - 1
+            kind[row] = corners.kind[corners.step * i]
+            corner_k[row] = corners.k[corners.step * i]
             capped |= corners.kind[corners.step * i] > 0
-    return RegionCorners(segments, before, kind, corner_k, capped)
+    return RegionCorners(segments, previous, kind, corner_k, capped)
 
 
 @kernel
 def _write_trimmed(
-    made: OffsetSegments, count: int, closed: bool, raw: RawRows, put: int, m: int
+    trimmed: OffsetSegments, count: int, closed: bool, raw: RawRows, next_row: int, m: int
 ) -> int:
     """Append the segments of a trimmed path to ``raw``, and return the next free row of ``raw``.
 
     Parameters
     ----------
-    made, count
+    trimmed, count
         Columns of the trimmed path, and the number of its segments.
     closed
         Whether the path is closed.
-    put
+    next_row
         First row of ``raw`` to write.
     m
         Number of the path in the region.
     """
     for r in range(count):
-        raw.rows[put, 0] = made.start[r, 0]
-        raw.rows[put, 1] = made.start[r, 1]
-        raw.rows[put, 2] = made.end[r, 0]
-        raw.rows[put, 3] = made.end[r, 1]
-        raw.rows[put, 4] = made.bulge[r]
-        raw.info[put, 0] = made.source[r]
-        raw.info[put, 1] = made.inserted[r]
-        raw.info[put, 2] = closed or r < count - 1
-        raw.info[put, 3] = m
-        put += 1
-    return put
+        raw.rows[next_row, 0] = trimmed.start[r, 0]
+        raw.rows[next_row, 1] = trimmed.start[r, 1]
+        raw.rows[next_row, 2] = trimmed.end[r, 0]
+        raw.rows[next_row, 3] = trimmed.end[r, 1]
+        raw.rows[next_row, 4] = trimmed.bulge[r]
+        raw.info[next_row, 0] = trimmed.source[r]
+        raw.info[next_row, 1] = trimmed.inserted[r]
+        raw.info[next_row, 2] = closed or r < count - 1
+        raw.info[next_row, 3] = m
+        next_row += 1
+    return next_row
 
 
 @kernel
@@ -168,7 +183,7 @@ def write_raw_region(
     follow: OutI64_1,
     rows: OutF64_2,
 ) -> tuple[int, int, int, int]:
-    """Write the moved segments of all paths of a region to ``raw``, each path as if it were alone.
+    """Write the moved segments of all paths of a region, as if each path were the only one.
 
     Parameters
     ----------
@@ -187,56 +202,57 @@ def write_raw_region(
 
     Returns
     -------
-    put
+    next_row
         Number of rows of ``raw`` that are written.
     lost
-        A contour segment that has no offset at all, because its arc is too small for the tool, or
-        -1.
+        A contour segment that has no offset at all, because its arc is too small for the tool; -1
+        if there is none.
     code, segment
         Failure code (a constant of ``raw_segments``), and the contour segment that failed.
     """
-    most = 0
+    longest = 0
     for m in range(len(paths.member)):
-        most = max(most, paths.begin[m + 1] - paths.begin[m])
-    capacity = (MAX_SEGMENTS + 1) * most
-    made = empty_segments(capacity)
+        longest = max(longest, paths.begin[m + 1] - paths.begin[m])
+    capacity = (MAX_SEGMENTS + 1) * longest
+    trimmed = empty_segments(capacity)
     table = segments.table
-    put = 0
+    next_row = 0
     lost = -1
     for m in range(len(paths.member)):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
-        at = paths.begin[m]
+        first_row = paths.begin[m]
         if a == b:
             continue
-        code, row = move_segments(contours, a, b, signed, table, at)
+        code, row = move_segments(contours, a, b, signed, table, first_row)
         if code != NO_FAILURE:
-            return put, lost, code, row
+            return next_row, lost, code, row
         closed = paths.closed[m]
-        begun = put
-        path = MovedPath(a, b, closed, signed, segments, at)
-        count, code, row, _ = trim_path(contours, path, corners, made, 0, rows)
+        begun = next_row
+        path = MovedPath(a, b, closed, signed, segments, first_row)
+        count, code, row, _ = trim_path(contours, path, corners, trimmed, 0, rows)
         if code == NO_FAILURE:
-            put = _write_trimmed(made, count, closed, raw, put, m)
+            next_row = _write_trimmed(trimmed, count, closed, raw, next_row, m)
         else:
-            move_segments(contours, a, b, signed, table, at)
-            put = raw_offset(contours, path, corners, raw, put, m)
-            for here in range(at, at + b - a):
-                if math.isnan(table[here, MOVED]):
-                    lost = a + here - at
-        for e in range(begun, put):
+            move_segments(contours, a, b, signed, table, first_row)
+            next_row = raw_offset(contours, path, corners, raw, next_row, m)
+            for moved_row in range(first_row, first_row + b - a):
+                if math.isnan(table[moved_row, MOVED]):
+                    lost = a + moved_row - first_row
+        for e in range(begun, next_row):
             follow[e] = e + 1 if raw.info[e, 2] else -1
-        if put > begun and raw.info[put - 1, 2]:
-            follow[put - 1] = begun
-    return put, lost, NO_FAILURE, 0
+        if next_row > begun and raw.info[next_row - 1, 2]:
+            follow[next_row - 1] = begun
+    return next_row, lost, NO_FAILURE, 0
 
 
 @kernel
 def write_far_side(
-    contours: Contours, low: int, high: int, signed: float, raw: RawRows, put: int
+    contours: Contours, low: int, high: int, signed: float, raw: RawRows, next_row: int
 ) -> int:
     """Append the offset on the other side of an open path, and arcs around its ends, to ``raw``.
 
-    These rows split other rows, but do not belong to the offset.  Returns the next free row.
+    The appended rows only split other rows of ``raw``; they are not part of the offset of the
+    region. Returns the next free row of ``raw``.
 
     Parameters
     ----------
@@ -244,7 +260,7 @@ def write_far_side(
         The path has the contour segments low … high - 1.
     signed : mm
         Radius of the tool, positive left of travel.
-    put
+    next_row
         First row of ``raw`` to write.
     """
     count = high - low
@@ -259,7 +275,7 @@ def write_far_side(
     corners = CornerTypes(np.zeros(1, np.uint8), np.zeros(1), 0)
     move_segments(back, 0, count, signed, table, 0)
     path = MovedPath(0, count, False, signed, segments, 0)
-    put = raw_offset(back, path, corners, raw, put, -1)
+    next_row = raw_offset(back, path, corners, raw, next_row, -1)
     for e in range(2):
         if e == 0:
             x, y, ux, uy = back.start[0, 0], back.start[0, 1], -table[0, U1X], -table[0, U1Y]
@@ -267,5 +283,5 @@ def write_far_side(
             last = count - 1
             x, y = back.end[last, 0], back.end[last, 1]
             ux, uy = table[last, U2X], table[last, U2Y]
-        put = write_transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, raw.rows, put)
-    return put
+        next_row = write_transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, raw.rows, next_row)
+    return next_row

@@ -48,16 +48,21 @@ def is_closed(contours: Contours, low: int, high: int) -> bool:
 
 @kernel(allocates=False)
 def move_segments(
-    contours: Contours, low: int, high: int, signed: float, table: OutF64_2, at: int
+    contours: Contours, low: int, high: int, signed: float, table: OutF64_2, first_row: int
 ) -> tuple[int, int]:
-    """Write the moved contour segments low … high - 1 to ``table`` from row ``at`` on.
+    """Move contour segments sideways by the tool's radius, and write them to ``table``.
 
-    ``signed`` is the radius of the tool (mm), positive left of travel.  Returns a failure code
-    (``NO_FAILURE``, ``NOT_A_NUMBER`` …) and the contour segment that failed.
+    The contour segments low … high - 1 are written from row ``first_row`` on.  ``signed`` is the
+    radius of the tool (mm), positive left of travel.
+
+    Returns
+    -------
+    code, segment
+        ``NO_FAILURE`` or another failure code of this module, and the contour segment that failed.
     """
     start, end, bulge = contours.start, contours.end, contours.bulge
     for i in range(low, high):
-        here = at + i - low
+        row = first_row + i - low
         x0, y0, x1, y1, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
         dx = x1 - x0
         dy = y1 - y0
@@ -83,29 +88,29 @@ def move_segments(
             radius = length * whole / (4.0 * b)
             size = abs(radius) - math.copysign(signed, signed * b)
             beside = math.copysign(size, b) if size >= POINT else math.nan
-        table[here, U1X] = u1x
-        table[here, U1Y] = u1y
-        table[here, U2X] = u2x
-        table[here, U2Y] = u2y
-        table[here, CHORD] = length
-        table[here, RADIUS] = radius
-        table[here, SX] = x0 - signed * u1y
-        table[here, SY] = y0 + signed * u1x
-        table[here, EX] = x1 - signed * u2y
-        table[here, EY] = y1 + signed * u2x
-        table[here, MOVED] = beside
+        table[row, U1X] = u1x
+        table[row, U1Y] = u1y
+        table[row, U2X] = u2x
+        table[row, U2Y] = u2y
+        table[row, CHORD] = length
+        table[row, RADIUS] = radius
+        table[row, SX] = x0 - signed * u1y
+        table[row, SY] = y0 + signed * u1x
+        table[row, EX] = x1 - signed * u2y
+        table[row, EY] = y1 + signed * u2x
+        table[row, MOVED] = beside
     return NO_FAILURE, low
 
 
 @kernel(allocates=False)
 def remaining_bulge(
-    table: F64_2, here: int, dx: float, dy: float, bulge: float, x: float, y: float
+    table: F64_2, row: int, dx: float, dy: float, bulge: float, x: float, y: float
 ) -> float:
     """Return the bulge of the remaining part of a moved arc, 0 if no part remains.
 
     Parameters
     ----------
-    table, here
+    table, row
         Moved segments, and the row of the arc in them; the start of the arc in this row is the
         start of the remaining part.
     dx, dy : mm
@@ -115,10 +120,10 @@ def remaining_bulge(
     x, y : mm
         Start of the arc before it was moved.
     """
-    beside = table[here, MOVED]
+    beside = table[row, MOVED]
     # The ray from the centre to the start, perpendicular to the tangent there.
-    rx = table[here, SX] - x + table[here, RADIUS] * table[here, U1Y]
-    ry = table[here, SY] - y - table[here, RADIUS] * table[here, U1X]
+    rx = table[row, SX] - x + table[row, RADIUS] * table[row, U1Y]
+    ry = table[row, SY] - y - table[row, RADIUS] * table[row, U1X]
     sine = (rx * dx + ry * dy) / beside
     cosine = (rx * dy - ry * dx) / beside
     bent: float = -sine / (math.sqrt(dx * dx + dy * dy) + cosine)

@@ -55,7 +55,7 @@ class MovedPath(NamedTuple):
     closed: bool  #: whether the path is closed
     signed: float  #: radius of the tool (mm), positive left of travel
     segments: MovedSegments  #: the moved segments
-    at: int  #: row of the path's first segment in them
+    first_row: int  #: row of the path's first segment in ``segments``
 
 
 class OffsetSegments(NamedTuple):
@@ -99,25 +99,25 @@ class RegionPaths(NamedTuple):
 class RegionCorners(NamedTuple):
     """The corners of one region, each at the start of one of its n segments."""
 
-    moved: MovedSegments  #: the moved segments
-    before: OutI64_1  #: (n,) segment before each segment
+    segments: MovedSegments  #: the moved segments
+    previous: OutI64_1  #: (n,) segment before each segment
     kind: OutI64_1  #: (n,) ``transition.Corner``
     k: OutF64_1  #: (n,) parameter k of type D
     capped: bool  #: whether any corner is of type C or D
 
 
 class JoinedPieces(NamedTuple):
-    """The q pieces of split rows, with the predecessor and the successor of each piece."""
+    """The q pieces into which segments are split, with predecessor and successor of each piece."""
 
     piece: F64_2  #: (q, 6) x0, y0, x1, y1, and parameters of both ends on the row
     owner: I64_1  #: (q,) row that each piece is part of
     opening: I64_1  #: (m,) first piece of each row
-    after: OutI64_1  #: (q,) piece that continues each piece, -1 for none
-    before: OutI64_1  #: (q,) piece that each piece continues, -1 for none
+    successor: OutI64_1  #: (q,) piece that continues each piece, -1 for none
+    predecessor: OutI64_1  #: (q,) piece that each piece continues, -1 for none
 
 
 class ResultChains(NamedTuple):
-    """Columns with capacity for r segments of a region's offset, in connected chains."""
+    """Columns for the offset of a region: up to r segments, connected into chains."""
 
     line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
     tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row
@@ -142,7 +142,7 @@ class OffsetChains(NamedTuple):
 
 
 class RegionOffset(NamedTuple):
-    """The offset of one region, or its failure."""
+    """The offset of one region as connected chains of r segments, or its failure."""
 
     line: OutF64_2  #: (r, 5) x0, y0, x1, y1, bulge
     tag: OutI64_2  #: (r, 4) contour segment, whether inserted, path, raw row
@@ -152,5 +152,5 @@ class RegionOffset(NamedTuple):
     overlaps: bool  #: whether the area is an estimate, because arcs of the tool's edge overlap
     code: int  #: ``raw_segments.NO_FAILURE`` or another code
     row: int  #: segment that fails
-    other: int  #: segment that the tool comes too close to
-    depth: float  #: depth by which the tool would cut into ``other`` (mm)
+    other_row: int  #: segment that the tool comes too close to
+    depth: float  #: depth by which the tool would cut into ``other_row`` (mm)

@@ -64,15 +64,23 @@ def _build_tree(rows: F64_2, count: int) -> BoxTree:
 
 
 @kernel
-def _failure(code: int, row: int, other: int, depth: float) -> RegionOffset:
+def _failure(code: int, row: int, other_row: int, depth: float) -> RegionOffset:
     """Return the ``RegionOffset`` of a region that could not be offset.
 
-    ``code`` is a failure code of ``raw_segments``, ``row`` and ``other`` are the contour segments
-    concerned, and ``depth`` is the depth by which the tool would cut into the contour (mm).
+    Parameters
+    ----------
+    code
+        Failure code, a constant of ``raw_segments``.
+    row, other_row
+        The two contour segments concerned.
+    depth : mm
+        Depth by which the tool would cut into the contour.
     """
     line = np.empty((0, 5))
     tag = np.empty((0, 4), np.int64)
-    return RegionOffset(line, tag, np.zeros(1, np.int64), 0, 0.0, False, code, row, other, depth)
+    return RegionOffset(
+        line, tag, np.zeros(1, np.int64), 0, 0.0, False, code, row, other_row, depth
+    )
 
 
 @kernel
@@ -97,6 +105,8 @@ def _select_pieces(
 
     Parameters
     ----------
+    contours, paths, corners
+        Input contours, the paths of the region, and the corners of the region.
     raw, follow
         The rows of which the pieces are parts, and the successor of each row.
     pieces, count
@@ -113,10 +123,12 @@ def _select_pieces(
         A contour segment that has no offset, or -1.
     stack
         Scratch array for the search of a tree.
+    good : (count,)
+        Receives the mask of valid pieces.
 
     Returns
     -------
-    row, other, depth
+    row, other_row, depth
         With ``refuse``, the contour segment where the tool fits worst, the contour segment that the
         tool is too close to there, and the missing distance (mm); -1, -1 and 0 if the tool fits
         everywhere.
@@ -148,14 +160,14 @@ def _select_pieces(
             near_by |= distance_to_row(origin, near, x, y) < limit
         good[q] = not near_by and is_clear(x, y, origin, tree, stack, signed, limit, corners)
         if refuse and not good[q]:
-            other, away = nearest_segment(x, y, origin, tree, stack, size, mine)
-            ordinary = (other == corners.before[mine] or corners.before[other] == mine) and (
-                piece[q, 4] > 0.0 or piece[q, 5] < 1.0
-            )
+            other_row, away = nearest_segment(x, y, origin, tree, stack, size, mine)
+            ordinary = (
+                other_row == corners.previous[mine] or corners.previous[other_row] == mine
+            ) and (piece[q, 4] > 0.0 or piece[q, 5] < 1.0)
             if not ordinary and size - away > worst:
                 worst = size - away
                 worst_row = info[i, 0]
-                worst_other = source[other]
+                worst_other = source[other_row]
     return worst_row, worst_other, worst
 
 
@@ -168,15 +180,23 @@ def _swept_area(
     chains: int,
     scratch: Scratch,
 ) -> tuple[float, bool, int, float]:
-    """Return twice the area between the origin and the edge that a tool leaves beside the chains.
+    """Return twice the area that is bounded by the edge that a tool leaves, when it follows chains.
 
-    ``out`` has the segments of the chains, ``chains`` is the number of chains, and ``signed`` is
-    the radius of the tool (mm), positive left of travel.
+    Parameters
+    ----------
+    contours, paths
+        Input contours, and the paths of the region.
+    signed : mm
+        Radius of the tool, positive left of travel.
+    out, chains
+        Segments of the chains, which are paths of the tool's centre, and the number of chains.
+    scratch
+        Scratch arrays.
 
     Returns
     -------
     swept : mm²
-        Twice the area.
+        Twice the signed area between the coordinate origin and the edge beside all chains.
     overlaps
         Whether a part of the area is counted twice.
     torn, length
@@ -241,10 +261,14 @@ def offset_region(
 
     Parameters
     ----------
+    contours
+        All input contours.
     members
-        Numbers of the paths of the region.
+        Numbers of the contours that bound the region.
     signed : mm
         Radius of the tool, positive left of travel.
+    corners
+        Types of the transitions at the corners.
     refuse
         Whether a position where the tool does not fit is a failure.
     scratch
@@ -259,45 +283,55 @@ def offset_region(
     room = 8 * total + 4 * count + 8
     raw = RawRows(np.empty((room, 5)), np.empty((room, 4), np.int64))
     follow = np.empty(room, np.int64)
-    put, lost, code, row = write_raw_region(
-        contours, paths, signed, corners, region.moved, raw, follow, scratch.pair
+    row_count, lost, code, row = write_raw_region(
+        contours, paths, signed, corners, region.segments, raw, follow, scratch.pair
     )
     if code != NO_FAILURE:
         return _failure(code, row, row, 0.0)
-    under = 0.0
+    path_area = 0.0
     for m in range(count):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
-        under += area_under_path(contours.start, contours.end, contours.bulge, a, b)
-    real = put
+        path_area += area_under_path(contours.start, contours.end, contours.bulge, a, b)
+    real = row_count
     for m in range(count):
         if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
             a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
-            put = write_far_side(contours, a, b, signed, raw, put)
+            row_count = write_far_side(contours, a, b, signed, raw, row_count)
     stack = new_stack()
-    which, place, cuts = find_cuts(
-        raw.rows, follow, put, real, _build_tree(raw.rows, put), stack, scratch.found
+    cut_row, cut_point, cuts = find_cuts(
+        raw.rows,
+        follow,
+        row_count,
+        real,
+        _build_tree(raw.rows, row_count),
+        stack,
+        scratch.crossings,
     )
-    piece, owner, opening, touched, many = split_rows(raw.rows, real, which, place, cuts)
-    pieces = JoinedPieces(piece, owner, opening, np.empty(many, np.int64), np.empty(many, np.int64))
-    good = np.empty(many, np.bool_)
-    row, other, depth = _select_pieces(
-        contours, paths, raw, follow, pieces, touched, many, region, source, origin, signed, refuse,
-        lost, stack, good,
+    piece, owner, opening, touched, piece_count = split_rows(
+        raw.rows, real, cut_row, cut_point, cuts
+    )
+    pieces = JoinedPieces(
+        piece, owner, opening, np.empty(piece_count, np.int64), np.empty(piece_count, np.int64)
+    )
+    good = np.empty(piece_count, np.bool_)
+    row, other_row, depth = _select_pieces(
+        contours, paths, raw, follow, pieces, touched, piece_count, region, source, origin, signed,
+        refuse, lost, stack, good,
     )  # fmt: skip
     if refuse and row >= 0:
-        return _failure(DOES_NOT_FIT, row, other, depth)
-    follow_pieces(pieces, follow, good, many)
+        return _failure(DOES_NOT_FIT, row, other_row, depth)
+    follow_pieces(pieces, follow, good, piece_count)
     out = ResultChains(
-        np.empty((many + 1, 5)),
-        np.empty((many + 1, 4), np.int64),
-        np.empty(many + 1, np.int64),
-        np.empty(many + 1, np.bool_),
+        np.empty((piece_count + 1, 5)),
+        np.empty((piece_count + 1, 4), np.int64),
+        np.empty(piece_count + 1, np.int64),
+        np.empty(piece_count + 1, np.bool_),
     )
-    chains = link_chains(raw, pieces, good, many, out)
+    chains = link_chains(raw, pieces, good, piece_count, out)
     swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
     if torn >= 0:
         return _failure(NOT_CLOSED, out.tag[out.bounds[torn], 0], 0, length)
-    unreached = 0.5 * (under - swept)
+    unreached = 0.5 * (path_area - swept)
     if signed < 0.0:
         unreached = -unreached
     for r in range(out.bounds[chains]):
@@ -324,16 +358,20 @@ def unreached_area(
     """Return the area of a region that the tool cannot reach (mm²).
 
     The offset of the region is offset back by the radius; the area is between the contours and this
-    second offset.  If the second offset fails, the area in ``region`` is returned.
+    second offset.  If the second offset fails, ``region.unreached`` is returned.
 
     Parameters
     ----------
+    contours
+        All input contours.
     members
-        Numbers of the paths of the region.
+        Numbers of the contours that bound the region.
     signed : mm
         Radius of the tool, positive left of travel.
     region
         The offset of the region.
+    scratch
+        Scratch arrays.
     """
     rows = region.bounds[region.chains]
     back = Contours(
@@ -347,9 +385,9 @@ def unreached_area(
     edge = offset_region(back, paths, -signed, corners, False, scratch)
     if edge.code != NO_FAILURE:
         return region.unreached
-    under = 0.0
+    path_area = 0.0
     for path in members:
-        under += area_under_path(
+        path_area += area_under_path(
             contours.start,
             contours.end,
             contours.bulge,
@@ -357,11 +395,11 @@ def unreached_area(
             contours.first[path + 1],
         )
     size = edge.bounds[edge.chains]
-    under -= area_under_path(
+    path_area -= area_under_path(
         edge.line[:size, :2].copy(),
         edge.line[:size, 2:4].copy(),
         edge.line[:size, 4].copy(),
         0,
         size,
     )
-    return 0.5 * math.copysign(under, under * signed)
+    return 0.5 * math.copysign(path_area, path_area * signed)

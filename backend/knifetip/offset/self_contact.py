@@ -46,7 +46,7 @@ class Scratch(NamedTuple):
     """Scratch arrays for the intersection of two segments and for one transition."""
 
     pair: OutF64_2  #: (4, 5) rows of segments: x0, y0, x1, y1, bulge
-    found: OutF64_2  #: (4, 4) common points: x, y and the parameters on both segments
+    crossings: OutF64_2  #: (4, 4) common points: x, y and the parameters on both segments
 
 
 @kernel(allocates=False)
@@ -82,20 +82,20 @@ def _separated_across_chord(
     oy: float,
     ex: float,
     ey: float,
-    other: float,
+    other_bulge: float,
 ) -> bool:
     """Return whether two segments are separated by a line parallel to the chord of the first.
 
     The first segment starts at (x0, y0) and has the chord (dx, dy) and the bulge ``b``.  The second
-    goes from (ox, oy) to (ex, ey) with the bulge ``other``.  Both bulges are at most 1: an arc of
-    up to half a turn is replaced by the rectangle of its chord and its height.
+    goes from (ox, oy) to (ex, ey) with the bulge ``other_bulge``.  Both bulges are at most 1: an
+    arc of up to half a turn is replaced by the rectangle of its chord and its height.
     """
     rise = -0.5 * b * (dx * dx + dy * dy)
     fx = ex - ox
     fy = ey - oy
     near = dx * (oy - y0) - dy * (ox - x0)
     far = dx * (ey - y0) - dy * (ex - x0)
-    lift = -0.5 * other * (dx * fx + dy * fy)
+    lift = -0.5 * other_bulge * (dx * fx + dy * fy)
     low = min(near, far) + min(lift, 0.0)
     high = max(near, far) + max(lift, 0.0)
     slack = TOUCH * (abs(dx) + abs(dy))
@@ -113,40 +113,41 @@ def cannot_meet(
     oy: float,
     ex: float,
     ey: float,
-    other: float,
+    other_bulge: float,
 ) -> bool:
     """Return whether the rectangles around two segments prove that they have no common point.
 
     The first segment goes from (x0, y0) to (x1, y1) with the bulge ``b``, the second from (ox, oy)
-    to (ex, ey) with the bulge ``other``.
+    to (ex, ey) with the bulge ``other_bulge``.
     """
-    if abs(b) > 1.0 or abs(other) > 1.0:
+    if abs(b) > 1.0 or abs(other_bulge) > 1.0:
         return False
     return _separated_across_chord(
-        x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other
-    ) or _separated_across_chord(ox, oy, ex - ox, ey - oy, other, x0, y0, x1, y1, b)
+        x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other_bulge
+    ) or _separated_across_chord(ox, oy, ex - ox, ey - oy, other_bulge, x0, y0, x1, y1, b)
 
 
 @kernel(allocates=False)
 def _segments_meet(
     segments: CheckedSegments, i: int, j: int, round_corner: bool, scratch: Scratch
 ) -> bool:
-    """Return whether segments i and j, whose boxes overlap, have a common point.
+    """Return whether segments i and j, whose bounding boxes overlap, have a common point.
 
-    ``round_corner`` states whether the segment between them is a transition at a convex corner.
+    ``round_corner`` states whether there is one segment between i and j, and this segment is a
+    transition at a convex corner.
     """
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
-    b, other = bulge[i], bulge[j]
-    if round_corner and b == 0.0 and other == 0.0:
+    b, other_bulge = bulge[i], bulge[j]
+    if round_corner and b == 0.0 and other_bulge == 0.0:
         # Two lines at a convex corner diverge.
         return False
     x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
     ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
-    if cannot_meet(x0, y0, x1, y1, b, ox, oy, ex, ey, other):
+    if cannot_meet(x0, y0, x1, y1, b, ox, oy, ex, ey, other_bulge):
         return False
     pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
-    pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other
-    return bool(intersect_rows(pair, 0, pair, 1, TOUCH, scratch.found) > 0)
+    pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other_bulge
+    return bool(intersect_rows(pair, 0, pair, 1, TOUCH, scratch.crossings) > 0)
 
 
 @kernel(allocates=False)
@@ -164,24 +165,24 @@ def write_box_columns(
     """Write the bounding boxes of segments low … high - 1, enlarged by TOUCH, to four columns."""
     for i in range(low, high):
         sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
-        at = i - low
+        column = i - low
         if abs(b) <= 1.0:
             # An arc of up to half a turn lies in the rectangle of its chord and its height.
             rise_x = 0.5 * b * (ey - sy)
             rise_y = 0.5 * b * (sx - ex)
-            x0[at] = min(sx, ex) + min(rise_x, 0.0) - TOUCH
-            y0[at] = min(sy, ey) + min(rise_y, 0.0) - TOUCH
-            x1[at] = max(sx, ex) + max(rise_x, 0.0) + TOUCH
-            y1[at] = max(sy, ey) + max(rise_y, 0.0) + TOUCH
+            x0[column] = min(sx, ex) + min(rise_x, 0.0) - TOUCH
+            y0[column] = min(sy, ey) + min(rise_y, 0.0) - TOUCH
+            x1[column] = max(sx, ex) + max(rise_x, 0.0) + TOUCH
+            y1[column] = max(sy, ey) + max(rise_y, 0.0) + TOUCH
         else:
             lean = (1.0 - b * b) / (4.0 * b)
             cx = 0.5 * (sx + ex) - lean * (ey - sy)
             cy = 0.5 * (sy + ey) + lean * (ex - sx)
             radius = np.hypot(sx - cx, sy - cy) * (1.0 + 1e-12) + TOUCH
-            x0[at] = cx - radius
-            y0[at] = cy - radius
-            x1[at] = cx + radius
-            y1[at] = cy + radius
+            x0[column] = cx - radius
+            y0[column] = cy - radius
+            x1[column] = cx + radius
+            y1[column] = cy + radius
 
 
 @kernel(allocates=False)

@@ -44,7 +44,7 @@ def find_cuts(
     real: int,
     tree: BoxTree,
     stack: OutI64_2,
-    found: OutF64_2,
+    crossings: OutF64_2,
 ) -> tuple[Any, Any, int]:
     """Return the points at which segments are split: their intersections with other segments.
 
@@ -58,22 +58,22 @@ def find_cuts(
         Number of rows that are split; the rows after them are not split, but split other rows.
     tree
         Tree of the bounding boxes of all rows.
-    stack, found
+    stack, crossings
         Scratch arrays.
 
     Returns
     -------
-    which : (n,)
+    cut_row : (n,)
         Row of each split point.
-    place : (n, 3)
+    cut_point : (n, 3)
         Parameter of each split point on its row (0 … 1), and its x and y (mm).
-    done
+    cut_count
         Number of split points; the arrays may be longer.
     """
     capacity = 2 * count + 16
-    which = np.empty(capacity, np.int64)
-    place = np.empty((capacity, 3))
-    done = 0
+    cut_row = np.empty(capacity, np.int64)
+    cut_point = np.empty((capacity, 3))
+    cut_count = 0
     for i in range(real):
         depth = start_query(tree, stack)
         while True:
@@ -100,31 +100,31 @@ def find_cuts(
                 rows[j, 0], rows[j, 1], rows[j, 2], rows[j, 3], rows[j, 4],
             ):  # fmt: skip
                 continue
-            hits = intersect_rows(rows, i, rows, j, TOUCH, found)
-            if done + 2 * hits > capacity:
+            hits = intersect_rows(rows, i, rows, j, TOUCH, crossings)
+            if cut_count + 2 * hits > capacity:
                 capacity *= 2
                 more = np.empty(capacity, np.int64)
                 further = np.empty((capacity, 3))
-                for c in range(done):
-                    more[c] = which[c]
-                    further[c, 0] = place[c, 0]
-                    further[c, 1] = place[c, 1]
-                    further[c, 2] = place[c, 2]
-                which = more
-                place = further
+                for c in range(cut_count):
+                    more[c] = cut_row[c]
+                    further[c, 0] = cut_point[c, 0]
+                    further[c, 1] = cut_point[c, 1]
+                    further[c, 2] = cut_point[c, 2]
+                cut_row = more
+                cut_point = further
             for h in range(hits):
                 for side in range(2 if j < real else 1):
-                    which[done] = j if side else i
-                    place[done, 0] = found[h, 2 + side]
-                    place[done, 1] = found[h, 0]
-                    place[done, 2] = found[h, 1]
-                    done += 1
-    return which, place, done
+                    cut_row[cut_count] = j if side else i
+                    cut_point[cut_count, 0] = crossings[h, 2 + side]
+                    cut_point[cut_count, 1] = crossings[h, 0]
+                    cut_point[cut_count, 2] = crossings[h, 1]
+                    cut_count += 1
+    return cut_row, cut_point, cut_count
 
 
 @kernel
 def split_rows(
-    rows: F64_2, real: int, which: I64_1, place: F64_2, cuts: int
+    rows: F64_2, real: int, cut_row: I64_1, cut_point: F64_2, cuts: int
 ) -> tuple[Any, Any, Any, Any, int]:
     """Return the pieces of the first ``real`` rows, split at given points.
 
@@ -132,7 +132,7 @@ def split_rows(
     ----------
     rows : (m, 5)
         Segments: x0, y0, x1, y1, bulge.
-    which, place, cuts
+    cut_row, cut_point, cuts
         Row, position and number of the split points, as ``find_cuts`` returns them.
 
     Returns
@@ -145,29 +145,29 @@ def split_rows(
         First piece of each row.
     touched : (real, 2)
         Whether each row is split exactly at its start, and exactly at its end.
-    done
+    piece_count
         Number of pieces; the arrays may be longer.
     """
     touched = np.zeros((real, 2), np.bool_)
     bound = np.zeros(real + 1, np.int64)
     for c in range(cuts):
-        bound[which[c] + 1] += 1
+        bound[cut_row[c] + 1] += 1
     for i in range(real):
         bound[i + 1] += bound[i]
     order = np.empty(cuts, np.int64)
     filled = bound[:-1].copy()
     for c in range(cuts):
-        i = which[c]
-        at = filled[i]
+        i = cut_row[c]
+        position = filled[i]
         filled[i] += 1
         # Insertion sort: a row has few splits.
-        while at > bound[i] and place[order[at - 1], 0] > place[c, 0]:
-            order[at] = order[at - 1]
-            at -= 1
-        order[at] = c
+        while position > bound[i] and cut_point[order[position - 1], 0] > cut_point[c, 0]:
+            order[position] = order[position - 1]
+            position -= 1
+        order[position] = c
     piece = np.empty((real + cuts, 6))
     owner = np.empty(real + cuts, np.int64)
-    done = 0
+    piece_count = 0
     for i in range(real):
         dx = rows[i, 2] - rows[i, 0]
         dy = rows[i, 3] - rows[i, 1]
@@ -176,35 +176,35 @@ def split_rows(
         if b >= BULGE:
             length = length * (1.0 + b * b) * math.atan(b) / b
         min_step = MIN_PIECE / length
-        bound_first = done
+        bound_first = piece_count
         x, y, parameter = rows[i, 0], rows[i, 1], 0.0
         for o in range(bound[i], bound[i + 1]):
             c = order[o]
-            if place[c, 0] - parameter < min_step or 1.0 - place[c, 0] < min_step:
-                touched[i, 0] |= place[c, 0] < 2.0 * min_step
-                touched[i, 1] |= 1.0 - place[c, 0] < 2.0 * min_step
+            if cut_point[c, 0] - parameter < min_step or 1.0 - cut_point[c, 0] < min_step:
+                touched[i, 0] |= cut_point[c, 0] < 2.0 * min_step
+                touched[i, 1] |= 1.0 - cut_point[c, 0] < 2.0 * min_step
                 continue
-            piece[done, 0] = x
-            piece[done, 1] = y
-            x = place[c, 1]
-            y = place[c, 2]
-            piece[done, 2] = x
-            piece[done, 3] = y
-            piece[done, 4] = parameter
-            parameter = place[c, 0]
-            piece[done, 5] = parameter
-            owner[done] = i
-            done += 1
-        piece[done, 0] = x
-        piece[done, 1] = y
-        piece[done, 2] = rows[i, 2]
-        piece[done, 3] = rows[i, 3]
-        piece[done, 4] = parameter
-        piece[done, 5] = 1.0
-        owner[done] = i
-        done += 1
+            piece[piece_count, 0] = x
+            piece[piece_count, 1] = y
+            x = cut_point[c, 1]
+            y = cut_point[c, 2]
+            piece[piece_count, 2] = x
+            piece[piece_count, 3] = y
+            piece[piece_count, 4] = parameter
+            parameter = cut_point[c, 0]
+            piece[piece_count, 5] = parameter
+            owner[piece_count] = i
+            piece_count += 1
+        piece[piece_count, 0] = x
+        piece[piece_count, 1] = y
+        piece[piece_count, 2] = rows[i, 2]
+        piece[piece_count, 3] = rows[i, 3]
+        piece[piece_count, 4] = parameter
+        piece[piece_count, 5] = 1.0
+        owner[piece_count] = i
+        piece_count += 1
         filled[i] = bound_first
-    return piece, owner, filled, touched, done
+    return piece, owner, filled, touched, piece_count
 
 
 @kernel
@@ -212,11 +212,14 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
     """Write the successor and the predecessor of each valid piece to ``pieces``.
 
     The successor of a piece is the next piece of the same row or, after the last piece of a row,
-    the first piece of the row that follows.  If this piece is not valid or starts elsewhere, the
-    successor is the nearest valid piece without predecessor that starts where the piece ends.
+    the first piece of the row that follows.  If this next piece is not valid, or does not start at
+    the end of the piece, the successor is the nearest valid piece without predecessor that starts
+    there.
 
     Parameters
     ----------
+    pieces
+        The pieces; their columns of successors and predecessors are written.
     follow
         Successor of each row, -1 for none.
     good, count
@@ -250,22 +253,22 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
     if loose == 0:
         return
     begins = np.empty(loose, np.int64)
-    at = np.empty(loose)
+    start_x = np.empty(loose)
     loose = 0
     for q in range(count):
         if good[q] and prior[q] < 0:
             begins[loose] = q
-            at[loose] = piece[q, 0]
+            start_x[loose] = piece[q, 0]
             loose += 1
-    order = np.argsort(at)
-    at = at[order]
+    order = np.argsort(start_x)
+    start_x = start_x[order]
     for q in range(count):
         if not good[q] or after[q] >= 0:
             continue
         best = near
         chosen = -1
-        place = np.searchsorted(at, piece[q, 2] - near)
-        while place < loose and at[place] <= piece[q, 2] + near:
+        place = np.searchsorted(start_x, piece[q, 2] - near)
+        while place < loose and start_x[place] <= piece[q, 2] + near:
             n = begins[order[place]]
             if prior[n] < 0:
                 away = math.hypot(piece[n, 0] - piece[q, 2], piece[n, 1] - piece[q, 3])
@@ -292,6 +295,8 @@ def link_chains(
         The pieces, with their successors and predecessors.
     good, count
         Whether each piece is valid, and the number of pieces.
+    out
+        Receives the segments of the chains, chain after chain.
     """
     rows, info = raw
     piece, owner, _, after, prior = pieces

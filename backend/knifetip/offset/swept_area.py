@@ -1,6 +1,7 @@
 """swept_area: areas under a path, and under the edge that a tool leaves beside its path.
 
-The area under a path is the area between the path and the origin, positive counter-clockwise.
+The area under a path is the signed area between the path and the coordinate origin, positive
+counter-clockwise.
 """
 
 from __future__ import annotations
@@ -89,10 +90,10 @@ def area_under_edge(
     begun = not closed
     for r in range(low, high + (1 if closed else 0)):
         again = r == high
-        at = low if again else r
-        x0, y0, x1, y1, b = line[at, 0], line[at, 1], line[at, 2], line[at, 3], line[at, 4]
-        if tag[at, 1]:
-            ax, ay = start[tag[at, 0], 0], start[tag[at, 0], 1]
+        row = low if again else r
+        x0, y0, x1, y1, b = line[row, 0], line[row, 1], line[row, 2], line[row, 3], line[row, 4]
+        if tag[row, 1]:
+            ax, ay = start[tag[row, 0], 0], start[tag[row, 0], 1]
             bx, by = ax, ay
             bent = 0.0
         else:

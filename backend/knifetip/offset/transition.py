@@ -1,13 +1,14 @@
 """transition: the path of the tool's centre around a convex corner.
 
-A transition leads from B₀, beside the end of the segment before the corner, to E₀, beside the start
-of the segment after it.  Type B is an arc around the vertex, which the tool touches all the way.
-Type C continues straight and touches the vertex only at both ends, but stops at its bends.  Type D
-is C with rounded bends: it touches the vertex only at both ends and does not stop.
+A transition leads from B₀, where the tool touches the end of the segment before the corner, to E₀,
+where it touches the start of the segment after it.  Type B is an arc around the vertex, which the
+tool touches all the way.  Type C continues straight and touches the vertex only at both ends, but
+stops at its bends.  Type D is C with rounded bends: it touches the vertex only at both ends and
+does not stop.
 
 Source: "Radius compensation algorithm for convex contour closed-angle linear and circular arc
-composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three; the
-lengths of D are our derivation from "between B and C".
+composite transitional cutting tool" (Dalian Jiaotong University) names and draws the three types;
+the lengths of D are our derivation from "between B and C".
 """
 
 from __future__ import annotations
@@ -82,16 +83,16 @@ def transitions(
     CompensationError
         k or the radius is not a number in its range.
     """
-    before, after = (
+    previous, next_ = (
         unit_vectors(np.asarray(u1, np.float64)),
         unit_vectors(np.asarray(u2, np.float64)),
     )
     vertex = np.asarray(point, np.float64)
     count = len(vertex)
     kind = np.broadcast_to(np.asarray(corner, np.uint8), count)
-    share = np.broadcast_to(np.asarray(k, np.float64), count)
+    k_values = np.broadcast_to(np.asarray(k, np.float64), count)
     size = np.broadcast_to(np.asarray(radius, np.float64), count)
-    check_corners(kind, share)
+    check_corners(kind, k_values)
     if not (np.isfinite(size) & (size >= 0.0)).all():
         raise CompensationError("tool.bad-radius")
     signed = size * np.broadcast_to(np.asarray(side, np.float64), count)
@@ -99,7 +100,7 @@ def transitions(
     first = np.zeros(count + 1, np.int32)
     column = np.ascontiguousarray
     _write_transitions(
-        column(kind), before, after, column(vertex), signed, column(share), rows, first
+        column(kind), previous, next_, column(vertex), signed, column(k_values), rows, first
     )
     rows = rows[: first[-1]]
     return Paths(rows[:, :2], rows[:, 2:4], rows[:, 4], first)
@@ -131,15 +132,25 @@ def _write_transitions(
 ) -> None:
     """Write the transitions at m corners to ``rows`` (x0, y0, x1, y1, bulge).
 
-    Writes the index of the first row of each corner to ``first`` (m + 1,), and the total number of
-    rows to its last entry.
+    Parameters
+    ----------
+    kind, k : (m,)
+        ``Corner`` type of each corner, and the parameter of type D.
+    u1, u2 : (m, 2)
+        Unit tangents into and out of each corner.
+    vertex : (m, 2) mm
+        Vertex of each corner.
+    signed : (m,) mm
+        Radius of the tool, positive left of travel.
+    first : (m + 1,)
+        Gets the index of the first row of each corner, then the total number of rows.
     """
     for i in range(len(kind)):
-        at = first[i]
+        next_row = first[i]
         cross = u1[i, 0] * u2[i, 1] - u1[i, 1] * u2[i, 0]
         dot = u1[i, 0] * u2[i, 0] + u1[i, 1] * u2[i, 1]
         if signed[i] != 0.0 and (cross * signed[i] < 0.0 or dot <= -1.0 + 1e-12):
-            at = write_transition(
+            next_row = write_transition(
                 kind[i],
                 vertex[i, 0],
                 vertex[i, 1],
@@ -150,9 +161,9 @@ def _write_transitions(
                 signed[i],
                 k[i],
                 rows,
-                at,
+                next_row,
             )
-        first[i + 1] = at
+        first[i + 1] = next_row
 
 
 @kernel(allocates=False)
@@ -201,15 +212,15 @@ def straight_and_radius(
 
 @kernel(allocates=False)
 def _write_row(
-    rows: OutF64_2, at: int, x0: float, y0: float, x1: float, y1: float, bulge: float
+    rows: OutF64_2, row: int, x0: float, y0: float, x1: float, y1: float, bulge: float
 ) -> int:
-    """Write one segment to row ``at`` and return the next row."""
-    rows[at, 0] = x0
-    rows[at, 1] = y0
-    rows[at, 2] = x1
-    rows[at, 3] = y1
-    rows[at, 4] = bulge
-    return at + 1
+    """Write one segment to row ``row`` of ``rows``, and return the index of the next row."""
+    rows[row, 0] = x0
+    rows[row, 1] = y0
+    rows[row, 2] = x1
+    rows[row, 3] = y1
+    rows[row, 4] = bulge
+    return row + 1
 
 
 @kernel(allocates=False)
@@ -224,11 +235,12 @@ def write_transition(
     signed: float,
     k: float,
     rows: OutF64_2,
-    at: int,
+    row: int,
 ) -> int:
-    """Write the transition at a convex corner to rows (x0, y0, x1, y1, bulge) from ``at`` on.
+    """Write the transition at a convex corner to ``rows`` (x0, y0, x1, y1, bulge) from ``row`` on.
 
-    Transitions with segments shorter than POINT are simplified: C and D to B, D to C.
+    If a segment would be shorter than ``tolerance.POINT``, type C is replaced by B, and type D by C
+    or B.
 
     Parameters
     ----------
@@ -255,15 +267,15 @@ def write_transition(
     straight, _ = straight_and_radius(kind, cross, dot, size, k)
     bulge = -math.copysign(quarter_tangent(cross, dot), signed)
     if straight < POINT:
-        return _write_row(rows, at, bx, by, ex, ey, bulge)
+        return _write_row(rows, row, bx, by, ex, ey, bulge)
     cx = bx + straight * u1x
     cy = by + straight * u1y
     dx = ex - straight * u2x
     dy = ey - straight * u2y
     gap = math.hypot(dx - cx, dy - cy)
     if gap < POINT:
-        at = _write_row(rows, at, bx, by, cx, cy, 0.0)
-        return _write_row(rows, at, cx, cy, ex, ey, 0.0)
-    at = _write_row(rows, at, bx, by, cx, cy, 0.0)
-    at = _write_row(rows, at, cx, cy, dx, dy, bulge if kind == 2 else 0.0)
-    return _write_row(rows, at, dx, dy, ex, ey, 0.0)
+        row = _write_row(rows, row, bx, by, cx, cy, 0.0)
+        return _write_row(rows, row, cx, cy, ex, ey, 0.0)
+    row = _write_row(rows, row, bx, by, cx, cy, 0.0)
+    row = _write_row(rows, row, cx, cy, dx, dy, bulge if kind == 2 else 0.0)
+    return _write_row(rows, row, dx, dy, ex, ey, 0.0)

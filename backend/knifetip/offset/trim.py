@@ -81,7 +81,7 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
     angle : radians
         Sum of the angles of these sectors.
     """
-    low, high, closed, signed, (table, joint), at = path
+    low, high, closed, signed, (table, joint), first_row = path
     start = contours.start
     count = high - low
     size = abs(signed)
@@ -89,45 +89,45 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
     # The sum of all angles, as a product of complex numbers and the number of turns.
     re, im, turns = 1.0, 0.0, 0
     for i in range(count):
-        here = at + i
-        joint[here] = OPEN
-        if math.isnan(table[here, MOVED]):
+        row_after = first_row + i
+        joint[row_after] = OPEN
+        if math.isnan(table[row_after, MOVED]):
             return DOES_NOT_FIT, low + i, 0.0, 0.0
         if i == 0 and not closed:
             continue
-        before = here - 1 if i > 0 else at + count - 1
+        row_before = row_after - 1 if i > 0 else first_row + count - 1
         last = low + i - 1 if i > 0 else high - 1
-        kind, cross, dot = classify_corner(table, before, here, signed)
+        kind, cross, dot = classify_corner(table, row_before, row_after, signed)
         if kind == CONVEX:
-            joint[here] = CONVEX
+            joint[row_after] = CONVEX
             if dot < -1.0 + 1e-12:
                 return DOES_NOT_FIT, low + i, 0.0, 0.0
             continue
-        if kind == SMOOTH or (table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0):
+        if kind == SMOOTH or (table[row_before, RADIUS] == 0.0 and table[row_after, RADIUS] == 0.0):
             # A nearly smooth joint is intersected like two lines.
             if dot < -1.0 + 1e-9:
                 return DOES_NOT_FIT, low + i, 0.0, 0.0
             factor = signed / (1.0 + dot)
             x, y = start[low + i, 0], start[low + i, 1]
-            gx, gy = line_crossing(table, before, here, x, y, factor)
-            joint[here] = CONCAVE
+            gx, gy = line_crossing(table, row_before, row_after, x, y, factor)
+            joint[row_after] = CONCAVE
             sine = abs(cross)
             if kind == SMOOTH:
-                joint[here] = smooth_joint(table, here, gx, gy)
+                joint[row_after] = smooth_joint(table, row_after, gx, gy)
                 dot, sine = 1.0, 0.0
             else:
                 twice += 2.0 * abs(factor) * size * sine
         else:
-            if math.isnan(table[before, MOVED]):
+            if math.isnan(table[row_before, MOVED]):
                 return DOES_NOT_FIT, last, 0.0, 0.0
             hits, gx, gy, dot, sine, more = concave_crossing(
-                contours, last, low + i, table, before, here, signed
+                contours, last, low + i, table, row_before, row_after, signed
             )
             if hits != 1 or sine < 0.0:
                 return DOES_NOT_FIT, low + i, 0.0, 0.0
-            joint[here] = CONCAVE
+            joint[row_after] = CONCAVE
             twice += more
-        join_segments(table, before, here, gx, gy)
+        join_segments(table, row_before, row_after, gx, gy)
         if sine > 0.0:
             re, im, round_ = _multiply_rotations(re, im, dot, sine)
             turns += round_
@@ -136,18 +136,18 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
 
 @kernel(allocates=False)
 def _trimmed_bulge(
-    contours: Contours, i: int, segments: MovedSegments, here: int, begins: bool, ends: bool
+    contours: Contours, i: int, segments: MovedSegments, row: int, begins: bool, ends: bool
 ) -> float:
     """Return the bulge of the moved contour segment ``i`` after trimming, NaN if no part remains.
 
     ``begins`` and ``ends`` state whether the segment is trimmed at its start and at its end;
-    ``here`` is the row of the segment in ``segments``.
+    ``row`` is the row of the segment in ``segments``.
     """
     table = segments.table
-    dx = table[here, EX] - table[here, SX]
-    dy = table[here, EY] - table[here, SY]
-    if table[here, RADIUS] == 0.0:
-        if dx * table[here, U1X] + dy * table[here, U1Y] < POINT:
+    dx = table[row, EX] - table[row, SX]
+    dy = table[row, EY] - table[row, SY]
+    if table[row, RADIUS] == 0.0:
+        if dx * table[row, U1X] + dy * table[row, U1Y] < POINT:
             return math.nan
         return 0.0
     bent: float = contours.bulge[i]
@@ -157,9 +157,7 @@ def _trimmed_bulge(
         # Beyond half a turn the remaining part is not distinguishable from its complement.
         return math.nan
     if begins or ends:
-        bent = remaining_bulge(
-            table, here, dx, dy, bent, contours.start[i, 0], contours.start[i, 1]
-        )
+        bent = remaining_bulge(table, row, dx, dy, bent, contours.start[i, 0], contours.start[i, 1])
         if bent == 0.0:
             return math.nan
     return bent
@@ -170,52 +168,56 @@ def _write_corner(
     contours: Contours,
     i: int,
     table: F64_2,
-    before: int,
-    here: int,
+    row_before: int,
+    row_after: int,
     signed: float,
     corners: CornerTypes,
     out: OffsetSegments,
-    put: int,
+    next_row: int,
     rows: OutF64_2,
 ) -> int:
-    """Write the transition at the start of contour segment ``i`` to ``out``.
+    """Write the transition at the start of segment ``i`` to ``out``; return the next free row.
 
-    Returns the next free row of ``out``.
+    The transition is the path of the tool's centre round the corner.
 
     Parameters
     ----------
-    table, before, here
+    table, row_before, row_after
         Moved segments, and the rows of the segments before and after the corner.
     signed : mm
         Radius of the tool, positive left of travel.
-    put
+    corners
+        Types of the transitions of all corners.
+    next_row
         First row of ``out`` to write.
     rows
         Scratch rows for one transition.
     """
     if corners.kind[corners.step * i] == 0:
-        u1x, u1y = table[before, U2X], table[before, U2Y]
-        u2x, u2y = table[here, U1X], table[here, U1Y]
+        u1x, u1y = table[row_before, U2X], table[row_before, U2Y]
+        u2x, u2y = table[row_after, U1X], table[row_after, U1Y]
         turn = quarter_tangent(u1x * u2y - u1y * u2x, u1x * u2x + u1y * u2y)
-        out.start[put, 0] = table[before, EX]
-        out.start[put, 1] = table[before, EY]
-        out.end[put, 0] = table[here, SX]
-        out.end[put, 1] = table[here, SY]
-        out.bulge[put] = -math.copysign(turn, signed)
-        out.source[put] = i
-        out.inserted[put] = True
-        return put + 1
-    count = write_corner_transition(contours, i, table, before, here, signed, corners, rows, 0)
+        out.start[next_row, 0] = table[row_before, EX]
+        out.start[next_row, 1] = table[row_before, EY]
+        out.end[next_row, 0] = table[row_after, SX]
+        out.end[next_row, 1] = table[row_after, SY]
+        out.bulge[next_row] = -math.copysign(turn, signed)
+        out.source[next_row] = i
+        out.inserted[next_row] = True
+        return next_row + 1
+    count = write_corner_transition(
+        contours, i, table, row_before, row_after, signed, corners, rows, 0
+    )
     for r in range(count):
-        out.start[put, 0] = rows[r, 0]
-        out.start[put, 1] = rows[r, 1]
-        out.end[put, 0] = rows[r, 2]
-        out.end[put, 1] = rows[r, 3]
-        out.bulge[put] = rows[r, 4]
-        out.source[put] = i
-        out.inserted[put] = True
-        put += 1
-    return put
+        out.start[next_row, 0] = rows[r, 0]
+        out.start[next_row, 1] = rows[r, 1]
+        out.end[next_row, 0] = rows[r, 2]
+        out.end[next_row, 1] = rows[r, 3]
+        out.bulge[next_row] = rows[r, 4]
+        out.source[next_row] = i
+        out.inserted[next_row] = True
+        next_row += 1
+    return next_row
 
 
 @kernel(allocates=False)
@@ -224,7 +226,7 @@ def trim_path(
     path: MovedPath,
     corners: CornerTypes,
     out: OffsetSegments,
-    put: int,
+    next_row: int,
     rows: OutF64_2,
 ) -> tuple[int, int, int, float]:
     """Write the offset of a path: moved segments, trimmed to their intersections, and transitions.
@@ -233,14 +235,14 @@ def trim_path(
     ----------
     path
         The path; its moved segments are trimmed in place.
-    out, put
-        Output columns, written from row ``put`` on.
+    out, next_row
+        Output columns, written from row ``next_row`` on.
     rows
         Scratch rows for one transition.
 
     Returns
     -------
-    put
+    next_row
         Next free row of the output.
     code, segment
         Failure code (a constant of ``raw_segments``), and the contour segment that failed.
@@ -249,33 +251,42 @@ def trim_path(
     """
     code, row, twice, angle = _trim_corners(contours, path)
     if code != NO_FAILURE:
-        return put, code, row, 0.0
-    low, high, closed, signed, segments, at = path
+        return next_row, code, row, 0.0
+    low, high, closed, signed, segments, first_row = path
     table, joint = segments
     count = high - low
     for i in range(count):
-        here = at + i
-        follows = here + 1 if i < count - 1 else at
-        begins = joint[here] >= CONCAVE
+        row_after = first_row + i
+        follows = row_after + 1 if i < count - 1 else first_row
+        begins = joint[row_after] >= CONCAVE
         ends = joint[follows] >= CONCAVE and (closed or i < count - 1)
-        bent = _trimmed_bulge(contours, low + i, segments, here, begins, ends)
+        bent = _trimmed_bulge(contours, low + i, segments, row_after, begins, ends)
         if math.isnan(bent):
-            return put, DOES_NOT_FIT, low + i, 0.0
-        if joint[here] == CONVEX:
-            before = here - 1 if i > 0 else at + count - 1
-            put = _write_corner(
-                contours, low + i, table, before, here, signed, corners, out, put, rows
+            return next_row, DOES_NOT_FIT, low + i, 0.0
+        if joint[row_after] == CONVEX:
+            row_before = row_after - 1 if i > 0 else first_row + count - 1
+            next_row = _write_corner(
+                contours,
+                low + i,
+                table,
+                row_before,
+                row_after,
+                signed,
+                corners,
+                out,
+                next_row,
+                rows,
             )
-        out.start[put, 0] = table[here, SX]
-        out.start[put, 1] = table[here, SY]
-        out.end[put, 0] = table[here, EX]
-        out.end[put, 1] = table[here, EY]
-        out.bulge[put] = bent
-        out.source[put] = low + i
-        out.inserted[put] = False
-        put += 1
+        out.start[next_row, 0] = table[row_after, SX]
+        out.start[next_row, 1] = table[row_after, SY]
+        out.end[next_row, 0] = table[row_after, EX]
+        out.end[next_row, 1] = table[row_after, EY]
+        out.bulge[next_row] = bent
+        out.source[next_row] = low + i
+        out.inserted[next_row] = False
+        next_row += 1
     size = abs(signed)
-    return put, NO_FAILURE, low, max(0.5 * (twice - size * size * angle), 0.0)
+    return next_row, NO_FAILURE, low, max(0.5 * (twice - size * size * angle), 0.0)
 
 
 @kernel(allocates=False)
@@ -288,27 +299,31 @@ def offset_simple(
     boxes: OutF64_2,
     scratch: Scratch,
     out: OffsetSegments,
-    done: int,
+    segment_count: int,
     chains: OffsetChains,
-    count: int,
+    chain_count: int,
 ) -> tuple[int, int, int]:
-    """Offset groups of one closed path each, from ``group`` on, while trimming is enough.
+    """Offset groups of one closed path each, from ``group`` on, as long as trimming is enough.
 
     The function stops before the first group that needs more than trimming, and before a group for
     which the output columns lack capacity.
 
     Parameters
     ----------
-    out, done
+    contours, groups, corners
+        Input contours, their groups, and the types of the transitions at their corners.
+    segments, boxes, scratch
+        Scratch arrays for the moved segments and the bounding boxes of one path.
+    out, segment_count
         Columns for the segments of all offsets, and the number of segments written before.
-    chains, count
+    chains, chain_count
         Columns for the chains of all offsets, and the number of chains written before.
 
     Returns
     -------
     group
-        First group that is not done.
-    done, count
+        First group that is not offset.
+    segment_count, chain_count
         Number of segments and number of chains that are written.
     """
     bounds, signed = groups.bounds, groups.signed
@@ -320,7 +335,7 @@ def offset_simple(
             bounds[group + 1] - bounds[group] > 1
             or low == high
             or signed[path] == 0.0
-            or done + (MAX_SEGMENTS + 1) * (high - low) > len(out.bulge)
+            or segment_count + (MAX_SEGMENTS + 1) * (high - low) > len(out.bulge)
             or not is_closed(contours, low, high)
         ):
             break
@@ -328,13 +343,17 @@ def offset_simple(
         if code != NO_FAILURE:
             break
         moved = MovedPath(low, high, True, signed[path], segments, 0)
-        put, code, _, lost = trim_path(contours, moved, corners, out, done, scratch.pair)
-        if code != NO_FAILURE or path_meets_itself(checked, done, put, boxes, scratch):
+        next_row, code, _, lost = trim_path(
+            contours, moved, corners, out, segment_count, scratch.pair
+        )
+        if code != NO_FAILURE or path_meets_itself(
+            checked, segment_count, next_row, boxes, scratch
+        ):
             break
-        chains.first[count] = done
-        chains.owner[count] = path
+        chains.first[chain_count] = segment_count
+        chains.owner[chain_count] = path
         chains.unreached[path] = lost
-        count += 1
-        done = put
+        chain_count += 1
+        segment_count = next_row
         group += 1
-    return group, done, count
+    return group, segment_count, chain_count

@@ -41,8 +41,8 @@ def _trim_point(
     last: int,
     next_: int,
     table: F64_2,
-    before: int,
-    here: int,
+    row_before: int,
+    row_after: int,
     signed: float,
 ) -> tuple[float, float]:
     """Return the point (x, y) to which the moved segments at a concave corner are trimmed (mm).
@@ -54,30 +54,32 @@ def _trim_point(
     ----------
     last, next_
         Contour segments before and after the corner.
-    table, before, here
+    table, row_before, row_after
         Moved segments, and the rows in which ``last`` and ``next_`` are.
     signed : mm
         Radius of the tool, positive left of travel.
     """
-    if table[before, RADIUS] == 0.0 and table[here, RADIUS] == 0.0:
-        _, cross, dot = classify_corner(table, before, here, signed)
+    if table[row_before, RADIUS] == 0.0 and table[row_after, RADIUS] == 0.0:
+        _, cross, dot = classify_corner(table, row_before, row_after, signed)
         factor = signed / (1.0 + dot)
-        if abs(factor * cross) > 0.49 * min(table[before, CHORD], table[here, CHORD]):
+        if abs(factor * cross) > 0.49 * min(table[row_before, CHORD], table[row_after, CHORD]):
             return math.nan, math.nan
         x, y = contours.start[next_, 0], contours.start[next_, 1]
-        return line_crossing(table, before, here, x, y, factor)
-    if math.isnan(table[before, MOVED]) or math.isnan(table[here, MOVED]):
+        return line_crossing(table, row_before, row_after, x, y, factor)
+    if math.isnan(table[row_before, MOVED]) or math.isnan(table[row_after, MOVED]):
         return math.nan, math.nan
-    hits, gx, gy, _, sine, _ = concave_crossing(contours, last, next_, table, before, here, signed)
+    hits, gx, gy, _, sine, _ = concave_crossing(
+        contours, last, next_, table, row_before, row_after, signed
+    )
     if hits != 1 or sine < 0.0:
         return math.nan, math.nan
-    for at, x, y in (
-        (before, table[before, EX], table[before, EY]),
-        (here, table[here, SX], table[here, SY]),
+    for row, x, y in (
+        (row_before, table[row_before, EX], table[row_before, EY]),
+        (row_after, table[row_after, SX], table[row_after, SY]),
     ):
-        length = table[at, CHORD]
-        if table[at, RADIUS] != 0.0:
-            length *= table[at, MOVED] / table[at, RADIUS]
+        length = table[row, CHORD]
+        if table[row, RADIUS] != 0.0:
+            length *= table[row, MOVED] / table[row, RADIUS]
         if math.hypot(gx - x, gy - y) > 0.4 * length:
             return math.nan, math.nan
     return gx, gy
@@ -90,31 +92,31 @@ def _trim_long_neighbours(contours: Contours, path: MovedPath) -> None:
     They are trimmed only if each of them keeps about half its length.  Writes the kinds of the
     corners and the trimmed ends into ``path.segments``.
     """
-    low, high, closed, signed, (table, joint), at = path
+    low, high, closed, signed, (table, joint), first_row = path
     start = contours.start
     count = high - low
     for i in range(count):
-        here = at + i
-        joint[here] = OPEN
+        row_after = first_row + i
+        joint[row_after] = OPEN
         if i == 0 and not closed:
             continue
-        before = at + (i - 1 if i > 0 else count - 1)
+        row_before = first_row + (i - 1 if i > 0 else count - 1)
         last = low + (i - 1 if i > 0 else count - 1)
-        joint[here], _, dot = classify_corner(table, before, here, signed)
-        if joint[here] == CONVEX:
+        joint[row_after], _, dot = classify_corner(table, row_before, row_after, signed)
+        if joint[row_after] == CONVEX:
             continue
-        if joint[here] == SMOOTH:
+        if joint[row_after] == SMOOTH:
             x, y = start[low + i, 0], start[low + i, 1]
-            gx, gy = line_crossing(table, before, here, x, y, signed / (1.0 + dot))
-            joint[here] = smooth_joint(table, here, gx, gy)
+            gx, gy = line_crossing(table, row_before, row_after, x, y, signed / (1.0 + dot))
+            joint[row_after] = smooth_joint(table, row_after, gx, gy)
         else:
             # Parts beyond the crossing are too close to a neighbour, but in a very flat corner by
             # less than DISTANCE_TOLERANCE, so they are removed here.
-            gx, gy = _trim_point(contours, last, low + i, table, before, here, signed)
+            gx, gy = _trim_point(contours, last, low + i, table, row_before, row_after, signed)
             if math.isnan(gx):
                 continue
-            joint[here] = SHIFTED
-        join_segments(table, before, here, gx, gy)
+            joint[row_after] = SHIFTED
+        join_segments(table, row_before, row_after, gx, gy)
 
 
 @kernel
@@ -123,7 +125,7 @@ def raw_offset(
     path: MovedPath,
     corners: CornerTypes,
     raw: RawRows,
-    put: int,
+    next_row: int,
     member: int,
 ) -> int:
     """Write the moved segments and transitions of a path to ``raw``, for ``region`` to split.
@@ -135,7 +137,7 @@ def raw_offset(
     ----------
     path
         The path; its moved segments are trimmed in place.
-    raw, put
+    raw, next_row
         Output rows, and the index of the first row to write.
     member
         Number of the path in the region, or -1.
@@ -145,46 +147,46 @@ def raw_offset(
     The next free row of ``raw``.
     """
     _trim_long_neighbours(contours, path)
-    low, high, closed, signed, (table, joint), at = path
+    low, high, closed, signed, (table, joint), first_row = path
     start, bulge, (rows, info) = contours.start, contours.bulge, raw
     count = high - low
     for i in range(count):
-        here = at + i
-        none = math.isnan(table[here, MOVED])
-        if none and put > 0 and info[put - 1, 3] == member:
-            info[put - 1, 2] = 0
-        if joint[here] == CONVEX:
-            before = at + (i - 1 if i > 0 else count - 1)
-            begun = put
-            put = write_corner_transition(
-                contours, low + i, table, before, here, signed, corners, rows, put
+        row_after = first_row + i
+        none = math.isnan(table[row_after, MOVED])
+        if none and next_row > 0 and info[next_row - 1, 3] == member:
+            info[next_row - 1, 2] = 0
+        if joint[row_after] == CONVEX:
+            row_before = first_row + (i - 1 if i > 0 else count - 1)
+            begun = next_row
+            next_row = write_corner_transition(
+                contours, low + i, table, row_before, row_after, signed, corners, rows, next_row
             )
-            for j in range(begun, put):
+            for j in range(begun, next_row):
                 info[j, 0] = low + i
                 info[j, 1] = 1
                 info[j, 2] = 1
                 info[j, 3] = member
             if none:
-                info[put - 1, 2] = 0
+                info[next_row - 1, 2] = 0
         if none:
             continue
         for column in range(4):
-            rows[put, column] = table[here, SX + column]
-        follows = at + (i + 1 if i < count - 1 else 0)
+            rows[next_row, column] = table[row_after, SX + column]
+        follows = first_row + (i + 1 if i < count - 1 else 0)
         bent = 0.0
-        if table[here, RADIUS] != 0.0:
+        if table[row_after, RADIUS] != 0.0:
             bent = bulge[low + i]
-            if joint[here] == SHIFTED or joint[follows] == SHIFTED:
-                dx = table[here, EX] - table[here, SX]
-                dy = table[here, EY] - table[here, SY]
+            if joint[row_after] == SHIFTED or joint[follows] == SHIFTED:
+                dx = table[row_after, EX] - table[row_after, SX]
+                dy = table[row_after, EY] - table[row_after, SY]
                 kept = remaining_bulge(
-                    table, here, dx, dy, bent, start[low + i, 0], start[low + i, 1]
+                    table, row_after, dx, dy, bent, start[low + i, 0], start[low + i, 1]
                 )
                 bent = kept if kept != 0.0 else bent
-        rows[put, 4] = bent
-        info[put, 0] = low + i
-        info[put, 1] = 0
-        info[put, 2] = joint[follows] != CONCAVE and (closed or i < count - 1)
-        info[put, 3] = member
-        put += 1
-    return put
+        rows[next_row, 4] = bent
+        info[next_row, 0] = low + i
+        info[next_row, 1] = 0
+        info[next_row, 2] = joint[follows] != CONCAVE and (closed or i < count - 1)
+        info[next_row, 3] = member
+        next_row += 1
+    return next_row

@@ -129,7 +129,7 @@ def next_overlap(
     y0: float,
     x1: float,
     y1: float,
-    after: int,
+    previous: int,
 ) -> tuple[int, int]:
     """Return the next box that overlaps a given box, in ascending order of the row numbers.
 
@@ -141,7 +141,7 @@ def next_overlap(
         State of the query, from ``start_query`` or the previous call.
     x0, y0, x1, y1
         The given box; it may shrink from call to call.
-    after
+    previous
         Only boxes with a greater row number are returned; -1 for all.
 
     Returns
@@ -154,7 +154,7 @@ def next_overlap(
         height = stack[depth, 0]
         number = stack[depth, 1]
         if height == 0:
-            if number > after:
+            if number > previous:
                 return number, depth
             continue
         # Number of given boxes below a node of the next lower level.
@@ -162,7 +162,7 @@ def next_overlap(
         low = level[height - 1]
         first = number * NODE_SIZE
         for child in range(min(first + NODE_SIZE, level[height] - low) - 1, first - 1, -1):
-            if (child + 1) * width - 1 <= after:
+            if (child + 1) * width - 1 <= previous:
                 break
             at = low + child
             if boxes[at, 0] > x1 or boxes[at, 2] < x0 or boxes[at, 1] > y1 or boxes[at, 3] < y0:
