@@ -112,7 +112,7 @@ class _Reasons:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _EdgeDecisions:
-    """The decisions about the line types of n edges, in columns that later steps overwrite."""
+    """Columns with the decision about the line type of each of n edges; later steps change it."""
 
     line_type: U8  #: (n,) UNCLASSIFIED where the user must decide
     guess: U8  #: (n,) LineType of the best guess
@@ -169,7 +169,7 @@ def _restore_folds_on_cuts(
     """Give unclassified folds that coincide with a cut the line type of their profile rule.
 
     No question is needed for such a fold, because cleaning merges it with the cut.  Writes line
-    types, confidences and reasons to ``edges``.
+    types, confidences and reasons to ``edges``.  ``features`` are the shape features of the edges.
     """
     styles, matches = classifier.styles, classifier.matches
     on_edge = features.coincident
@@ -217,7 +217,8 @@ def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatche
     """Return the shape features of all edges, computed from edges that may belong to the carton.
 
     Edges that a profile rule on their layer ignores do not contribute.  Edges whose layer has the
-    name of an annotation do not contribute if the outlines are closed without them.
+    name of an annotation do not contribute if the outlines are closed without them.  ``styles`` are
+    the styles of the drawing, and ``matches`` is the profile rule that matches each of them.
     """
     ignored = (matches.line_type == LineType.IGNORED) & (matches.confidence >= LAYER)
     named = np.array(
@@ -276,20 +277,20 @@ def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:
     ValueError
         The length of ``line_type`` is not n, or it contains a number that is no line type.
     """
-    given = np.asarray(line_type, np.uint8)
-    if given.shape != (len(dieline),):
-        raise ValueError(f"{given.shape} overrides for {len(dieline)} edges")
-    overridden = given != NO_OVERRIDE
-    known = np.isin(given, [kind.value for kind in LineType])
+    user_type = np.asarray(line_type, np.uint8)
+    if user_type.shape != (len(dieline),):
+        raise ValueError(f"{user_type.shape} overrides for {len(dieline)} edges")
+    overridden = user_type != NO_OVERRIDE
+    known = np.isin(user_type, [kind.value for kind in LineType])
     if (wrong := overridden & ~known).any():
-        raise ValueError(f"{given[wrong][0]} is not a line type")
+        raise ValueError(f"{user_type[wrong][0]} is not a line type")
     if not overridden.any():
         return dieline
     override = Message("classification.override")
     rules = dieline.rules if override in dieline.rules else (*dieline.rules, override)
     return replace(
         dieline,
-        line_type=np.where(overridden, given, dieline.line_type),
+        line_type=np.where(overridden, user_type, dieline.line_type),
         rule=np.where(overridden, rules.index(override), dieline.rule),
         confidence=np.where(overridden, 1.0, dieline.confidence),
         rules=rules,

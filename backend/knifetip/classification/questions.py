@@ -48,8 +48,10 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bound
 
     Parameters
     ----------
+    drawing, dieline
+        The drawing and its dieline, with the same n edges.
     rows : (k,)
-        Rows of the edges.
+        Rows of the unclassified edges.
     lengths, bounds : (n,) and (4,)
         Length of each edge of the drawing, and bounding box of the drawing.
     """

@@ -77,14 +77,14 @@ def propose_rules(
     ValueError
         The length of ``overrides`` is not n.
     """
-    given = np.asarray(overrides, np.uint8)
-    overridden = given != NO_OVERRIDE
-    if given.shape != (len(dieline),):
-        raise ValueError(f"{given.shape} overrides for {len(dieline)} edges")
+    user_type = np.asarray(overrides, np.uint8)
+    overridden = user_type != NO_OVERRIDE
+    if user_type.shape != (len(dieline),):
+        raise ValueError(f"{user_type.shape} overrides for {len(dieline)} edges")
     styles = tabulate_styles(drawing)
     by_profile = match_rules(styles, profile).line_type[styles.row]
-    wanted = np.where(overridden, given, dieline.line_type)
-    unexplained = overridden & (by_profile != given) & (given != LineType.UNCLASSIFIED)
+    wanted = np.where(overridden, user_type, dieline.line_type)
+    unexplained = overridden & (by_profile != user_type) & (user_type != LineType.UNCLASSIFIED)
     undecided = ~overridden & (dieline.line_type == LineType.UNCLASSIFIED)
     proposed: list[ProposedRule] = []
     for value in np.unique(wanted[unexplained]).tolist():

@@ -95,9 +95,9 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
 
 @lru_cache(maxsize=4096)
 def name_meaning(name: str) -> NameMeaning:
-    """Return the line type that the name of a layer or linetype suggests, or no line type.
+    """Return the line type that the name of a layer or linetype suggests, if any.
 
-    The result also has the part of the name that suggests it.
+    The result also contains the part of the name that suggests the line type.
     """
     vocabulary = _vocabulary()
     folded = name.casefold()
@@ -106,7 +106,7 @@ def name_meaning(name: str) -> NameMeaning:
             negated = any(negation in folded for negation in vocabulary.negating_substrings)
             return NameMeaning(kind, part, negated)
     words = _split_words(name)
-    found = _found_meanings(words, vocabulary)
+    found = _word_meanings(words, vocabulary)
     denied = any(word in vocabulary.negations for word in words)
     if len(found) > 1 and found.get(LineType.CUT) in vocabulary.whole_die:
         del found[LineType.CUT]
@@ -124,10 +124,11 @@ def name_meaning(name: str) -> NameMeaning:
     return NameMeaning(kind, word, denied)
 
 
-def _found_meanings(words: list[str], vocabulary: _Vocabulary) -> dict[LineType, str]:
+def _word_meanings(words: list[str], vocabulary: _Vocabulary) -> dict[LineType, str]:
     """Return the line types that the words of a name mean, each with the words that mean it.
 
-    The keys of the dict are the line types, the values one or two words of the name.
+    The keys of the dict are the line types, the values one or two words of the name.  ``words`` are
+    the words of the name in lower case.
     """
     meanings = vocabulary.meanings
     found: dict[LineType, str] = {}

@@ -201,10 +201,11 @@ def _arc_speed(radius: F64, feed: float, acceleration: float) -> F64:
 def select_corner_types(operation: Operation) -> tuple[U8, F64]:
     """Return the type and the parameter k of the corner at the start of each segment, both (n,).
 
-    "auto" selects the type with the shortest duration, and B only if its contact is not longer than
-    the cutter's ``dwell``.  It limits the k of the operation so that type D keeps the feed if
-    possible: k ≤ 1 − v² / (a r) with feed v, acceleration a and cutter radius r, so that the arc's
-    radius is at least v² / a up to 90°.
+    The operation sets type B, C or D for all corners, or "auto".  "auto" selects the type with the
+    shortest duration, and B only if the cutter touches the corner for at most the cutter's
+    ``dwell`` (s).  It limits the k of the operation so that type D keeps the feed if possible: k ≤
+    1 − v² / (a r) with feed v, acceleration a and cutter radius r, so that the arc's radius is at
+    least v² / a up to 90°.
 
     Raises
     ------

@@ -3,8 +3,9 @@
 A wheel of radius R pressed into the board by δ touches it over a length of 2 s, s² = δ(2R − δ).
 At a free end it must stop by s plus the end clearance of the board before the end.
 
-Source: Yang, Du, Shu & Qian, section 1 ("simple compensation of the tool based on the depth of the
-indentation, in order to prevent the over-cutting"); s is our derivation.
+Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker", section 1
+("simple compensation of the tool based on the depth of the indentation, in order to prevent the
+over-cutting"); s is our derivation.
 """
 
 from __future__ import annotations
@@ -31,8 +32,9 @@ def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
 
 
 def depth_at_contact(half_length: F64, wheel: CreaseWheel) -> F64:
-    """Return the depth (mm) at which half the contact length of a wheel with the board is
-    ``half_length`` (mm), one for each of n lengths.
+    """Return the depths at which a wheel touches the board over given lengths, (n,) mm.
+
+    ``half_length`` (n,) mm is half the length of each contact.
     """
     reach = np.clip(half_length, 0.0, wheel.radius)
     result: F64 = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
@@ -89,7 +91,7 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 
 
 def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
-    """Return one press of the wheel for each path in ``short``.
+    """Return one press of the wheel for each path in ``short``, the numbers of too short paths.
 
     A path is pressed midway between its ends if both are free, otherwise at the end that is not
     free.

@@ -6,8 +6,8 @@ right.  So for a contour point P with left normal n and a cutter of radius r, th
 programmed at P + σ diag(r − δx, r − δy) n instead of P + σ r n: every point of the offset moves by
 −σ diag(δx, δy) n.  Lines are shifted, arcs become elliptical.
 
-Source: "Tool radius compensation" (the radius paper), eqs 6–12.  The paper does not state the side
-of the correction; here it is into the board.
+Source: the paper "Tool radius compensation", eqs 6–12.  It does not state the side of the
+correction; here it is into the board.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ _MIN_WEIGHT: Final = 0.05
 _MAX_NEGATIVE: Final = 0.01
 #: Largest jump of direction that keeps shifted neighbours connected (radians).
 _MIN_JUMP: Final = 1e-7
-#: A biarc deviates from an elliptical arc with half axes a and b and sweep φ by |a − b| φ³ / this
-#: number; measured.
+#: A biarc deviates from an elliptical arc with half axes a and b and sweep φ by |a − b| φ³
+#: divided by this number, as measured.
 _BIARC_ERROR: Final = 40.0
 #: Default tolerance of arcs fitted to elliptical arcs (mm).
 FIT_TOLERANCE: Final = 0.0005
@@ -176,9 +176,10 @@ def shift_centres(
 
 
 class _ShiftedSegments:
-    """Segments of centre paths, shifted by the deflection, as lines and elliptical arcs.
+    """Paths of a cutter's centre, shifted by its deflection: lines and elliptical arcs.
 
-    The parameter t of a segment is mm along a line, or the angle of an elliptical arc in radians.
+    A position on a segment is given by a parameter t: mm along a line, or the angle of an
+    elliptical arc in radians.
     """
 
     def __init__(self, paths: Paths, side: int, x: float, y: float) -> None:
@@ -224,9 +225,10 @@ class _ShiftedSegments:
         return result
 
     def intersect_neighbours(self, paths: Paths) -> tuple[F64, F64]:
-        """Return the parameter t of each shifted segment at its start and at its end, (n,) each.
+        """Return the parameters at which each of n shifted segments starts and ends, (n,) each.
 
-        At a jump of direction in ``paths``, two neighbouring segments end at their intersection.
+        ``paths`` are the segments before the shift.  Where their direction jumps, two neighbouring
+        shifted segments end at their intersection.
         """
         low, high = self.low.copy(), self.high.copy()
         ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
@@ -263,7 +265,7 @@ class _ShiftedSegments:
     def to_arcs(
         self, low: F64, high: F64, difference: float, tolerance: float
     ) -> tuple[I32, F64, F64, F64]:
-        """Return the segments between two parameters as lines and circular arcs.
+        """Return the parts of the segments between two parameters as lines and circular arcs.
 
         Parameters
         ----------

@@ -10,7 +10,8 @@ and turned above the board.
 A drag knife trails the head's axis by e: the head is at tip + e u, with u the direction of travel,
 and swings around the tip at corners.
 
-Source: our derivation; Yang, Du, Shu & Qian, section 5, suggest the same for other tools.
+Source: our derivation; Yang, Du, Shu & Qian, "Study on tool compensation of NC carton
+samplemaker", section 5, suggest the same for other tools.
 """
 
 from __future__ import annotations
@@ -85,8 +86,9 @@ def _head(tip: F64, c: F64, blade: Knife) -> F64:
 
 
 def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
-    """Return the paths of an operation, shortened or extended at their ends, with lead-ins and
-    lead-outs.
+    """Return the paths of an operation with adjusted ends, and with lead-ins and lead-outs.
+
+    The ends are shortened or extended to the slant of the blade.
 
     Returns
     -------
@@ -170,9 +172,9 @@ def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
 
 
 def _quarter_circles(
-    paths: Paths, size: F64, overrun: F64, side: int, into: bool
+    paths: Paths, size: F64, overrun: F64, side: int, entering: bool
 ) -> tuple[Paths, I32]:
-    """Return quarter circles by which the knife enters or leaves closed paths.
+    """Return quarter circles by which the knife enters or leaves p closed paths.
 
     Also returns for each quarter circle the segment that it touches.
 
@@ -184,7 +186,7 @@ def _quarter_circles(
         Length by which the paths run past their start before the blade leaves.
     side
         Side of the waste: +1 left of travel, -1 right.
-    into
+    entering
         True for quarter circles before the start, False for quarter circles after the end.
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
@@ -192,12 +194,12 @@ def _quarter_circles(
     first = np.concatenate([[0], np.cumsum(size > 0.0)])
     if len(which) == 0:
         return Paths(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), first), kept
-    at = np.zeros(len(which)) if into else overrun[which]
+    at = np.zeros(len(which)) if entering else overrun[which]
     place, heading, row = point_along(some, at)
     ahead = np.column_stack([np.cos(np.radians(heading)), np.sin(np.radians(heading))])
     radius = (size[which] * 2.0 / np.pi)[:, None]
     far = place + radius * (
-        side * left_normal(ahead) - ahead if into else side * left_normal(ahead) + ahead
+        side * left_normal(ahead) - ahead if entering else side * left_normal(ahead) + ahead
     )
-    start, end = (far, place) if into else (place, far)
+    start, end = (far, place) if entering else (place, far)
     return Paths(start, end, np.full(len(which), side * _QUARTER_BULGE), first), kept[row]

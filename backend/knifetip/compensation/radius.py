@@ -6,9 +6,8 @@ the waste; without room for leads it plunges on the offset path.  The last pass 
 waste loose, so the tool lifts from there without a lead-out.  Contours are milled in several
 passes; a cut without a side is milled on its centre line, forth and back.
 
-Source: "Tool radius compensation" (the radius paper), eqs 1–5, in the offset engine.  The offset is
-set up and cancelled as controllers do, to the perpendicular (type A) or around the outside (type
-B).
+Source: the paper "Tool radius compensation", eqs 1–5, in the offset engine.  The offset is set up
+and cancelled as controllers do, to the perpendicular (type A) or around the outside (type B).
 """
 
 from __future__ import annotations
@@ -169,8 +168,8 @@ def radius_toolpath(operation: Operation) -> Toolpath:
     assert isinstance(cutter, DiscTool)
     if operation.side != 0 and cutter.set_up <= cutter.radius:
         raise CompensationError("cutter.short-lead", lead=cutter.set_up, radius=cutter.radius)
-    centre, held = _add_bridge_gaps(operation, cutter, centre_paths(operation))
-    paths, rows, motion = _add_leads(operation, cutter, centre, held)
+    centre, bridged = _add_bridge_gaps(operation, cutter, centre_paths(operation))
+    paths, rows, motion = _add_leads(operation, cutter, centre, bridged)
     gap = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
     closed = np.hypot(*gap.T) < POINT
     back, mirror = reverse_paths(paths, ~closed & (operation.side == 0))
@@ -240,8 +239,8 @@ def _add_bridge_gaps(
     step = np.arange(len(bridge)) - np.repeat(np.cumsum(many) - many, many)
     row = order[low[bridge] + step]
     piece = paths.start[row], paths.end[row], paths.bulge[row]
-    share = arc.nearest_fraction(*piece, place[bridge])
-    away = np.hypot(*(arc.point_at(*piece, share) - place[bridge]).T)
+    fraction = arc.nearest_fraction(*piece, place[bridge])
+    away = np.hypot(*(arc.point_at(*piece, fraction) - place[bridge]).T)
     ranked = np.lexsort((away, bridge))
     ranked = ranked[np.append(True, np.diff(bridge[ranked]) > 0)[: len(ranked)]]
     ranked = ranked[away[ranked] <= cutter.radius + JOIN]
@@ -257,21 +256,21 @@ def _add_bridge_gaps(
     size = arc.length(paths.start, paths.end, paths.bulge)
     begin = np.cumsum(size) - size
     path = paths.path_of[row[ranked]]
-    along = begin[row[ranked]] + share[ranked] * size[row[ranked]]
+    along = begin[row[ranked]] + fraction[ranked] * size[row[ranked]]
     along -= begin[paths.first[:-1][path]]
     ordered = np.lexsort((along, path))
     gap = operation.bridge_width + 2.0 * cutter.radius
     pieces, owner, rows = insert_gaps(paths, path[ordered], along[ordered], gap)
-    held = np.bincount(path, minlength=len(paths))[owner] > 0
-    return CentrePaths(pieces, centre.segment[rows], centre.unreached), held
+    bridged = np.bincount(path, minlength=len(paths))[owner] > 0
+    return CentrePaths(pieces, centre.segment[rows], centre.unreached), bridged
 
 
 def _add_leads(
-    operation: Operation, cutter: DiscTool, centre: CentrePaths, held: Bool
+    operation: Operation, cutter: DiscTool, centre: CentrePaths, bridged: Bool
 ) -> tuple[Paths, I32, U8]:
     """Return the centre paths with lead-ins and lead-outs.
 
-    Paths with bridges, marked by ``held``, get no leads, since a lead-in would make the bridge
+    Paths with bridges, marked by ``bridged``, get no leads, since a lead-in would make the bridge
     narrower.
 
     Returns
@@ -335,7 +334,7 @@ def _add_leads(
     start, end, bulge, rows, owner, motion = (
         np.concatenate(columns) for columns in zip(*parts, strict=True)
     )
-    leads = ~held[owner] & (np.hypot(*(end - start).T) > POINT)
+    leads = ~bridged[owner] & (np.hypot(*(end - start).T) > POINT)
     some: Bool = (motion == Motion.FEED) | leads
     kept = np.flatnonzero(some)
     order = kept[np.argsort(owner[kept], kind="stable")]
@@ -376,12 +375,12 @@ def _lead_in(
     # Between two checked points a contour may be nearer by the sagitta of the step.
     step = float(np.hypot(*away.T).max(initial=0.0)) / _LEAD_CHECKS
     near = float(np.hypot(r, step / 2.0))
-    share = np.full(len(start), _LEAD_FRACTIONS[-1])
+    fraction = np.full(len(start), _LEAD_FRACTIONS[-1])
     for tried in reversed(_LEAD_FRACTIONS[:-1]):
         checks = np.arange(1, _LEAD_CHECKS + 1) / _LEAD_CHECKS * tried
         points = (arrived[:, None] + checks[None, :, None] * away[:, None]).reshape(-1, 2)
         hit = find_points_on_segments(
             points, np.full(len(points), -1, np.int32), paths.start, paths.end, paths.bulge, near
         )
-        share = np.where(hit.reshape(-1, _LEAD_CHECKS).any(axis=1), share, tried)
-    return arrived + share[:, None] * away, arrived, bulge
+        fraction = np.where(hit.reshape(-1, _LEAD_CHECKS).any(axis=1), fraction, tried)
+    return arrived + fraction[:, None] * away, arrived, bulge

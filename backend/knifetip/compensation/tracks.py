@@ -93,7 +93,7 @@ class Strokes:
     def to_toolpath(self, operation: Operation) -> Toolpath:
         """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts.
 
-        ``operation`` gives the feeds and the station.
+        ``operation`` contains the feeds and the station of the tool.
         """
         pose, bulge, motion, feed, source, track = _write_moves(
             self.start,

@@ -32,10 +32,9 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     With β the azimuth from start to end::
 
         Δx =  d sin β + r cos β
-        Δy = -d cos β + r sin β                                   Yang et al., 4.2 a, b
+        Δy = -d cos β + r sin β
 
-    that is, d to the right of travel and r ahead.  In the second pass the position is -Δ, so points
-    1 to 4 of their figure 3 are A + Δ, B + Δ, B - Δ, A - Δ.
+    that is, d to the right of travel and r ahead.  In the second pass the position is -Δ.
 
     Parameters
     ----------
@@ -49,10 +48,10 @@ def head_offset(start: F64, end: F64, cutter: VCutter) -> F64:
     ZeroLengthEdge
         An edge shorter than ``tolerance.POINT`` has no azimuth.
 
-    Notes
-    -----
-    In the paper's text r is half the width, in its listing the width (hence ``0.5*r``); here it is
-    half the width.
+    Notes ----- Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemaker",
+    eqs 4.2 a and b.  With A and B the ends of an edge, points 1 to 4 of the paper's figure 3 are A
+    + Δ, B + Δ, B - Δ, A - Δ.  In the paper's text r is half the width, in its listing the width
+    (hence ``0.5*r``); here it is half the width.
 
     Examples
     --------
@@ -68,8 +67,9 @@ def sideways_move(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
     """Return the sideways movement of the head while the tip rises, (n, 2) mm.
 
     The tip moves along the tilted blade, so the head moves by Δz tan θ to the right of travel when
-    it lifts and to the left when it plunges: Yang et al., section 3, the "oblique angle" of their
-    three-axis interpolation.
+    it lifts and to the left when it plunges.  Source: the "oblique angle" of the three-axis
+    interpolation in section 3 of Yang, Du, Shu & Qian, "Study on tool compensation of NC carton
+    samplemaker".
 
     Parameters
     ----------
@@ -263,7 +263,9 @@ def _write_passes(
 
 
 def _check_paths(operation: Operation, cutter: VCutter) -> None:
-    """Raise an error if a path has an arc, is shorter than the blade is wide, is cut as deep as the
+    """Raise an error if a path of a V-groove operation cannot be cut.
+
+    A path cannot be cut if it has an arc, is shorter than the blade is wide, is cut as deep as the
     board is thick, or has an end inside a panel that the blade would overrun too far.
     """
     paths = operation.paths

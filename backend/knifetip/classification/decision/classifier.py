@@ -82,7 +82,7 @@ class Decision:
 
 
 class _Guess:
-    """A line type with its confidence and reasons, which changes while evidence is added."""
+    """The likeliest line type of some edges, with confidence and reasons; evidence changes it."""
 
     def __init__(self, kind: LineType, confidence: float) -> None:
         self.kind = kind
@@ -99,7 +99,7 @@ class _Guess:
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
-        """Reduce the confidence to at most ``limit``, and add ``others`` as possible line types."""
+        """Reduce the confidence to at most ``limit``, and add line types that are possible."""
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
 
@@ -285,9 +285,10 @@ class Classifier:
         return Decision(guess.kind, guess.confidence, reason, tuple(others[:3]))
 
     def _weigh_conventions(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the line types that fitting conventions give to a style's colour.
+        """Change a guess by the line types that colour conventions give to the colour of a style.
 
-        ``style`` and ``role`` are the style and the role of the edges that ``guess`` is about.
+        Only conventions of companies that fit the drawing are used.  ``style`` and ``role`` are the
+        style and the role of the edges that ``guess`` is about.
         """
         types = {LineType(int(fit.line_type[style])) for fit in self.conventions}
         types.discard(LineType.UNCLASSIFIED)
@@ -311,9 +312,10 @@ class Classifier:
             guess.weaken(0.6, kind)
 
     def _weigh_names(self, guess: _Guess, style: int, role: Role) -> None:
-        """Change a guess by the meaning of a style's layer name, or else of its linetype name.
+        """Change a guess by the meaning of a style's layer name, or of its linetype name.
 
-        ``style`` and ``role`` are the style and the role of the edges that ``guess`` is about.
+        The linetype name is used if the layer name has no meaning.  ``style`` and ``role`` are the
+        style and the role of the edges that ``guess`` is about.
         """
         meaning, by_layer = self._meaning(style)
         if meaning.denied:
@@ -341,10 +343,9 @@ class Classifier:
             guess.votes.append(Message("classification.linetype-name", word=meaning.word))
 
     def _meaning(self, style: int) -> tuple[NameMeaning, bool]:
-        """Return the meaning of a style's layer name, or else of its linetype name.
+        """Return the meaning of a style's layer name, and whether it comes from the layer name.
 
-        The second value is whether the meaning comes from the layer name.  The linetype name counts
-        only if the layer name has no meaning.
+        If the layer name has no meaning, the meaning of the linetype name is returned.
         """
         meaning = name_meaning(self.styles.layer[style])
         if meaning.kind is None and not meaning.denied:
@@ -425,7 +426,7 @@ def _likeliest_type(role: Role) -> LineType:
 
 
 def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
-    """Return the fraction of the dividers that have a property in the group of each style, (c,).
+    """Return for each style the fraction of its group's dividers that have a property, (c,).
 
     The fraction is by length.  Styles with equal layer, colour and linetype are in one group.
 
@@ -438,9 +439,9 @@ def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
     grouped : (groups, roles)
         Length of the edges of each group, by role.
     """
-    whole = np.maximum(grouped[:, Role.DIVIDER], 1e-12)
-    share: F64 = (np.bincount(group, part, len(grouped)) / whole)[group]
-    return share
+    total = np.maximum(grouped[:, Role.DIVIDER], 1e-12)
+    fraction: F64 = (np.bincount(group, part, len(grouped)) / total)[group]
+    return fraction
 
 
 def _group_styles(styles: StyleTable) -> I64:
@@ -467,7 +468,7 @@ def _group_styles(styles: StyleTable) -> I64:
 def _swap_reason(
     matches: RuleMatches, length: F64, conventions: Sequence[FittingConvention]
 ) -> Message | None:
-    """Return why the profile seems to swap cut and crease, or None if it does not.
+    """Return the message why the profile seems to swap cut and crease, or None if it does not.
 
     Parameters
     ----------
@@ -494,8 +495,8 @@ def _swap_reason(
 def _contradiction_message(rule: Message, role: Role, against: Message | None) -> Message:
     """Return the message that the role of edges contradicts a rule.
 
-    ``rule`` is the clause that names the rule, and ``against`` the clause why the role contradicts
-    it, or None.
+    ``rule`` is the clause that names the rule.  ``against`` is the clause that explains why the
+    role contradicts it, or None.
     """
     reason = Message("classification.role-against", role=role.message, against=against)
     return Message("classification.contradicted", rule=rule, reason=reason)

@@ -33,7 +33,7 @@ _MIN_CREASED: Final = 0.6
 
 @dataclass(frozen=True, eq=False, slots=True)
 class FittingConvention:
-    """A colour convention that fits a drawing, and the line types that it gives to c styles."""
+    """A colour convention that fits a drawing, and the line type that it gives to each style."""
 
     name: str
     line_type: U8  #: (c,) UNCLASSIFIED where it has no rule
@@ -43,7 +43,7 @@ class FittingConvention:
 def find_fitting_conventions(
     styles: StyleTable, unmatched: Bool, totals: StyleTotals, conventions: Sequence[LineRules]
 ) -> list[FittingConvention]:
-    """Return the conventions that fit a drawing, the best one first.
+    """Return the colour conventions that fit the shape of a drawing, the best one first.
 
     Parameters
     ----------

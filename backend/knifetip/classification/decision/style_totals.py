@@ -120,10 +120,14 @@ def _add(
     must_fold_length: OutF64_1,
     fold_lengths: OutF64_2,
 ) -> None:
-    """Add numbers and lengths of n edges to the totals of their styles.
+    """Add the number and the lengths of n edges to the totals of their styles.
 
-    The arguments ``style`` to ``must_fold`` are columns of the edges, (n,).  The arguments
-    ``count`` to ``fold_lengths`` are the columns of ``StyleTotals``, to which the function writes.
+    Parameters
+    ----------
+    style, lengths, role, dashed, paired, must_fold : (n,) each
+        Style and length of each edge, and columns of its ``ShapeFeatures``.
+    count, length, dashed_length, paired_length, must_fold_length, fold_lengths
+        Columns of ``StyleTotals``, to which the function adds.
     """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
@@ -155,8 +159,9 @@ def _write_keys(
 ) -> None:
     """Write the decision key of each of n edges to ``key``, (n,).
 
-    ``dashes_fold`` (c,) is whether the dashed edges of each style are treated as folds.  The other
-    arguments are the style of each edge and columns of ``ShapeFeatures``.
+    A decision key combines style, role and flags of an edge in one number.  ``dashes_fold`` (c,) is
+    whether the dashed edges of each style are treated as folds.  The other arguments are the style
+    of each edge and columns of ``ShapeFeatures``.
     """
     for i in range(len(style)):
         flags = 0

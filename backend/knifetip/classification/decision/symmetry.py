@@ -69,13 +69,14 @@ def find_asymmetric_edges(ends: F64, features: ShapeFeatures, line_type: U8, len
     return found
 
 
-def _blanks_of(ends: F64, component: I32, cut: I64) -> _Blanks:
-    """Return the components that contain at least one of the edges ``cut``, as blanks.
+def _blanks_of(ends: F64, component: I32, cut_edges: I64) -> _Blanks:
+    """Return the blanks that contain at least one of the edges with the indices ``cut_edges``.
 
-    ``ends`` (n, 2, 2) and ``component`` (n,) are the ends and the component of each edge.
+    ``ends`` (n, 2, 2) and ``component`` (n,) are the ends and the connected component of each edge;
+    each component is a blank.
     """
     number = np.full(int(component.max()) + 2, -1, np.int32)
-    number[component[cut]] = 0
+    number[component[cut_edges]] = 0
     wanted = np.flatnonzero(number == 0)
     number[wanted] = np.arange(len(wanted), dtype=np.int32)
     blank = number[component]

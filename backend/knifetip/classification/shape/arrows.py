@@ -47,7 +47,7 @@ class _Graph(NamedTuple):
 
 
 class _Incidence(NamedTuple):
-    """The pieces that start or end at each vertex.
+    """For each vertex of a graph, the pieces that start or end at it.
 
     The pieces at vertex v are ``piece[first[v] : first[v + 1]]``.
     """
@@ -68,32 +68,32 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
     unit
         Number of drawing units in a millimetre.
     """
-    found, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
+    is_arrow, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
     columns = _Graph(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
     incidence = _pieces_by_vertex(columns, graph.same)
 
     def mark(chunk: tuple[int, int]) -> None:
-        _mark_arrowheads(columns, graph.bulge, incidence, unit, found, tip, *chunk)
+        _mark_arrowheads(columns, graph.bulge, incidence, unit, is_arrow, tip, *chunk)
 
     parallel_map(mark, chunks(len(tip), MIN_CHUNK))
-    _mark_extension_lines(columns, incidence, unit, found, tip)
+    _mark_extension_lines(columns, incidence, unit, is_arrow, tip)
     if tip.any():
-        _mark_coincident(columns, graph.same, found)
-    return found
+        _mark_coincident(columns, graph.same, is_arrow)
+    return is_arrow
 
 
 @kernel
-def _pieces_by_vertex(graph: _Graph, same: I32_1) -> _Incidence:
+def _pieces_by_vertex(graph: _Graph, twin: I32_1) -> _Incidence:
     """Return the pieces that start or end at each vertex.
 
-    Of coincident pieces only the first one is returned, and links are left out.  ``same`` (p,) is
-    the first piece that coincides with each piece.
+    Of coincident pieces only the first one is returned, and links are left out.  ``twin`` (p,) is
+    the first piece that coincides with each piece, the piece itself if there is none.
     """
     vertex, start, end, edge, _ = graph
     vertices, count = len(vertex), len(start)
     first = np.zeros(vertices + 1, np.int32)
     for p in range(count):
-        if same[p] == p and edge[p] >= 0:
+        if twin[p] == p and edge[p] >= 0:
             first[start[p] + 1] += 1
             first[end[p] + 1] += 1
     for v in range(vertices):
@@ -101,7 +101,7 @@ def _pieces_by_vertex(graph: _Graph, same: I32_1) -> _Incidence:
     position = first[:-1].copy()
     piece = np.empty(first[-1], np.int32)
     for p in range(count):
-        if same[p] == p and edge[p] >= 0:
+        if twin[p] == p and edge[p] >= 0:
             piece[position[start[p]]] = p
             position[start[p]] += 1
             piece[position[end[p]]] = p
@@ -111,14 +111,20 @@ def _pieces_by_vertex(graph: _Graph, same: I32_1) -> _Incidence:
 
 @kernel
 def _mark_arrowheads(
-    graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, found: OutBool_1,
+    graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, is_arrow: OutBool_1,
     tip: OutBool_1, begin: int, stop: int,
 ) -> None:  # fmt: skip
     """Mark the arrowheads at vertices ``begin`` … ``stop`` - 1, and their shafts.
 
     Parameters
     ----------
-    found : (n,)
+    graph, bulge
+        Graph of n edges with q vertices, and the bulge of each piece.
+    incidence
+        The pieces at each vertex.
+    unit
+        Number of drawing units in a millimetre.
+    is_arrow : (n,)
         Set to True for edges of heads and shafts.
     tip : (q,)
         Set to True for vertices at the tip of an arrowhead.
@@ -130,21 +136,21 @@ def _mark_arrowheads(
     far_end = np.empty(_MAX_DEGREE, np.int32)
     direction = np.empty(_MAX_DEGREE)
     length = np.empty(_MAX_DEGREE)
-    for at in range(begin, stop):
-        degree = first[at + 1] - first[at]
+    for tip_vertex in range(begin, stop):
+        degree = first[tip_vertex + 1] - first[tip_vertex]
         if degree < 3 or degree > _MAX_DEGREE:
             continue
         sides = 0
-        for k in range(first[at], first[at + 1]):
+        for k in range(first[tip_vertex], first[tip_vertex + 1]):
             p = piece[k]
             i = edge[p]
             if i < 0 or bulge[p] != 0.0:
                 continue
             # Other lines may cross the edge: its whole length counts, not that of a piece.
-            far = _other_end(start, end, first_piece, i, at)
+            far = _other_end(start, end, first_piece, i, tip_vertex)
             if far < 0:
                 continue
-            dx, dy = vertex[far, 0] - vertex[at, 0], vertex[far, 1] - vertex[at, 1]
+            dx, dy = vertex[far, 0] - vertex[tip_vertex, 0], vertex[far, 1] - vertex[tip_vertex, 1]
             chord = math.hypot(dx, dy)
             # The far end is dangling, or is a corner of a closed arrowhead.
             if not 0.0 < chord <= max_length or first[far + 1] - first[far] > 2:
@@ -162,13 +168,16 @@ def _mark_arrowheads(
                 loose = first[one + 1] - first[one] == 1 and first[two + 1] - first[two] == 1
                 if not loose and not _connected(graph, incidence, one, two):
                     continue
-                for k in range(first[at], first[at + 1]):
+                for k in range(first[tip_vertex], first[tip_vertex + 1]):
                     shaft = piece[k]
                     i = edge[shaft]
                     if i < 0 or i in (side_edge[a], side_edge[b]) or bulge[shaft] != 0.0:
                         continue
-                    to = end[shaft] if start[shaft] == at else start[shaft]
-                    dx, dy = vertex[to, 0] - vertex[at, 0], vertex[to, 1] - vertex[at, 1]
+                    to = end[shaft] if start[shaft] == tip_vertex else start[shaft]
+                    dx, dy = (
+                        vertex[to, 0] - vertex[tip_vertex, 0],
+                        vertex[to, 1] - vertex[tip_vertex, 1],
+                    )
                     if (
                         _chord_length(vertex, start, end, first_piece, i) * _MAX_FRACTION
                         < length[a]
@@ -180,8 +189,8 @@ def _mark_arrowheads(
                         continue
                     if not _MIN_ANGLE <= abs(left) <= _MAX_ANGLE:
                         continue
-                    tip[at] = True
-                    found[side_edge[a]] = found[side_edge[b]] = found[i] = True
+                    tip[tip_vertex] = True
+                    is_arrow[side_edge[a]] = is_arrow[side_edge[b]] = is_arrow[i] = True
                     # Such sides are one side that was drawn twice with a small difference.
                     for c in range(sides):
                         turn = min(
@@ -192,21 +201,29 @@ def _mark_arrowheads(
                             turn <= _ANGLE_TOLERANCE
                             and abs(length[c] - length[a]) <= _LENGTH_TOLERANCE * length[a]
                         ):
-                            found[side_edge[c]] = True
+                            is_arrow[side_edge[c]] = True
                     if not loose:
                         for m in range(first[one], first[one + 1]):
                             if edge[piece[m]] >= 0:
-                                found[edge[piece[m]]] = True
+                                is_arrow[edge[piece[m]]] = True
 
 
 @kernel(allocates=False)
 def _mark_extension_lines(
-    graph: _Graph, incidence: _Incidence, unit: float, found: OutBool_1, tip: Bool_1
+    graph: _Graph, incidence: _Incidence, unit: float, is_arrow: OutBool_1, tip: Bool_1
 ) -> None:
     """Mark the extension lines of dimensions: lines that end shortly beyond the tip of an arrow.
 
-    Sets the entries of extension lines in ``found``, (n,), to True.  ``tip`` (q,) is the mask of
-    vertices at the tips of arrows.
+    Parameters
+    ----------
+    graph, incidence
+        Graph of n edges with q vertices, and the pieces at each vertex.
+    unit
+        Number of drawing units in a millimetre.
+    is_arrow : (n,)
+        Set to True for extension lines.
+    tip : (q,)
+        Whether each vertex is at the tip of an arrow.
     """
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
@@ -215,7 +232,7 @@ def _mark_extension_lines(
             continue
         for k in range(first[at], first[at + 1]):
             p = piece[k]
-            if edge[p] < 0 or found[edge[p]]:
+            if edge[p] < 0 or is_arrow[edge[p]]:
                 continue
             i = edge[p]
             for side in range(2):
@@ -228,49 +245,55 @@ def _mark_extension_lines(
                     whole = _chord_length(vertex, start, end, first_piece, i)
                     ends_here = start[p] == at or end[p] == at
                     if beyond <= _EXTENSION * unit or (ends_here and beyond >= whole):
-                        found[i] = True
+                        is_arrow[i] = True
 
 
 @kernel(allocates=False)
-def _mark_coincident(graph: _Graph, same: I32_1, found: OutBool_1) -> None:
-    """Set ``found`` to True also for edges that are covered by edges for which it is True already.
+def _mark_coincident(graph: _Graph, twin: I32_1, is_arrow: OutBool_1) -> None:
+    """Set ``is_arrow`` to True also for edges that are covered by edges of arrows.
 
-    ``found`` (n,) is the mask of edges of arrows, and ``same`` (p,) is the first piece that
-    coincides with each piece.
+    ``is_arrow`` (n,) is the mask of edges of arrows, and ``twin`` (p,) is the first piece that
+    coincides with each piece, the piece itself if there is none.
     """
-    for i in range(len(found)):
-        if found[i] or graph.first[i] == graph.first[i + 1]:
+    for i in range(len(is_arrow)):
+        if is_arrow[i] or graph.first[i] == graph.first[i + 1]:
             continue
         covered = True
         for p in range(graph.first[i], graph.first[i + 1]):
-            other = graph.edge[same[p]]
-            covered = covered and other >= 0 and found[other]
-        found[i] = covered
+            other = graph.edge[twin[p]]
+            covered = covered and other >= 0 and is_arrow[other]
+        is_arrow[i] = covered
 
 
 @kernel(allocates=False)
-def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, at: int) -> int:
-    """Return the other end vertex of edge ``i`` if one end is vertex ``at``, otherwise -1.
+def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int) -> int:
+    """Return the other end vertex of edge ``i`` if one end is vertex ``vertex``, otherwise -1.
 
     ``start``, ``end`` (p,) and ``first_piece`` (n + 1,) are the vertices at which each piece starts
     and ends, and the index of the first piece of each edge.
     """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
-    if one == at:
+    if one == vertex:
         far: int = two
         return far
-    if two == at:
+    if two == vertex:
         near: int = one
         return near
     return -1
 
 
 @kernel(allocates=False)
-def _connected(graph: _Graph, incidence: _Incidence, one: int, two: int) -> bool:
-    """Return whether a single edge connects the vertices ``one`` and ``two``."""
-    for k in range(incidence.first[one], incidence.first[one + 1]):
+def _connected(graph: _Graph, incidence: _Incidence, first_vertex: int, second_vertex: int) -> bool:
+    """Return whether a single edge of the graph connects two vertices.
+
+    ``incidence`` lists the pieces at each vertex.
+    """
+    for k in range(incidence.first[first_vertex], incidence.first[first_vertex + 1]):
         i = graph.edge[incidence.piece[k]]
-        if i >= 0 and _other_end(graph.start, graph.end, graph.first, i, one) == two:
+        if (
+            i >= 0
+            and _other_end(graph.start, graph.end, graph.first, i, first_vertex) == second_vertex
+        ):
             return True
     return False
 
@@ -287,10 +310,10 @@ def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i
 
 
 @kernel(allocates=False)
-def _turn(one: float, other: float) -> float:
-    """Return the turn from direction ``one`` to direction ``other``, from -π to π.
+def _turn(before: float, after: float) -> float:
+    """Return the turn from direction ``before`` to direction ``after``, from -π to π.
 
     Directions and turn are angles in radians.
     """
-    turn = (other - one) % (2.0 * math.pi)
+    turn = (after - before) % (2.0 * math.pi)
     return turn - 2.0 * math.pi if turn > math.pi else turn

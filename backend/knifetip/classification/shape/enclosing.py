@@ -30,7 +30,7 @@ class Enclosures(NamedTuple):
     """The kinds of the c connected components of a drawing that enclose other components."""
 
     panels: I64  #: (c,) number of faces inside the outline
-    parent: I32  #: (c,) component that has a face with this one inside, -1 for none
+    parent: I32  #: (c,) component with a face that contains this component, -1 for none
     frame: Bool  #: (c,) whether it is a rectangle round blanks, perhaps with a title block
     bleed: Bool  #: (c,) whether it follows the outline of its contents
     carton: Bool  #: (c,) whether it encloses a whole carton, and is neither frame nor bleed
@@ -39,9 +39,14 @@ class Enclosures(NamedTuple):
     def find(
         cls, graph: PlanarGraph, faces: Faces, boxes: ComponentBoxes, unit: float
     ) -> Enclosures:
-        """Return the components of a graph that enclose other components.
+        """Return the components of a graph that enclose other components, by their kinds.
 
-        ``unit`` is the number of drawing units in a millimetre.
+        Parameters
+        ----------
+        graph, faces, boxes
+            Planar graph of a drawing, its faces, and the bounding boxes of its components.
+        unit
+            Number of drawing units in a millimetre.
         """
         count, owner = len(faces.outer_face), faces.component
         bounded = faces.area > unit * unit
@@ -69,6 +74,8 @@ def _find_frames(
 
     Parameters
     ----------
+    faces, boxes
+        Faces of the planar graph, and bounding boxes of its c components.
     parent, panels : (c,) and (c,)
         Component that contains each component, -1 for none, and number of faces inside the outline
         of each component.
@@ -169,7 +176,10 @@ class _Lines(NamedTuple):
 
 
 class _ComponentPieces(NamedTuple):
-    """The pieces of each component: those of component c are ``piece[first[c] : first[c + 1]]``."""
+    """The pieces of each component of a graph.
+
+    The pieces of component c are ``piece[first[c] : first[c + 1]]``.
+    """
 
     piece: I32_1  #: (p,) pieces sorted by component
     first: I64_1  #: (c + 1,) index of the first piece of each component
@@ -207,6 +217,8 @@ def _mark_bleeds(
 
     Parameters
     ----------
+    lines, pieces
+        The pieces of the graph, and the pieces of each component.
     outer : (k,)
         The components to check.
     contents : (k, 2)
@@ -214,7 +226,7 @@ def _mark_bleeds(
     inner
         Components inside the components ``outer``, sorted by the component around them.
     nearest
-        Least distance between a component and a component inside it (drawing units).
+        Least distance between a bleed and a component inside it (drawing units).
     bleed : (c,)
         Mask of all components of the graph; the entries of the components ``outer`` are written.
     """
@@ -255,15 +267,21 @@ def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> 
 def _distance_range(
     ends: F64_3, bulge: F64_1, other_ends: F64_3, other_bulge: F64_1
 ) -> tuple[float, float]:
-    """Return the least and the greatest distance of segments from the nearest other segment.
+    """Return the least and the greatest distance of some segments from other segments.
 
-    Only the distances of the starts and the middles of the segments are measured.  ``ends`` and
-    ``bulge`` are the segments, ``other_ends`` and ``other_bulge`` the other segments.
+    The distance of a segment is that of its start or its middle from the nearest other segment.
+
+    Parameters
+    ----------
+    ends, bulge : (m, 2, 2) and (m,)
+        Start and end points and bulges of the segments.
+    other_ends, other_bulge : (k, 2, 2) and (k,)
+        Start and end points and bulges of the other segments.
     """
     least, most = np.inf, 0.0
     for p in range(len(bulge)):
-        for share in (0.0, 0.5):
-            x, y = point_at(ends, bulge, p, share)
+        for fraction in (0.0, 0.5):
+            x, y = point_at(ends, bulge, p, fraction)
             best = np.inf
             for q in range(len(other_bulge)):
                 best = min(best, distance_to(other_ends, other_bulge, q, x, y, best)[0])

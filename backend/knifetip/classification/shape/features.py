@@ -139,7 +139,7 @@ def extract_shape_features(
 
 
 def _no_features(count: int) -> ShapeFeatures:
-    """Return features of ``count`` edges that are all unknown.
+    """Return shape features of ``count`` edges in which every role is unknown.
 
     They are used if the edges are too crowded for a planar graph.
     """
@@ -161,7 +161,7 @@ def _no_features(count: int) -> ShapeFeatures:
 
 
 class _Extraction(NamedTuple):
-    """The edges and options of one extraction of shape features."""
+    """The edges of a drawing, and the options with which their shape features are computed."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)
@@ -245,12 +245,14 @@ def _bounded_faces(faces: Faces) -> I32:
 
 
 def _outermost_components(faces: Faces, inside: Bool) -> I32:
-    """Return the outermost component around each component, (c,).
+    """Return the outermost component around each of c components, (c,).
 
     The entry of a component that is not inside a blank is the component itself.
 
     Parameters
     ----------
+    faces
+        Faces of the planar graph, which state the face around each component.
     inside : (c,)
         Whether each component is inside a face of a blank.
     """
@@ -302,29 +304,33 @@ def _fill_short_edges(
 ) -> None:
     """Give edges without pieces the role and component of an edge that ends at their start.
 
-    An edge has no pieces if it is shorter than ``tolerance``.  Writes to ``edges``.
+    An edge has no pieces if it is shorter than ``tolerance``.
 
     Parameters
     ----------
+    edges
+        Features of the n edges, to which the function writes.
+    graph
+        Planar graph of the edges, with p pieces.
     ends : (n, 2, 2)
         Ends of the n edges.
     length : (p,)
         Length of each piece of the graph.
     """
-    short = np.flatnonzero(edges.length == 0.0)
+    short_edges = np.flatnonzero(edges.length == 0.0)
     with_pieces = np.where(edges.length > 0.0, np.arange(len(edges.length)), 0)
-    previous = np.maximum.accumulate(with_pieces)[short]
-    gap = np.hypot(*(ends[previous, 1] - ends[short, 0]).T)
+    previous = np.maximum.accumulate(with_pieces)[short_edges]
+    gap = np.hypot(*(ends[previous, 1] - ends[short_edges, 0]).T)
     # If the edge before in the file does not end there: the edge of the longest piece that does.
     model = np.where(
         (edges.length[previous] > 0.0) & (gap <= 4.0 * tolerance),
         previous,
-        _longest_neighbours(graph, length, short),
+        _longest_neighbours(graph, length, short_edges),
     )
-    short, model = short[model >= 0], model[model >= 0]
-    edges.role[short], edges.fraction[short] = edges.role[model], edges.fraction[model]
-    edges.component[short] = edges.component[model]
-    edges.length[short] = tolerance
+    short_edges, model = short_edges[model >= 0], model[model >= 0]
+    edges.role[short_edges], edges.fraction[short_edges] = edges.role[model], edges.fraction[model]
+    edges.component[short_edges] = edges.component[model]
+    edges.length[short_edges] = tolerance
 
 
 @kernel
@@ -356,14 +362,18 @@ def _find_narrow_faces(left: I32_1, right: I32_1, length: F64_1, area: F64_1, wi
 def _sum_pieces(
     first: I32_1, pieces: _Pieces, narrow: Bool_1, edges: _EdgeSums, begin: int, end: int
 ) -> None:
-    """Write the features of edges ``begin`` … ``end`` - 1 to ``edges``.
+    """Compute the features of edges ``begin`` … ``end`` - 1 from the pieces of each edge.
 
     Parameters
     ----------
     first : (n + 1,)
         Index of the first piece of each edge.
+    pieces
+        Columns of all pieces.
     narrow : (f,)
         Whether each face is narrow.
+    edges
+        Columns of the n edges, to which the function writes.
     """
     component, length, role, left, right = pieces
     by_role = np.zeros(256)
@@ -391,24 +401,24 @@ def _sum_pieces(
             by_role[role[p]] = 0.0
 
 
-def _longest_neighbours(graph: PlanarGraph, length: F64, short: I64) -> I32:
-    """Return the edge of the longest piece at the start of each short edge, (k,), -1 for none.
+def _longest_neighbours(graph: PlanarGraph, length: F64, short_edges: I64) -> I32:
+    """Return for each short edge the edge of the longest piece at its start, (k,), -1 for none.
 
-    ``short`` (k,) are the indices of edges without pieces, and ``length`` (p,) is the length of
-    each piece.
+    ``short_edges`` (k,) are the indices of edges that have no pieces in the graph, and ``length``
+    (p,) is the length of each piece.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
-    if len(short) == 0:
+    if len(short_edges) == 0:
         return found[:0]
     wanted = np.zeros(len(graph.vertex), np.bool_)
-    wanted[graph.end_vertex[2 * short]] = True
+    wanted[graph.end_vertex[2 * short_edges]] = True
     vertex = np.concatenate([graph.start, graph.end])
     edge = np.tile(graph.edge, 2)
     piece = np.flatnonzero(wanted[vertex] & (edge >= 0))
     piece = piece[np.argsort(np.tile(length, 2)[piece], kind="stable")]
     # Pieces are assigned by length, so that the longest one at a vertex remains.
     found[vertex[piece]] = edge[piece]
-    return found[graph.end_vertex[2 * short]]
+    return found[graph.end_vertex[2 * short_edges]]
 
 
 #: Roles of a piece by the kind of its component: with the outer face on one side, on both sides,

@@ -131,10 +131,21 @@ def _measure_boxes(
     box: OutF64_2,
     rectilinear: OutBool_1,
 ) -> None:
-    """Write to ``box`` and ``rectilinear`` the bounding box and shape of each component.
+    """Write the bounding box of each of c components, and whether the component is rectilinear.
 
     A component is rectilinear if it has only lines that are horizontal or vertical within
-    ``tolerance``; entries of other components are set to False.
+    ``tolerance``.
+
+    Parameters
+    ----------
+    vertex : (q, 2)
+        Position of each vertex.
+    start, end, bulge, component : (p,)
+        Start vertex, end vertex, bulge and component of each piece.
+    box : (c, 4)
+        Gets x min, y min, x max, y max of each component.
+    rectilinear : (c,)
+        Set to False for components that are not rectilinear.
     """
     for p in range(len(start)):
         c, a, b = component[p], start[p], end[p]
@@ -142,10 +153,10 @@ def _measure_boxes(
         shorter, longer = min(abs(dx), abs(dy)), max(abs(dx), abs(dy))
         if abs(bulge[p]) > 1e-6 or shorter > max(0.001 * longer, tolerance):
             rectilinear[c] = False
-        for share in (0.0, 0.5, 1.0):
-            sagitta = 2.0 * share * (1.0 - share) * bulge[p]
-            x = vertex[a, 0] + share * dx + sagitta * dy
-            y = vertex[a, 1] + share * dy - sagitta * dx
+        for fraction in (0.0, 0.5, 1.0):
+            sagitta = 2.0 * fraction * (1.0 - fraction) * bulge[p]
+            x = vertex[a, 0] + fraction * dx + sagitta * dy
+            y = vertex[a, 1] + fraction * dy - sagitta * dx
             box[c, 0] = min(box[c, 0], x)
             box[c, 1] = min(box[c, 1], y)
             box[c, 2] = max(box[c, 2], x)
@@ -159,10 +170,17 @@ def _add_lengths(
 ) -> None:  # fmt: skip
     """Add the lengths and the number of p pieces to the totals of their c components.
 
-    Writes to ``total`` (length of all pieces), ``dangling`` (length of pieces with the outer face
-    on both sides), ``outline`` (length of pieces with the outer face on one side) and ``pieces``
-    (number of pieces), (c,) each.  The other arguments are columns of the pieces, and the outer
-    face of each component.
+    Parameters
+    ----------
+    edge, component, left, right, length : (p,)
+        Edge and component of each piece, the faces on its left and right, and its length.
+    outer_face : (c,)
+        Outer face of each component.
+    total, dangling, outline : (c,)
+        Totals to which lengths are added: of all pieces, of pieces with the outer face on both
+        sides, and of pieces with the outer face on one side.
+    pieces : (c,)
+        Total to which the number of pieces is added.
     """
     for p in range(len(edge)):
         c = component[p]
@@ -218,23 +236,23 @@ def _text_positions(annotations: Sequence[Annotation]) -> F64:
 
 
 def _locate_texts(annotations: Sequence[Annotation], box: F64) -> tuple[I64, Bool]:
-    """Return the number of texts in each box, and whether a text is in or beside each box.
+    """Return how many texts are in each of c boxes, (c,), and whether one is in or beside it, (c,).
 
-    ``box`` (c, 4) are the boxes; each of the two returned arrays has the shape (c,).
+    ``box`` (c, 4) are the boxes, and ``annotations`` are the texts and dimensions of the drawing.
     """
     positions = _text_positions(annotations)
-    inside, near = np.zeros(len(box), np.int64), np.zeros(len(box), np.bool_)
+    inside, near_text = np.zeros(len(box), np.int64), np.zeros(len(box), np.bool_)
 
     def locate(chunk: tuple[int, int]) -> None:
         rows = slice(*chunk)
-        _count_texts(positions, box[rows], inside[rows], near[rows])
+        _count_texts(positions, box[rows], inside[rows], near_text[rows])
 
     parallel_map(locate, chunks(len(box), _MIN_PAIRS // (len(positions) + 1)))
-    return inside, near
+    return inside, near_text
 
 
 @kernel
-def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near: OutBool_1) -> None:
+def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near_text: OutBool_1) -> None:
     """Count the texts in each box, and mark the boxes with a text in or beside them.
 
     Parameters
@@ -243,7 +261,7 @@ def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near: OutBool_1) -> 
         x, y, height and width of each text, sorted by x.
     box : (c, 4)
         x min, y min, x max, y max of each box.
-    inside, near : (c,) and (c,)
+    inside, near_text : (c,) and (c,)
         Receive the number of texts in each box, and whether a text is in or beside it.
     """
     widest, lowest, highest = 0.0, np.inf, -np.inf
@@ -267,4 +285,4 @@ def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near: OutBool_1) -> 
                 and box[c, 1] <= y + margin
                 and y - margin <= box[c, 3]
             ):
-                near[c] = True
+                near_text[c] = True

@@ -36,7 +36,7 @@ _MIN_PAIRS: Final = 300_000
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PartKinds:
-    """The kinds of c connected components, one mask per kind; a blank is in none of the masks."""
+    """The kinds of c connected components, one mask for each kind; a blank is in no mask."""
 
     inside: Bool  #: (c,) inside a face of a blank
     frame: Bool  #: (c,) a rectangle round blanks
@@ -126,8 +126,8 @@ def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, ti
 
     Parameters
     ----------
-    box : (c, 4)
-        Bounding box of each component.
+    measures, box : (c, 4)
+        Measures of the components, and their bounding boxes.
     outlines, small : (c,)
         Mask of components that may be a blank or a part of a blank's outline, and mask of small
         components.

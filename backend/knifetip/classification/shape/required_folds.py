@@ -30,10 +30,10 @@ _AREA_TOLERANCE: Final = 0.003
 _FEWEST_PANELS: Final = 6
 #: Greatest distance between the centres of equal panels, as a fraction of the largest panel's size.
 _CENTRE_TOLERANCE: Final = 0.01
-#: If more than this share of the panels repeats others, they may be those of further blanks: …
+#: If more than this fraction of the panels repeats others, they may belong to further blanks: …
 _REPEATED: Final = 0.4
-#: … or of a row of blanks, if more than this share does and the rest is a carton.  The panels of
-#: a square carton are equal side by side too.
+#: … or to a row of blanks, if more than this fraction does and the rest is a carton.  Panels of
+#: a square carton also repeat side by side.
 _REPEATED_IN_ROW: Final = 0.55
 #: A carton has no more equal panels than this; a living hinge has, and so has a sheet of cards.
 _MOST_EQUAL: Final = 16
@@ -48,10 +48,12 @@ _MOST_COMPONENTS: Final = 200
 def find_required_folds(
     graph: PlanarGraph, faces: Faces, role: U8, length: F64, count: int
 ) -> Bool:
-    """Return the mask of edges that must be folds, (n,).
+    """Return the mask of edges that must be folds, because a panel is attached by them alone, (n,).
 
     Parameters
     ----------
+    graph, faces
+        Planar graph of the edges, with p pieces, and its faces.
     role, length : (p,)
         Role and length of each piece of the graph.
     count
@@ -112,10 +114,9 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
 
 
 def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
-    """Return the number of pieces at each vertex, and whether they form an angle there.
+    """Return how many pieces meet at each vertex, (q,), and whether they form an angle there, (q,).
 
-    The two arrays have the shape (q,).  Pieces form an angle if they are not all on one straight
-    line.
+    Pieces form an angle if they are not all on one straight line.
     """
     vertices = len(graph.vertex)
     own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
@@ -179,6 +180,8 @@ class _Borders(NamedTuple):
     def between_inner_corners(self, on_rim: Bool, degree: I64) -> Bool:
         """Return the mask of borders that start and end at corners that are not on the rim, (k,).
 
+        The rim is the outline of a blank.
+
         Parameters
         ----------
         on_rim, degree : (q,)
@@ -224,7 +227,7 @@ class _Borders(NamedTuple):
 
 
 class _Panels(NamedTuple):
-    """Measures of m panels of one component, or of all m faces of a graph."""
+    """Measures of m panels of one component, or of all m faces of a graph, one row for each."""
 
     area: F64  #: (m,) area of each panel
     centre: F64  #: (m, 2) mean of the contour
@@ -331,9 +334,10 @@ def _has_repeated_blanks(panels: _Panels) -> bool:
 
 
 def _find_bridges(pair: I64, faces: int) -> Bool:
-    """Return the mask of pairs of faces that alone connect two parts of the graph of faces, (k,).
+    """Return the mask of the k pairs of faces that are bridges, (k,).
 
-    ``pair`` (k, 2) are pairs of neighbouring faces; such pairs are the bridges of the graph.
+    Two neighbouring faces are a bridge if they alone connect two parts of the graph of faces.
+    ``pair`` (k, 2) are the pairs of neighbouring faces, and ``faces`` is the number of faces.
     """
     ends = np.concatenate([pair[:, 0], pair[:, 1]])
     order = np.argsort(ends, kind="stable")
@@ -344,14 +348,19 @@ def _find_bridges(pair: I64, faces: int) -> Bool:
 
 @kernel
 def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any:
-    """Return the mask of pairs that are bridges, (k,), by depth-first search (Tarjan 1974).
+    """Return the mask of the pairs of faces that are bridges, (k,).
+
+    A pair is a bridge if it alone connects two parts of the graph of faces.  The bridges are found
+    by depth-first search (Tarjan 1974).
 
     Parameters
     ----------
     pair : (k, 2)
-        Edges of the graph of faces.
+        Pairs of neighbouring faces: the edges of the graph of faces.
     first, incident : (faces + 1,) and (2k,)
         The pairs with face f are ``incident[first[f] : first[f + 1]]``.
+    faces
+        Number of faces.
     """
     bridge = np.zeros(len(pair), np.bool_)
     entered = np.full(faces, -1, np.int64)

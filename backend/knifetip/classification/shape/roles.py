@@ -34,7 +34,7 @@ class Role(IntEnum):
 
     @property
     def message(self) -> Message:
-        """The clause that describes an edge, such as "the edge closes the outline of a blank"."""
+        """The clause that describes the role, such as "the edge closes the outline of a blank"."""
         return _MESSAGES[self]
 
 
