@@ -49,10 +49,10 @@ class _Placed(NamedTuple):
 
     row: I64  #: (q,) drawn edge of each stretch
     edge: I64  #: (q,) current edge of each stretch, -1 for debris
-    given: Bool  #: (q,) whether the stretch overlaps another edge
+    overlapping: Bool  #: (q,) whether the stretch overlaps another edge
     slot: I64  #: (k,) row of each edge in the cleaned dieline
     source: I64  #: (k,) drawn row from which each edge takes its source, face and part
-    of: I32  #: (n,) cleaned row that covers most of each drawn edge, -1 for none
+    target_row: I32  #: (n,) cleaned row that covers most of each drawn edge, -1 for none
 
 
 class _Lengths(NamedTuple):
@@ -83,14 +83,15 @@ class _State:
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the drawn edge
     end: F64  #: (q,) end of each stretch
     edge: I64  #: (q,) current edge of each stretch, -1 for debris
-    given: Bool  #: (q,) whether the stretch overlaps another edge
-    met: EndPoints | None = None  #: points of the ends, None before they are first used
+    overlapping: Bool  #: (q,) whether the stretch overlaps another edge
+    #: points of the ends of ``ends``, None before they are first used
+    cached_end_points: EndPoints | None = None
 
     def end_points(self) -> EndPoints:
         """Return the points at which current edges meet, and pairs of ends near each other."""
-        if self.met is None or self.met.of is not self.ends:
-            self.met = find_end_points(self.ends, GAP)
-        return self.met
+        if self.cached_end_points is None or self.cached_end_points.ends is not self.ends:
+            self.cached_end_points = find_end_points(self.ends, GAP)
+        return self.cached_end_points
 
     def remove_overlaps(self, drawn: Dieline) -> bool:
         """Replace the current edges by pieces that do not overlap each other.
@@ -99,7 +100,7 @@ class _State:
         divided because only a part of it overlaps another edge.
         """
         pieces = remove_overlaps(self.ends, self.bulge, self.kind)
-        if not pieces.given.any():
+        if not pieces.is_foreign.any():
             return False
         split = len(pieces.edge) > len(self.bulge)
         by_edge = np.lexsort((pieces.begin, pieces.edge))
@@ -110,13 +111,15 @@ class _State:
         start, finish, bent = drawn.ends[row, 0], drawn.ends[row, 1], drawn.bulge[row]
         on, bow = self.ends[edge], self.bulge[edge]
         from_, to = (
-            arc.nearest_fraction(on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, share))
-            for share in (begin, end)
+            arc.nearest_fraction(
+                on[:, 0], on[:, 1], bow, arc.point_at(start, finish, bent, fraction)
+            )
+            for fraction in (begin, end)
         )
         # One row for every part into which the edge of a stretch was split.
-        many = first[edge + 1] - first[edge]
-        old = np.repeat(np.arange(len(edge)), many)
-        offset = np.arange(len(old)) - np.repeat(np.cumsum(many) - many, many)
+        part_count = first[edge + 1] - first[edge]
+        old = np.repeat(np.arange(len(edge)), part_count)
+        offset = np.arange(len(old)) - np.repeat(np.cumsum(part_count) - part_count, part_count)
         part = by_edge[first[edge[old]] + offset]
         low, high = np.minimum(from_, to)[old], np.maximum(from_, to)[old]
         span = np.maximum(high - low, 1e-12)
@@ -124,7 +127,7 @@ class _State:
             np.clip((place[part] - low) / span, 0.0, 1.0) for place in (pieces.begin, pieces.end)
         )
         one = np.where(offset == 0, 0.0, one)
-        two = np.where(offset == many[old] - 1, 1.0, two)
+        two = np.where(offset == part_count[old] - 1, 1.0, two)
         back = (from_ > to)[old]
         one, two = np.where(back, 1.0 - two, one), np.where(back, 1.0 - one, two)
         some = two > one
@@ -134,8 +137,8 @@ class _State:
         self.begin = np.concatenate([begin[old] + one * size, self.begin[lost]])
         self.end = np.concatenate([begin[old] + two * size, self.end[lost]])
         self.edge = np.concatenate([pieces.piece[part], self.edge[lost]]).astype(np.int64)
-        given = self.given[live][old] | pieces.given[part]
-        self.given = np.concatenate([given, self.given[lost]])
+        overlapping = self.overlapping[live][old] | pieces.is_foreign[part]
+        self.overlapping = np.concatenate([overlapping, self.overlapping[lost]])
         self.ends, self.bulge, self.kind = pieces.ends, pieces.bulge, self.kind[pieces.owner]
         self.moved, self.fitted = self.moved[pieces.owner], self.fitted[pieces.owner]
         return split
@@ -148,10 +151,10 @@ class _State:
         """
         live = self.edge >= 0
         count = len(self.bulge)
-        owned = np.bincount(self.edge[live & ~self.given], minlength=count) > 0
+        owned = np.bincount(self.edge[live & ~self.overlapping], minlength=count) > 0
         if owned.all():
             return
-        self.given = self.given & np.append(owned, True)[self.edge]
+        self.overlapping = self.overlapping & np.append(owned, True)[self.edge]
         keep = np.bincount(self.edge[live], minlength=count) > 0
         number = np.append(np.where(keep, np.cumsum(keep) - 1, -1), -1)
         self.edge = number[self.edge]
@@ -163,18 +166,18 @@ class _State:
 
         If ``curves_only`` is True, only the segments of flattened curves are merged.
         """
-        made = merge_collinear(
+        merged = merge_collinear(
             self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
         )
-        count = len(made.bulge)
+        count = len(merged.bulge)
         if count == len(self.bulge):
             return
-        moved, fitted = np.zeros(count), made.fitted.copy()
-        np.maximum.at(moved, made.of, self.moved)
-        np.logical_or.at(fitted, made.of, self.fitted)
-        self.ends, self.bulge, self.kind = made.ends, made.bulge, made.kind
+        moved, fitted = np.zeros(count), merged.fitted.copy()
+        np.maximum.at(moved, merged.merged_edge, self.moved)
+        np.logical_or.at(fitted, merged.merged_edge, self.fitted)
+        self.ends, self.bulge, self.kind = merged.ends, merged.bulge, merged.kind
         self.moved, self.fitted = moved, fitted
-        self.edge = np.where(self.edge < 0, -1, made.of[self.edge])
+        self.edge = np.where(self.edge < 0, -1, merged.merged_edge[self.edge])
 
     def remove_debris_and_gaps(self) -> None:
         """Remove current edges that are debris, then close gaps between the ends of edges."""
@@ -187,9 +190,9 @@ class _State:
             self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
             self.moved, self.fitted = self.moved[keep], self.fitted[keep]
             self.edge = np.where(self.edge < 0, -1, number[self.edge])
-        shut = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.end_points())
-        self.moved = np.maximum(self.moved, shut.moved)
-        self.ends = shut.ends
+        closed = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.end_points())
+        self.moved = np.maximum(self.moved, closed.displacement)
+        self.ends = closed.ends
 
 
 def clean(dieline: Dieline) -> Cleaned:
@@ -256,8 +259,8 @@ def _slots(state: _State, count: int) -> tuple[I64, I64]:
     contains a part.  The cleaned row equals the source row unless another current edge has taken
     that row; in that case it is a new row after the first ``count``.
     """
-    own = np.flatnonzero((state.edge >= 0) & ~state.given)
-    order = own[np.lexsort((state.begin[own], state.row[own], state.edge[own]))]
+    owned = np.flatnonzero((state.edge >= 0) & ~state.overlapping)
+    order = owned[np.lexsort((state.begin[owned], state.row[owned], state.edge[owned]))]
     edge, row = state.edge[order], state.row[order]
     head = np.flatnonzero(np.append(True, edge[1:] != edge[:-1])) if len(edge) else edge
     slot = np.full(len(state.bulge), -1, np.int64)
@@ -301,32 +304,41 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
         part=dieline.part[shown],
     )
     order = np.lexsort((state.begin, state.row))
-    row, edge, given = state.row[order], state.edge[order], state.given[order]
+    row, edge, overlapping = state.row[order], state.edge[order], state.overlapping[order]
     low, high = state.begin[order], state.end[order]
     target = np.append(slot, -1)[edge]
     size = (high - low) * length[row]
 
-    def summed(which: Bool) -> F64:
-        return np.bincount(row[which], size[which], count).astype(np.float64)
+    def summed(mask: Bool) -> F64:
+        return np.bincount(row[mask], size[mask], count).astype(np.float64)
 
     live = edge >= 0
-    kept, merged, dropped = summed(live & ~given), summed(live & given), summed(~live)
+    kept, merged, dropped = summed(live & ~overlapping), summed(live & overlapping), summed(~live)
     kept[~at_work] = length[~at_work]
     added = np.zeros(count)
-    made = arc.length(state.ends[:, 0], state.ends[:, 1], state.bulge)
-    drawn = np.bincount(edge[live & ~given], size[live & ~given], len(made))
-    np.add.at(added, source, np.where(np.abs(made - drawn) < _HAIR, 0.0, made - drawn))
+    cleaned_length = arc.length(state.ends[:, 0], state.ends[:, 1], state.bulge)
+    drawn_length = np.bincount(
+        edge[live & ~overlapping], size[live & ~overlapping], len(cleaned_length)
+    )
+    np.add.at(
+        added,
+        source,
+        np.where(np.abs(cleaned_length - drawn_length) < _HAIR, 0.0, cleaned_length - drawn_length),
+    )
     moved = np.zeros(count)
     np.maximum.at(moved, source, state.moved)
-    off = _deviation(dieline, ends, bulge, row, low, high, target)
-    of = _main_row(row, size, target, given, count)
-    of[~at_work] = np.flatnonzero(~at_work)
+    deviation = _deviation(dieline, ends, bulge, row, low, high, target)
+    target_row = _main_row(row, size, target, overlapping, count)
+    target_row[~at_work] = np.flatnonzero(~at_work)
     outcome, reason = _outcomes(
-        state, _Placed(row, edge, given, slot, source, of), _Lengths(kept, merged, moved), at_work
+        state,
+        _Placed(row, edge, overlapping, slot, source, target_row),
+        _Lengths(kept, merged, moved),
+        at_work,
     )
     return Cleaned(
         cleaned,
-        of,
+        target_row,
         outcome,
         reason,
         kept,
@@ -334,12 +346,12 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
         dropped,
         added,
         moved,
-        off,
-        Stretches(row.astype(np.int32), low, high, target.astype(np.int32), given),
+        deviation,
+        Stretches(row.astype(np.int32), low, high, target.astype(np.int32), overlapping),
     )
 
 
-def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
+def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -> I32:
     """Return the row of the cleaned edge that replaces each of n drawn edges, (n,); -1 if dropped.
 
     It is the cleaned edge of the longest stretch of the drawn edge; stretches that overlap another
@@ -347,18 +359,18 @@ def _main_row(row: I64, size: F64, target: I64, given: Bool, count: int) -> I32:
 
     Parameters
     ----------
-    row, size, target, given : (q,)
+    row, size, target, overlapping : (q,)
         For each of q stretches: its drawn edge, its length (mm), the row of its cleaned edge (-1
         for debris), and whether it overlaps another edge.
     count
         Number n of drawn edges.
     """
-    of = np.full(count, -1, np.int32)
+    target_row = np.full(count, -1, np.int32)
     live = np.flatnonzero(target >= 0)
-    order = live[np.lexsort((size[live], ~given[live], row[live]))]
+    order = live[np.lexsort((size[live], ~overlapping[live], row[live]))]
     # The last assignment to each row counts.
-    of[row[order]] = target[order]
-    return of
+    target_row[row[order]] = target[order]
+    return target_row
 
 
 def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
@@ -373,31 +385,31 @@ def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) 
     at_work : (n,)
         Mask of the edges whose line type is cut or creased.
     """
-    row, edge, given, slot, source, of = placed
+    row, edge, overlapping, slot, source, target_row = placed
     kept, merged, moved = lengths
-    count = len(of)
-    home = np.zeros(count, np.bool_)
-    home[slot[slot < count]] = True
-    own = (edge >= 0) & ~given
+    count = len(target_row)
+    keeps_row = np.zeros(count, np.bool_)
+    keeps_row[slot[slot < count]] = True
+    owned = (edge >= 0) & ~overlapping
     # Edges that contain parts of several drawn edges.
     several = np.zeros(count, np.bool_)
-    first = source[edge[own]]
-    several[first[first != row[own]]] = True
+    first = source[edge[owned]]
+    several[first[first != row[owned]]] = True
     curve = np.zeros(count, np.bool_)
-    curve[row[own]] = state.fitted[edge[own]]
+    curve[row[owned]] = state.fitted[edge[owned]]
     reason = np.full(count, CleaningReason.AS_DRAWN, np.uint8)
     reason[moved > 0.0] = CleaningReason.MOVED
     reason[several] = CleaningReason.LONGER
-    reason[home & (merged > 0.0)] = CleaningReason.SHORTENED
-    parted = np.bincount(row[own], minlength=count) > 1
-    reason[home & parted] = CleaningReason.SHORTENED
-    away = at_work & ~home & (of >= 0)
+    reason[keeps_row & (merged > 0.0)] = CleaningReason.SHORTENED
+    is_split = np.bincount(row[owned], minlength=count) > 1
+    reason[keeps_row & is_split] = CleaningReason.SHORTENED
+    away = at_work & ~keeps_row & (target_row >= 0)
     reason[away] = np.where(
         kept[away] > 0.0,
         np.where(curve[away], CleaningReason.FITTED, CleaningReason.JOINED),
         CleaningReason.TWICE,
     )
-    lost = at_work & (of < 0)
+    lost = at_work & (target_row < 0)
     reason[lost] = CleaningReason.SPECK
     reason[~at_work] = CleaningReason.NO_WORK
     outcome = np.full(count, ImportOutcome.KEPT, np.uint8)
@@ -435,8 +447,8 @@ def _deviation(
         dieline.bulge[row[some]],
     )
     at, to = ends[target[some]], bulge[target[some]]
-    for share in (0.0, 0.25, 0.5, 0.75, 1.0):
-        place = low[some] + share * (high[some] - low[some])
+    for fraction in (0.0, 0.25, 0.5, 0.75, 1.0):
+        place = low[some] + fraction * (high[some] - low[some])
         point = arc.point_at(start, end, bent, place)
         along = arc.nearest_fraction(at[:, 0], at[:, 1], to, point)
         gap = point - arc.point_at(at[:, 0], at[:, 1], to, along)

@@ -38,10 +38,10 @@ class Closed:
     """The ends of k edges after gaps were closed, and how far they were moved."""
 
     ends: F64  #: (k, 2, 2) mm
-    moved: F64  #: (k,) larger displacement of the two ends (mm)
+    displacement: F64  #: (k,) larger displacement of the two ends (mm)
 
 
-def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
+def find_debris(ends: F64, length: F64, end_points: EndPoints) -> Bool:
     """Return the mask of the edges that are debris, shape (k,).
 
     Parameters
@@ -50,14 +50,16 @@ def find_debris(ends: F64, length: F64, met: EndPoints) -> Bool:
         Start and end points of k edges (mm).
     length : (k,)
         Lengths of the edges (mm).
-    met
+    end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     """
-    found: Bool = _find_debris(ends.reshape(-1, 2), length, met.place, met.near, GAP, SAME)
+    found: Bool = _find_debris(
+        ends.reshape(-1, 2), length, end_points.place, end_points.pairs, GAP, SAME
+    )
     return found
 
 
-def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -> Closed:
+def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPoints) -> Closed:
     """Return the ends of k edges after gaps between ends were closed, and how far they moved.
 
     Parameters
@@ -68,21 +70,21 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -
         Bulges and line types of the edges.
     settled : (k,)
         Mask of the edges whose ends are not moved.
-    met
+    end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     """
-    points, place, near = ends.reshape(-1, 2), met.place, met.near
-    if len(near) == 0 or settled[near // 2].all():
+    points, place, near_pairs = ends.reshape(-1, 2), end_points.place, end_points.pairs
+    if len(near_pairs) == 0 or settled[near_pairs // 2].all():
         return Closed(ends, np.zeros(len(bulge)))
-    size = np.hypot(*(points[near[:, 0]] - points[near[:, 1]]).T)
-    order = np.lexsort((near[:, 1], near[:, 0], np.round(size, 6)))
+    size = np.hypot(*(points[near_pairs[:, 0]] - points[near_pairs[:, 1]]).T)
+    order = np.lexsort((near_pairs[:, 1], near_pairs[:, 0], np.round(size, 6)))
     moved = _close(
         points,
         bulge,
         kind.astype(np.int64),
         outward_directions(ends, bulge).reshape(-1, 2),
         place,
-        near[order],
+        near_pairs[order],
         settled,
         GAP,
         JOIN,
@@ -99,7 +101,7 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, met: EndPoints) -
 
 @kernel
 def _find_debris(
-    points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float, same: float
+    points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, gap: float, same: float
 ) -> Any:
     count = len(length)
     many = np.zeros(len(place), np.int64)
@@ -136,7 +138,7 @@ def _find_debris(
         spot[at, 2] = max(spot[at, 2], points[end, 0])
         spot[at, 3] = max(spot[at, 3], points[end, 1])
     debris = np.zeros(count, np.bool_)
-    linked = _connecting(points, length, place, near, gap)
+    linked = _connecting(points, length, place, near_pairs, gap)
     for edge in range(count):
         if length[edge] >= gap:
             continue
@@ -158,7 +160,7 @@ def _find_debris(
 
 
 @kernel
-def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: float) -> Any:
+def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, gap: float) -> Any:
     """Return the mask of the edges shorter than ``gap`` that connect other edges, shape (k,).
 
     At or near each end of such an edge another edge ends, and these two other ends are more than
@@ -172,21 +174,21 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: fl
         Lengths of the edges (mm).
     place : (2k,)
         Index of the point of each end; ends that meet have the same point.
-    near : (q, 2)
+    near_pairs : (q, 2)
         Pairs of ends that are near each other.
     """
     count = len(length)
     linked = np.zeros(count, np.bool_)
-    if len(near) == 0:
+    if len(near_pairs) == 0:
         return linked
     # Up to eight ends of other edges near each end.
-    beside = np.full((2 * count, 8), -1, np.int64)
+    neighbours = np.full((2 * count, 8), -1, np.int64)
     many = np.zeros(2 * count, np.int64)
-    for k in range(len(near)):
+    for k in range(len(near_pairs)):
         for side in range(2):
-            here, there = near[k, side], near[k, 1 - side]
+            here, there = near_pairs[k, side], near_pairs[k, 1 - side]
             if many[here] < 8 and here // 2 != there // 2:
-                beside[here, many[here]] = there
+                neighbours[here, many[here]] = there
                 many[here] += 1
     own = np.zeros(len(place), np.int64)
     for end in range(len(place)):
@@ -195,12 +197,12 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near: I64_2, gap: fl
         if length[edge] >= gap:
             continue
         for k in range(many[2 * edge] + 1):
-            p = 2 * edge if k == many[2 * edge] else beside[2 * edge, k]
+            p = 2 * edge if k == many[2 * edge] else neighbours[2 * edge, k]
             if k == many[2 * edge] and own[place[2 * edge]] == 1:
                 continue
             for q_ in range(many[2 * edge + 1] + 1):
                 last = q_ == many[2 * edge + 1]
-                q = 2 * edge + 1 if last else beside[2 * edge + 1, q_]
+                q = 2 * edge + 1 if last else neighbours[2 * edge + 1, q_]
                 if last and own[place[2 * edge + 1]] == 1:
                     continue
                 apart = math.hypot(points[p, 0] - points[q, 0], points[p, 1] - points[q, 1])
@@ -214,14 +216,14 @@ def _close(
     points: F64_2,
     bulge: F64_1,
     kind: I64_1,
-    out: F64_2,
+    outward: F64_2,
     place: I64_1,
-    near: I64_2,
+    near_pairs: I64_2,
     fixed: Bool_1,
     gap: float,
     join: float,
     same: float,
-    beside: float,
+    side_cosine: float,
     straight: float,
     slant: float,
 ) -> Any:
@@ -229,17 +231,17 @@ def _close(
 
     Parameters
     ----------
-    points, out : (2k, 2)
+    points, outward : (2k, 2)
         Ends (mm), and unit vectors that point out of the edge at each end.
     bulge, kind, fixed : (k,)
         Bulge and line type of each edge, and whether its ends must not be moved.
     place : (2k,)
         Index of the point of each end; ends that meet have the same point.
-    near : (q, 2)
+    near_pairs : (q, 2)
         Pairs of ends that are near each other, nearest pair first.
     gap, join, same
         Tolerances ``GAP``, ``JOIN`` and ``SAME`` (mm).
-    beside, straight
+    side_cosine, straight
         Cosines of the largest angles between edges that end side by side, and between edges that
         continue each other.
     slant
@@ -251,8 +253,8 @@ def _close(
     settled = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
         settled[place[end]] |= fixed[end // 2]
-    for k in range(len(near)):
-        a, b = place[near[k, 0]], place[near[k, 1]]
+    for k in range(len(near_pairs)):
+        a, b = place[near_pairs[k, 0]], place[near_pairs[k, 1]]
         if settled[a] and settled[b]:
             continue
         if max(first[a + 1] - first[a], first[b + 1] - first[b]) > CROWD:
@@ -275,8 +277,8 @@ def _close(
         if one < 0 or _connected(a, b, place, by_place, first):
             continue
         if one_many == 1 and other_many == 1:
-            cosine = out[one, 0] * out[other, 0] + out[one, 1] * out[other, 1]
-            if cosine > beside:
+            cosine = outward[one, 0] * outward[other, 0] + outward[one, 1] * outward[other, 1]
+            if cosine > side_cosine:
                 continue
             if cosine > -straight and (
                 _inside(points, bulge, one, other // 2, join, same)
@@ -294,7 +296,7 @@ def _close(
         elif stay_b:
             x, y = moved[other, 0], moved[other, 1]
         else:
-            x, y = _meeting_point(points, bulge, out, one, other, gap, slant)
+            x, y = _meeting_point(points, bulge, outward, one, other, gap, slant)
         far_a = np.inf if stay_a else gap
         far_b = np.inf if stay_b else gap
         if not (
@@ -302,8 +304,8 @@ def _close(
             and _may_move(points, moved, place, by_place, first, b, x, y, far_b, join)
         ):
             continue
-        for at in (a, b):
-            for p in range(first[at], first[at + 1]):
+        for point in (a, b):
+            for p in range(first[point], first[point + 1]):
                 moved[by_place[p], 0] = x
                 moved[by_place[p], 1] = y
         settled[a] = True
@@ -331,13 +333,13 @@ def _may_move(
     place: I64_1,
     by_place: I64_1,
     first: I64_1,
-    at: int,
+    point: int,
     x: float,
     y: float,
     gap: float,
     join: float,
 ) -> bool:
-    """Return whether all ends at the point with index ``at`` may be moved to (x, y).
+    """Return whether all ends at the point with index ``point`` may be moved to (x, y).
 
     An end may not move by more than ``gap`` mm, and the distance between the two ends of an edge
     must remain more than ``join`` mm.  An edge with both ends at the point prevents the move.
@@ -350,12 +352,12 @@ def _may_move(
         Index of the point of each end, and the ends ordered by this index.
     first
         Index into ``by_place`` of the first end at each point.
-    at
+    point
         Index of the point whose ends are to be moved.
     """
-    for p in range(first[at], first[at + 1]):
+    for p in range(first[point], first[point + 1]):
         i = by_place[p]
-        if place[i ^ 1] == at or math.hypot(points[i, 0] - x, points[i, 1] - y) > gap:
+        if place[i ^ 1] == point or math.hypot(points[i, 0] - x, points[i, 1] - y) > gap:
             return False
         if math.hypot(moved[i ^ 1, 0] - x, moved[i ^ 1, 1] - y) <= join:
             return False
@@ -393,7 +395,7 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
 
 @kernel
 def _meeting_point(
-    points: F64_2, bulge: F64_1, out: F64_2, one: int, other: int, gap: float, slant: float
+    points: F64_2, bulge: F64_1, outward: F64_2, one: int, other: int, gap: float, slant: float
 ) -> tuple[float, float]:
     """Return the point (x, y) to which the ends ``one`` and ``other`` are moved to close their gap.
 
@@ -402,7 +404,7 @@ def _meeting_point(
 
     Parameters
     ----------
-    points, out : (2k, 2)
+    points, outward : (2k, 2)
         Ends of k edges (mm), and unit vectors that point out of the edge at each end.
     bulge : (k,)
         Bulges of the edges.
@@ -411,11 +413,11 @@ def _meeting_point(
     """
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]
-    sine = out[one, 0] * out[other, 1] - out[one, 1] * out[other, 0]
+    sine = outward[one, 0] * outward[other, 1] - outward[one, 1] * outward[other, 0]
     if bulge[one // 2] == 0.0 and bulge[other // 2] == 0.0 and abs(sine) > slant:
-        way = ((x1 - x0) * out[other, 1] - (y1 - y0) * out[other, 0]) / sine
-        x = x0 + way * out[one, 0]
-        y = y0 + way * out[one, 1]
+        way = ((x1 - x0) * outward[other, 1] - (y1 - y0) * outward[other, 0]) / sine
+        x = x0 + way * outward[one, 0]
+        y = y0 + way * outward[one, 1]
         if abs(way) <= gap and math.hypot(x - x1, y - y1) <= gap:
             return x, y
     return 0.5 * (x0 + x1), 0.5 * (y0 + y1)

@@ -25,25 +25,25 @@ CROWD: Final = 64
 class EndPoints:
     """The points that the ends of k edges share; edge i has the ends 2i (start) and 2i + 1."""
 
-    of: F64  #: (k, 2, 2) ends of the edges (mm)
+    ends: F64  #: (k, 2, 2) ends of the edges (mm)
     place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one
-    near: I64  #: (q, 2) pairs of ends at different points within the search distance
+    pairs: I64  #: (q, 2) pairs of ends at different points within the search distance
 
 
-def find_end_points(ends: F64, near: float) -> EndPoints:
+def find_end_points(ends: F64, max_distance: float) -> EndPoints:
     """Return the points that the ends of k edges share, and pairs of ends near each other.
 
     Parameters
     ----------
     ends : (k, 2, 2)
         Start and end points of the edges (mm).
-    near
+    max_distance
         Largest distance between the two ends of a pair (mm).
     """
     points = ends.reshape(-1, 2)
     if len(points) == 0:
         return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
-    place, pairs = _find(points - points.min(axis=0), near, JOIN)
+    place, pairs = _find(points - points.min(axis=0), max_distance, JOIN)
     return EndPoints(ends, place, pairs)
 
 
@@ -56,7 +56,7 @@ def _slot(x: int, y: int, mask: U64) -> Any:
 
 
 @kernel
-def _find(points: F64_2, near: float, join: float) -> Any:
+def _find(points: F64_2, max_distance: float, join: float) -> Any:
     count = len(points)
     size = 16
     while size < 2 * count:
@@ -64,13 +64,13 @@ def _find(points: F64_2, near: float, join: float) -> Any:
     mask = np.uint64(size - 1)
     head = np.full(size, -1, np.int64)
     cell = np.empty((count, 2), np.int64)
-    after = np.full(count, -1, np.int64)
+    next_point = np.full(count, -1, np.int64)
     parent = np.arange(count)
     pair = np.empty((64, 2), np.int64)
     pairs = 0
     for i in range(count):
-        cx = int(points[i, 0] / near)
-        cy = int(points[i, 1] / near)
+        cx = int(points[i, 0] / max_distance)
+        cy = int(points[i, 1] / max_distance)
         cell[i, 0] = cx
         cell[i, 1] = cy
         alike = False
@@ -83,7 +83,7 @@ def _find(points: F64_2, near: float, join: float) -> Any:
                 parent[i] = find(parent, j)
                 alike = True
                 break
-            j = after[j]
+            j = next_point[j]
         if alike:
             continue
         beside = 0
@@ -99,7 +99,7 @@ def _find(points: F64_2, near: float, join: float) -> Any:
                         apart = x * x + y * y
                         if apart <= join * join:
                             union(parent, i, j)
-                        elif apart <= near * near and beside < CROWD:
+                        elif apart <= max_distance * max_distance and beside < CROWD:
                             beside += 1
                             if pairs == len(pair):
                                 more = np.empty((2 * pairs, 2), np.int64)
@@ -108,8 +108,8 @@ def _find(points: F64_2, near: float, join: float) -> Any:
                             pair[pairs, 0] = j
                             pair[pairs, 1] = i
                             pairs += 1
-                    j = after[j]
-        after[i] = head[slot]
+                    j = next_point[j]
+        next_point[i] = head[slot]
         head[slot] = i
     flatten(parent)
     # Drop pairs whose ends are at one point after all.

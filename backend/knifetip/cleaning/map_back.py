@@ -41,9 +41,9 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
     length = arc.length(drawn.ends[:, 0], drawn.ends[:, 1], drawn.bulge)
     size = ((parts.end - parts.begin) * length[parts.row])[own]
     whole = np.bincount(parts.cleaned[own], size, len(cleaned.dieline))
-    share = size / whole[parts.cleaned[own]]
+    fraction = size / whole[parts.cleaned[own]]
     for name in _LENGTHS:
-        part = share * getattr(verdict, name)[parts.cleaned[own]]
+        part = fraction * getattr(verdict, name)[parts.cleaned[own]]
         columns[name] = np.bincount(parts.row[own], part, count).astype(np.float64)
     shown = cleaned.dieline.source
     return replace(
@@ -72,8 +72,8 @@ def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> S
     on = cleaned.dieline.ends[target]
     to = cleaned.dieline.bulge[target]
     first, last = (
-        arc.nearest_fraction(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, share[own]))
-        for share in (parts.begin, parts.end)
+        arc.nearest_fraction(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, fraction[own]))
+        for fraction in (parts.begin, parts.end)
     )
     low, high = np.minimum(first, last), np.maximum(first, last)
     order = np.lexsort((low, target))
@@ -84,11 +84,11 @@ def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> S
     before = target[order][np.maximum(at, 0)] != samples.edge
     part = order[np.clip(np.where(before, at + 1, at), 0, len(order) - 1)]
     span = np.where(high > low, high - low, 1.0)[part]
-    share = np.clip((samples.place - low[part]) / span, 0.0, 1.0)
+    fraction = np.clip((samples.place - low[part]) / span, 0.0, 1.0)
     back = (last < first)[part]
-    share = np.where(back, 1.0 - share, share)
+    fraction = np.where(back, 1.0 - fraction, fraction)
     begin, finish = parts.begin[own][part], parts.end[own][part]
-    place = np.clip(begin + share * (finish - begin), 0.0, 1.0)
+    place = np.clip(begin + fraction * (finish - begin), 0.0, 1.0)
     edge = row[part]
     deviation = np.where(back, -samples.deviation, samples.deviation)
     tidy = np.lexsort((place, edge))

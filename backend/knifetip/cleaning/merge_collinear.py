@@ -48,13 +48,13 @@ class Merged:
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)
     kind: U8  #: (m,) LineType
-    of: I32  #: (k,) merged edge that each belongs to
-    off: F64  #: (m,) greatest distance of its parts from it (mm)
-    fitted: Bool  #: (m,) whether it replaces a flattened curve
+    merged_edge: I32  #: (k,) merged edge that contains each edge
+    deviation: F64  #: (m,) greatest distance of its parts from the merged edge (mm)
+    fitted: Bool  #: (m,) whether the merged edge replaces a flattened curve
 
 
 def merge_collinear(
-    ends: F64, bulge: F64, kind: U8, met: EndPoints, *, curves_only: bool = False
+    ends: F64, bulge: F64, kind: U8, end_points: EndPoints, *, curves_only: bool = False
 ) -> Merged:
     """Return k edges after merging those that continue each other.
 
@@ -67,7 +67,7 @@ def merge_collinear(
         Start and end points of the edges (mm).
     bulge, kind : (k,)
         Bulges and line types of the edges.
-    met
+    end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     curves_only
         Whether only segments of flattened curves are merged.
@@ -75,7 +75,7 @@ def merge_collinear(
     count = len(bulge)
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
     fine = length < FINE
-    link = _continuations(met.place, met.near, kind, fine, curves_only)
+    link = _continuations(end_points.place, end_points.pairs, kind, fine, curves_only)
     order, flipped, first, round_ = follow_links(link)
     rows = np.column_stack([ends.reshape(-1, 4), bulge])
     begin, code, off = _split_runs(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
@@ -112,7 +112,9 @@ def merge_collinear(
 
 
 @kernel
-def _continuations(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool) -> Any:
+def _continuations(
+    place: I64_1, near_pairs: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool
+) -> Any:
     """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
     -1 unless exactly two edges meet at the end, both edges have the same line type, and no third
@@ -122,29 +124,29 @@ def _continuations(place: I64_1, near: I64_2, kind: U8_1, fine: Bool_1, curves_o
     ----------
     place : (2k,)
         Index of the point of each end; ends that meet have the same point.
-    near : (q, 2)
+    near_pairs : (q, 2)
         Pairs of ends at different points that are near each other.
     kind, fine : (k,)
         Line type of each edge, and whether it is shorter than ``FINE``.
     curves_only
         Whether only edges shorter than ``FINE`` are merged.
     """
-    many = np.zeros(len(place), np.int64)
+    count = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
-        many[place[end]] += 1
+        count[place[end]] += 1
         short[place[end]] |= fine[end // 2]
-    for k in range(len(near)):
-        a, b = place[near[k, 0]], place[near[k, 1]]
+    for k in range(len(near_pairs)):
+        a, b = place[near_pairs[k, 0]], place[near_pairs[k, 1]]
         # Ends along a flattened curve are always near others.
         if not short[a] and not short[b]:
-            many[a] += 1
-            many[b] += 1
+            count[a] += 1
+            count[b] += 1
     one = np.full(len(place), -1, np.int64)
     link = np.full(len(place), -1, np.int64)
     for end in range(len(place)):
         at = place[end]
-        if many[at] != 2:
+        if count[at] != 2:
             continue
         other = one[at]
         if other < 0:
@@ -250,15 +252,15 @@ def _split_runs(
 
 
 @kernel
-def _sharpest(run: F64_2, many: int) -> int:
+def _sharpest(run: F64_2, count: int) -> int:
     """Return the index of the segment that starts at the sharpest corner of a closed run.
 
-    The first ``many`` rows of ``run`` are the segments of the closed run: x0, y0, x1, y1, bulge.
+    The first ``count`` rows of ``run`` are the segments of the closed run: x0, y0, x1, y1, bulge.
     """
     best = 0
     least = 2.0
-    for i in range(many):
-        before = run[i - 1] if i else run[many - 1]
+    for i in range(count):
+        before = run[i - 1] if i else run[count - 1]
         ax, ay = _direction(before, True)
         bx, by = _direction(run[i], False)
         cosine = ax * bx + ay * by
@@ -281,7 +283,7 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 
 @kernel
 def _longest_fit(
-    run: F64_2, size: F64_1, i: int, many: int, join: float, fitted: float, fine: float
+    run: F64_2, size: F64_1, i: int, count: int, join: float, fitted: float, fine: float
 ) -> tuple[int, float, float]:
     """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
 
@@ -291,7 +293,7 @@ def _longest_fit(
     Parameters
     ----------
     run : (k, 5)
-        Segments in order: x0, y0, x1, y1, bulge; only the first ``many`` rows are used.
+        Segments in order: x0, y0, x1, y1, bulge; only the first ``count`` rows are used.
     size : (k,)
         Lengths of the segments (mm).
     join, fitted
@@ -302,9 +304,9 @@ def _longest_fit(
     best = i + 1
     bulge = run[i, 4]
     far = 0.0
-    if i + 1 < many:
+    if i + 1 < count:
         if abs(bulge) < BULGE:
-            end = _longest_line(run, i, many, join)
+            end = _longest_line(run, i, count, join)
             if end > best:
                 best, bulge, far = end, 0.0, _deviation(run, i, end, 0.0)
         else:
@@ -312,7 +314,7 @@ def _longest_fit(
             end = i + 1
             sum_ = math.atan(run[i, 4])
             code = 0.0
-            while end < many and abs(run[end, 4]) >= BULGE and (run[end, 4] > 0.0) == turn:
+            while end < count and abs(run[end, 4]) >= BULGE and (run[end, 4] > 0.0) == turn:
                 sum_ += math.atan(run[end, 4])
                 if abs(sum_) > math.pi / 4.0 + 1e-9:
                     break
@@ -324,7 +326,7 @@ def _longest_fit(
                 best, bulge, far = end, code, off
     if size[i] < fine:
         limit = i
-        while limit < many and size[limit] < fine:
+        while limit < count and size[limit] < fine:
             limit += 1
         if limit - i >= 3:
             end = _longest_line(run, i, limit, fitted)
@@ -337,10 +339,10 @@ def _longest_fit(
 
 
 @kernel
-def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
+def _longest_line(run: F64_2, i: int, limit: int, tolerance: float) -> int:
     """Fit the longest line that starts where segment ``i`` of ``run`` starts.
 
-    All joints between the replaced segments are within ``within`` mm of the line.  Segments from
+    All joints between the replaced segments are within ``tolerance`` mm of the line.  Segments from
     index ``limit`` on are not replaced.  Returns the index of the first segment that is not
     replaced.
     """
@@ -362,7 +364,7 @@ def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
         end += 1
         if low <= way <= high:
             best = end
-        slack = math.asin(within / far) if far > within else math.pi
+        slack = math.asin(tolerance / far) if far > tolerance else math.pi
         low = max(low, way - slack)
         high = min(high, way + slack)
         if low > high:
@@ -373,12 +375,12 @@ def _longest_line(run: F64_2, i: int, limit: int, within: float) -> int:
 
 @kernel
 def _longest_arc(
-    run: F64_2, size: F64_1, i: int, limit: int, within: float
+    run: F64_2, size: F64_1, i: int, limit: int, tolerance: float
 ) -> tuple[int, float, float]:
     """Fit the longest arc that starts where segment ``i`` of ``run`` starts.
 
-    The replaced segments are within ``within`` mm of the arc.  Segments from index ``limit`` on are
-    not replaced.  ``size`` contains the lengths of the segments (mm).  The number of replaced
+    The replaced segments are within ``tolerance`` mm of the arc.  Segments from index ``limit`` on
+    are not replaced.  ``size`` contains the lengths of the segments (mm).  The number of replaced
     segments is found by doubling and bisection.
 
     Returns the index of the first segment that is not replaced, which is ``i`` if no arc fits, the
@@ -391,7 +393,7 @@ def _longest_arc(
         end = min(i + step, limit)
         b = _arc_bulge(run, size, i, end)
         far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
-        if far <= within:
+        if far <= tolerance:
             good, code, off = end, b, far
             if end == limit:
                 return good, code, off
@@ -404,7 +406,7 @@ def _longest_arc(
         end = (low + bad) // 2
         b = _arc_bulge(run, size, i, end)
         far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
-        if far <= within:
+        if far <= tolerance:
             low, good, code, off = end, end, b, far
         else:
             bad = end

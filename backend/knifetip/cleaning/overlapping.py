@@ -69,14 +69,14 @@ def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
 
 
 @kernel
-def _frame_boxes(rows: F64_2, fan: float, most: float, same: float) -> Any:
+def _frame_boxes(rows: F64_2, fan: float, max_angle: float, same: float) -> Any:
     """Return a bounding box and its frame for each of k edges in ``rows`` (x0, y0, x1, y1, bulge).
 
     Parameters
     ----------
     fan
         Angle between the directions of neighbouring frames (radians).
-    most
+    max_angle
         Largest angle between two lines that can overlap (radians).
     same
         Length by which the boxes are enlarged (mm).
@@ -114,14 +114,14 @@ def _frame_boxes(rows: F64_2, fan: float, most: float, same: float) -> Any:
         bucket[i] = number % _ARCS
         angle[i] = theta
         length = math.hypot(x1 - x0, y1 - y0)
-        width[i] = most if length < 2.0 * same else min(most, 2.2 * same / length)
+        width[i] = max_angle if length < 2.0 * same else min(max_angle, 2.2 * same / length)
         _box(rows, i, bucket[i] * fan, same, boxes, i)
     return boxes, bucket, angle, width
 
 
 @kernel
-def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int) -> None:
-    """Write the bounding box of the line in row ``i`` of ``rows`` into ``boxes[at]``.
+def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, box_row: int) -> None:
+    """Write the bounding box of the line in row ``i`` of ``rows`` into ``boxes[box_row]``.
 
     The box is computed in a frame rotated by ``turn`` radians, and enlarged by ``same`` mm on both
     sides of the line.
@@ -131,10 +131,10 @@ def _box(rows: F64_2, i: int, turn: float, same: float, boxes: OutF64_2, at: int
     u1 = c * rows[i, 2] + s * rows[i, 3]
     v0 = c * rows[i, 1] - s * rows[i, 0]
     v1 = c * rows[i, 3] - s * rows[i, 2]
-    boxes[at, 0] = min(u0, u1)
-    boxes[at, 1] = min(v0, v1) - same
-    boxes[at, 2] = max(u0, u1)
-    boxes[at, 3] = max(v0, v1) + same
+    boxes[box_row, 0] = min(u0, u1)
+    boxes[box_row, 1] = min(v0, v1) - same
+    boxes[box_row, 2] = max(u0, u1)
+    boxes[box_row, 3] = max(v0, v1) + same
 
 
 @kernel

@@ -54,7 +54,7 @@ class Pieces:
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the length of its edge
     end: F64  #: (q,) end of each stretch, 0 … 1
     piece: I32  #: (q,) piece that covers each stretch
-    given: Bool  #: (q,) whether that piece belongs to another edge
+    is_foreign: Bool  #: (q,) whether that piece belongs to another edge
 
 
 def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
@@ -98,12 +98,19 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
     by_edge = np.argsort(both, kind="stable")
     bounds = np.searchsorted(both[by_edge], np.arange(len(alone) + 1))
     rows = np.column_stack([ends[alone].reshape(-1, 4), bulge[alone]])
-    most = max(_STRETCHES, _TO_AN_EDGE * count)
-    piece, owner, edge, begin, end, on, given = _remove(
-        rows, kind[alone].astype(np.int64), order, other[by_edge], bounds, COVERS, SAME, most
+    max_stretches = max(_STRETCHES, _TO_AN_EDGE * count)
+    piece, owner, edge, begin, end, on, is_foreign = _remove(
+        rows,
+        kind[alone].astype(np.int64),
+        order,
+        other[by_edge],
+        bounds,
+        COVERS,
+        SAME,
+        max_stretches,
     )
-    if len(edge) > most:
-        raise DrawingTooLarge("edge.too-many-overlaps", edges=len(alone), limit=most)
+    if len(edge) > max_stretches:
+        raise DrawingTooLarge("edge.too-many-overlaps", edges=len(alone), limit=max_stretches)
     # In the order of the drawing, pieces of one edge from its start to its end.
     straight = np.argsort(owner, kind="stable")
     number = np.empty(len(owner), np.int32)
@@ -129,7 +136,7 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
         np.concatenate([begin, np.where(back, 1.0 - end[like], begin[like])]),
         np.concatenate([end, np.where(back, 1.0 - begin[like], end[like])]),
         np.concatenate([on, on[like]]).astype(np.int32),
-        np.concatenate([given, np.ones(len(double), np.bool_)]),
+        np.concatenate([is_foreign, np.ones(len(double), np.bool_)]),
     )
 
 
@@ -213,7 +220,7 @@ def _add_stretch(
     end: float,
     edge: int,
     piece: int,
-    given: bool,
+    is_foreign: bool,
 ) -> int:
     """Append a stretch of an edge to two lists, and return the new number of stretches.
 
@@ -222,16 +229,16 @@ def _add_stretch(
     cover
         List of the start and the end of each stretch, 0 … 1 of the length of its edge.
     source
-        List of the edge of each stretch, the piece that covers it, and ``given``.
+        List of the edge of each stretch, the piece that covers it, and ``is_foreign``.
     count
         Number of stretches in the lists.
     begin, end, edge, piece
         Values of the new stretch for these lists.
-    given
+    is_foreign
         Whether the piece belongs to another edge.
     """
     cover[count, 0], cover[count, 1] = begin, end
-    source[count, 0], source[count, 1], source[count, 2] = edge, piece, given
+    source[count, 0], source[count, 1], source[count, 2] = edge, piece, is_foreign
     return count + 1
 
 
@@ -240,11 +247,11 @@ def _remove(
     rows: F64_2,
     kind: I64_1,
     order: I64_1,
-    near: I64_1,
+    partners: I64_1,
     bounds: I64_1,
     hides: Bool_2,
     same: float,
-    most: int,
+    max_stretches: int,
 ) -> Any:
     """Remove from each edge the stretches that overlap pieces of edges processed before it.
 
@@ -254,13 +261,13 @@ def _remove(
         Edges: x0, y0, x1, y1, bulge.
     kind, order : (k,)
         Line types of the edges, and the order in which the edges are processed.
-    near, bounds
-        ``near[bounds[i] : bounds[i + 1]]`` are the edges that overlap edge i.
+    partners, bounds
+        ``partners[bounds[i] : bounds[i + 1]]`` are the edges that overlap edge i.
     hides
         ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
     same
         Length up to which stretches are neglected (mm).
-    most
+    max_stretches
         Number of stretches at which the function stops.
 
     Returns
@@ -282,13 +289,13 @@ def _remove(
     pieces = 0
     stretches = 0
     for e in order:
-        if stretches > most:
+        if stretches > max_stretches:
             break
         first[e] = pieces
         length = size_of(rows, e)
         claims = 0
         for at in range(bounds[e], bounds[e + 1]):
-            f = near[at]
+            f = partners[at]
             if not hides[kind[f], kind[e]]:
                 continue
             for p in range(first[f], last[f]):
