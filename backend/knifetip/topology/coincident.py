@@ -25,26 +25,26 @@ def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
     length : (p,)
         Length of each piece of the graph.
     """
-    on = np.full(len(graph.first) - 1, -1, np.int32)
-    _overlaid(graph.edge, graph.first, graph.same, length, on)
-    return on
+    cover = np.full(len(graph.first) - 1, -1, np.int32)
+    _overlaid(graph.edge, graph.first, graph.twin_piece, length, cover)
+    return cover
 
 
 @kernel
-def _overlaid(edge: I32_1, first: I32_1, same: I32_1, length: F64_1, on: OutI32_1) -> None:
+def _overlaid(edge: I32_1, first: I32_1, twin: I32_1, length: F64_1, cover: OutI32_1) -> None:
     # For each piece with coincident pieces: the edge of one of these pieces.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):
-        if edge[p] != edge[same[p]] and edge[p] >= 0:
-            mate[same[p]] = edge[p]
-    for i in range(len(on)):
+        if edge[p] != edge[twin[p]] and edge[p] >= 0:
+            mate[twin[p]] = edge[p]
+    for i in range(len(cover)):
         longest = 0.0
         for p in range(first[i], first[i + 1]):
-            lead = edge[same[p]]
-            other = lead if lead >= 0 and lead != i else mate[same[p]]
+            lead = edge[twin[p]]
+            other = lead if lead >= 0 and lead != i else mate[twin[p]]
             if other < 0 or other == i:
-                on[i] = -1
+                cover[i] = -1
                 break
             if length[p] > longest:
                 longest = length[p]
-                on[i] = other
+                cover[i] = other

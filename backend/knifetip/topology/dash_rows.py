@@ -111,12 +111,12 @@ def _form_rows(
     links = 0
     gap_of = np.full(2 * n, reach)
     dashed = np.zeros(n, np.bool_)
-    seen = np.zeros(n, np.bool_)
+    visited = np.zeros(n, np.bool_)
     chain = np.empty(n, np.int64)
     for half in range(2 * n):
         # A row starts with an edge that no other dash precedes.
         back = half ^ 1
-        if seen[half // 2] or facing[half] < 0 or facing[facing[half]] != half:
+        if visited[half // 2] or facing[half] < 0 or facing[facing[half]] != half:
             continue
         if facing[back] >= 0 and facing[facing[back]] == back:
             continue
@@ -127,14 +127,14 @@ def _form_rows(
             chain[count] = tail
             count += 1
             i = tail // 2
-            seen[i] = True
-            long = chord_length(ends, i)
-            longest = max(longest, long)
+            visited[i] = True
+            length = chord_length(ends, i)
+            longest = max(longest, length)
             other = facing[tail]
-            if other < 0 or facing[other] != tail or seen[other // 2]:
+            if other < 0 or facing[other] != tail or visited[other // 2]:
                 break
             if count > 1:
-                shortest = min(shortest, long)
+                shortest = min(shortest, length)
             gap = math.hypot(
                 ends[i, tail % 2, 0] - ends[other // 2, other % 2, 0],
                 ends[i, tail % 2, 1] - ends[other // 2, other % 2, 1],
@@ -218,17 +218,17 @@ def _find_facing_ends(
     for number in range(begin, end):
         half = tips[number]
         i = half // 2
-        long = chord_length(ends, i)
-        if long > 40.0 * unit or long <= tolerance:
+        length = chord_length(ends, i)
+        if length > 40.0 * unit or length <= tolerance:
             continue
-        far = min(15.0 * unit, max(2.0 * long, 3.0 * unit))
+        reach = min(15.0 * unit, max(2.0 * length, 3.0 * unit))
         ux, uy = outward_direction(ends, bulge, half)
         x, y = position[number, 0], position[number, 1]
-        c0 = cell_of(min(x, x + far * ux) - 2.0 * tolerance, low[0], size[0], side)
-        c1 = cell_of(max(x, x + far * ux) + 2.0 * tolerance, low[0], size[0], side)
-        r0 = cell_of(min(y, y + far * uy) - 2.0 * tolerance, low[1], size[1], side)
-        r1 = cell_of(max(y, y + far * uy) + 2.0 * tolerance, low[1], size[1], side)
-        best = far
+        c0 = cell_of(min(x, x + reach * ux) - 2.0 * tolerance, low[0], size[0], side)
+        c1 = cell_of(max(x, x + reach * ux) + 2.0 * tolerance, low[0], size[0], side)
+        r0 = cell_of(min(y, y + reach * uy) - 2.0 * tolerance, low[1], size[1], side)
+        r1 = cell_of(max(y, y + reach * uy) + 2.0 * tolerance, low[1], size[1], side)
+        best = reach
         for r in range(r0, r1 + 1):
             # The dangling ends of neighbouring cells in a row of the grid follow one another.
             for k in range(begins[r * side + c0], begins[r * side + c1 + 1]):

@@ -118,11 +118,11 @@ def _follow_hits(
         if hit[c] < 0:
             continue
         half = above[hit[c]]
-        around = component[half // 2]
+        hit_component = component[half // 2]
         if outer[face[half]]:
-            enclosing[c], depth[c] = enclosing[around], depth[around]
+            enclosing[c], depth[c] = enclosing[hit_component], depth[hit_component]
         else:
-            enclosing[c], depth[c] = face[half], depth[around] + 1
+            enclosing[c], depth[c] = face[half], depth[hit_component] + 1
     return enclosing, depth
 
 

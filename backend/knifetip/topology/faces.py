@@ -47,7 +47,7 @@ def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float) -> 
     tolerance
         Largest distance between ends that became one vertex of the graph.
     """
-    lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.same)
+    lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.twin_piece)
     beside, (left, right, area) = parallel_pair(
         lambda: find_left_neighbours(graph, ends, bulge, tolerance),
         lambda: trace_sides(*lines),
@@ -59,7 +59,7 @@ def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float) -> 
     return Faces(left, right, area, component_of_face, outside, within)
 
 
-def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tuple[I32, I32, F64]:
+def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, twin: I32) -> tuple[I32, I32, F64]:
     """Return the faces left and right of p pieces between q vertices, and the area of each face.
 
     Parameters
@@ -68,7 +68,7 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tup
         Position of each vertex.
     start, end, bulge : (p,)
         Start vertex, end vertex and bulge of each piece.
-    same : (p,)
+    twin : (p,)
         First piece that coincides with each piece, the piece itself if there is none.  Of
         coincident pieces only the first one divides the plane.
 
@@ -79,7 +79,7 @@ def trace_sides(vertex: F64, start: I32, end: I32, bulge: F64, same: I32) -> tup
     area : (f,)
         Signed area of each of f faces; zero or negative for outer faces.
     """
-    lines = (vertex, start, end, bulge, same)
+    lines = (vertex, start, end, bulge, twin)
     left, right, area = _trace(*lines, *_half_edges_by_vertex(*lines))
     return left, right, area
 
@@ -99,7 +99,7 @@ def _angle_code(x: float, y: float) -> int:
 
 @kernel
 def _half_edges_by_vertex(
-    position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, same: I32_1
+    position: F64_2, start: I32_1, end: I32_1, bulge: F64_1, twin: I32_1
 ) -> Any:
     """Return the half-edges that leave each of q vertices, in counter-clockwise order.
 
@@ -112,26 +112,26 @@ def _half_edges_by_vertex(
         Position of each vertex.
     start, end, bulge : (p,)
         Start vertex, end vertex and bulge of each piece.
-    same : (p,)
+    twin : (p,)
         First piece that coincides with each piece, the piece itself if there is none.
 
     Returns
     -------
-    around, begins : (h,) and (q + 1,)
-        The half-edges at vertex v are ``around[begins[v] : begins[v + 1]]``.
+    half_edges, begins : (h,) and (q + 1,)
+        The half-edges at vertex v are ``half_edges[begins[v] : begins[v + 1]]``.
     """
     pieces, vertex_count = len(start), len(position)
     begins = np.zeros(vertex_count + 1, np.int32)
     for p in range(pieces):
-        if same[p] == p:
+        if twin[p] == p:
             begins[start[p] + 1] += 1
             begins[end[p] + 1] += 1
     begins = np.cumsum(begins).astype(np.int32)
     angle = np.empty(2 * pieces, np.int64)
-    around = np.empty(begins[-1], np.int32)
+    half_edges = np.empty(begins[-1], np.int32)
     put = begins[:-1].copy()
     for p in range(pieces):
-        if same[p] != p:
+        if twin[p] != p:
             continue
         for half in range(2 * p, 2 * p + 2):
             at = start[p] if half % 2 == 0 else end[p]
@@ -141,17 +141,17 @@ def _half_edges_by_vertex(
             if begins[at + 1] - begins[at] > 2:
                 angle[half] = _direction(position, start, end, bulge, half)
                 while k > begins[at]:
-                    other = around[k - 1]
+                    other = half_edges[k - 1]
                     if angle[other] < angle[half] or (
                         angle[other] == angle[half]
                         and _curvature_rank(position, start, end, bulge, other)
                         <= _curvature_rank(position, start, end, bulge, half)
                     ):
                         break
-                    around[k] = other
+                    half_edges[k] = other
                     k -= 1
-            around[k] = half
-    return around, begins
+            half_edges[k] = half
+    return half_edges, begins
 
 
 @kernel(allocates=False)
@@ -197,8 +197,8 @@ def _trace(
     start: I32_1,
     end: I32_1,
     bulge: F64_1,
-    same: I32_1,
-    around: I32_1,
+    twin: I32_1,
+    half_edges: I32_1,
     begins: I32_1,
 ) -> Any:
     """Return the faces left and right of each piece, (p,) each, and the area of each face, (f,).
@@ -211,21 +211,21 @@ def _trace(
         Position of each vertex.
     start, end, bulge : (p,)
         Start vertex, end vertex and bulge of each piece.
-    same : (p,)
+    twin : (p,)
         First piece that coincides with each piece, the piece itself if there is none.
-    around, begins : (h,) and (q + 1,)
+    half_edges, begins : (h,) and (q + 1,)
         The half-edges that leave vertex v, counter-clockwise, are
-        ``around[begins[v] : begins[v + 1]]``.
+        ``half_edges[begins[v] : begins[v + 1]]``.
     """
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
-    for k in range(len(around)):
-        rank[around[k]] = k
+    for k in range(len(half_edges)):
+        rank[half_edges[k]] = k
     face = np.full(2 * pieces, -1, np.int32)
     area = np.empty(2 * pieces)
     count = 0
     for p in range(pieces):
-        if same[p] != p:
+        if twin[p] != p:
             continue
         for half in range(2 * p, 2 * p + 2):
             if face[half] >= 0:
@@ -251,13 +251,13 @@ def _trace(
                     twice += square * (4.0 * math.atan(bend) - sine)
                 k = rank[walked ^ 1]
                 k = k - 1 if k > begins[b] else begins[b + 1] - 1
-                walked = around[k]
+                walked = half_edges[k]
             area[count] = 0.5 * twice
             count += 1
     left = np.empty(pieces, np.int32)
     right = np.empty(pieces, np.int32)
     for p in range(pieces):
-        q = same[p]
+        q = twin[p]
         turned = start[p] != start[q] or (start[p] == end[p] and bulge[p] != bulge[q])
         left[p] = face[2 * q + 1] if turned else face[2 * q]
         right[p] = face[2 * q] if turned else face[2 * q + 1]

@@ -76,20 +76,20 @@ def link_loose_ends(
     """
     ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
     ahead = _SHORT * unit
-    partner, where = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
+    partner, position = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
 
     def find(run: tuple[int, int]) -> None:
         _find_targets(
-            ends, bulge, end_vertex, twin, loose, ahead, gap_of, grid, partner, where, *run
+            ends, bulge, end_vertex, twin, loose, ahead, gap_of, grid, partner, position, *run
         )
 
     parallel_map(find, chunks(len(bulge), MIN_CHUNK))
-    met = np.flatnonzero(partner >= 0).astype(np.int32)
-    vertices = with_capacity(vertices, len(met))
+    ends_ahead = np.flatnonzero(partner >= 0).astype(np.int32)
+    vertices = with_capacity(vertices, len(ends_ahead))
     row, parameter, cut, link, count = _make_links(
-        ends, bulge, tolerance, end_vertex, met, partner, where, vertices
+        ends, bulge, tolerance, end_vertex, ends_ahead, partner, position, vertices
     )
-    return Splits(row, parameter, cut), link, vertices._replace(known=count)
+    return Splits(row, parameter, cut), link, vertices._replace(vertex_count=count)
 
 
 @kernel(allocates=False)
@@ -103,7 +103,7 @@ def _find_targets(
     gap_of: F64_1,
     grid: EdgeGrid,
     partner: OutI32_1,
-    where: OutF64_1,
+    position: OutF64_1,
     begin: int,
     end: int,
 ) -> None:
@@ -122,7 +122,7 @@ def _find_targets(
         Whether only one edge ends at each vertex.
     gap_of : (2n,)
         Search distance of each end.
-    partner, where : (2n,)
+    partner, position : (2n,)
         Receive for each end the edge that is found, and the parameter of the nearest point on it
         (0 … 1).  The entries of ends without an edge ahead are not changed.
     """
@@ -156,7 +156,7 @@ def _find_targets(
                             ux, uy = outward_direction(ends, bulge, half)
                             if (px - x) * ux + (py - y) * uy >= 0.5 * away:
                                 best = away
-                                partner[half], where[half] = j, part
+                                partner[half], position[half] = j, part
 
 
 @kernel
@@ -165,9 +165,9 @@ def _make_links(
     bulge: F64_1,
     tolerance: float,
     end_vertex: I32_1,
-    met: I32_1,
+    ends_ahead: I32_1,
     partner: I32_1,
-    where: F64_1,
+    position: F64_1,
     vertices: VertexTable,
 ) -> Any:
     """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
@@ -180,29 +180,31 @@ def _make_links(
         A link leads to an end of the edge ahead if the nearest point is at most this far from it.
     end_vertex : (2n,)
         Vertex of each end.
-    met
+    ends_ahead
         Numbers of the ends that have an edge ahead; edge i has the ends 2 i and 2 i + 1.
-    partner, where : (2n,)
+    partner, position : (2n,)
         The edge ahead of each end, and the parameter of its nearest point (0 … 1).
     vertices
         Table of the vertices, to which the vertices of the splits are added.
     """
-    count = vertices.known
-    row = np.empty(len(met), np.int32)
-    parameter = np.empty(len(met))
-    cut = np.empty(len(met), np.int32)
-    link = np.empty((len(met), 2), np.int32)
+    count = vertices.vertex_count
+    row = np.empty(len(ends_ahead), np.int32)
+    parameter = np.empty(len(ends_ahead))
+    cut = np.empty(len(ends_ahead), np.int32)
+    link = np.empty((len(ends_ahead), 2), np.int32)
     cuts = links = 0
-    for half in met:
-        j, part = partner[half], where[half]
-        long = chord_length(ends, j)
-        if part * long <= tolerance:
+    for half in ends_ahead:
+        j, part = partner[half], position[half]
+        length = chord_length(ends, j)
+        if part * length <= tolerance:
             at = end_vertex[2 * j]
-        elif (1.0 - part) * long <= tolerance:
+        elif (1.0 - part) * length <= tolerance:
             at = end_vertex[2 * j + 1]
         else:
             px, py = point_at(ends, bulge, j, part)
-            at = vertex_at(px, py, tolerance, vertices.point, count, vertices.head, vertices.onward)
+            at = vertex_at(
+                px, py, tolerance, vertices.point, count, vertices.head, vertices.next_vertex
+            )
             if at == count:
                 count += 1
             row[cuts], parameter[cuts], cut[cuts] = j, part, at
@@ -316,12 +318,12 @@ def _first_line_through(
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
     ux, uy = point[link[k, 1], 0] - ax, point[link[k, 1], 1] - ay
-    long = math.sqrt(ux * ux + uy * uy)
+    length = math.sqrt(ux * ux + uy * uy)
     c0 = cell_of(min(ax, ax + ux), low[0], size[0], side)
     c1 = cell_of(max(ax, ax + ux), low[0], size[0], side)
     r0 = cell_of(min(ay, ay + uy), low[1], size[1], side)
     r1 = cell_of(max(ay, ay + uy), low[1], size[1], side)
-    least, through, where = 1.0, -1, 0.0
+    least, through, position = 1.0, -1, 0.0
     for c in range(c0, c1 + 1):
         for r in range(r0, r1 + 1):
             for m in range(first[r * side + c], first[r * side + c + 1]):
@@ -329,11 +331,11 @@ def _first_line_through(
                 if abs(bulge[j]) > BULGE or twin[j] != j:
                     continue
                 s, t = crossing_parameters(ax, ay, ux, uy, ends, j)
-                if not 0.0 < s < least or min(s, 1.0 - s) * long <= tolerance:
+                if not 0.0 < s < least or min(s, 1.0 - s) * length <= tolerance:
                     continue
                 if min(t, 1.0 - t) * chord_length(ends, j) > tolerance:
-                    least, through, where = s, j, t
-    return through, where, ax + least * ux, ay + least * uy
+                    least, through, position = s, j, t
+    return through, position, ax + least * ux, ay + least * uy
 
 
 @kernel
@@ -343,11 +345,11 @@ def _split_at_lines(
     tolerance: float,
     twin: I32_1,
     link: OutI32_2,
-    wanted: I64_1,
+    crossed: I64_1,
     vertices: VertexTable,
     grid: EdgeGrid,
 ) -> Any:
-    """Split the links with the numbers ``wanted`` at all edges that cross them.
+    """Split the links with the numbers ``crossed`` at all edges that cross them.
 
     Parameters
     ----------
@@ -376,9 +378,9 @@ def _split_at_lines(
     cuts = 0
     old = links = len(link)
     turn = 0
-    while turn < len(wanted) + links - old:
-        k = wanted[turn] if turn < len(wanted) else old + turn - len(wanted)
-        through, where, x, y = _first_line_through(
+    while turn < len(crossed) + links - old:
+        k = crossed[turn] if turn < len(crossed) else old + turn - len(crossed)
+        through, position, x, y = _first_line_through(
             ends, bulge, tolerance, twin, link, point, grid, k
         )
         if through >= 0:
@@ -389,7 +391,7 @@ def _split_at_lines(
                 vertex_count += 1
             if cuts == len(row):
                 row, parameter, cut = double_i32(row), double_f64(parameter), double_i32(cut)
-            row[cuts], parameter[cuts], cut[cuts] = through, where, at
+            row[cuts], parameter[cuts], cut[cuts] = through, position, at
             cuts += 1
             if at != link[k, 0] and at != link[k, 1]:
                 if links == len(link):
@@ -402,8 +404,8 @@ def _split_at_lines(
 
 
 @kernel(allocates=False)
-def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, far: float, grid: EdgeGrid) -> bool:
-    """Return whether another edge is straight ahead of an end of an edge, at most ``far`` away.
+def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, reach: float, grid: EdgeGrid) -> bool:
+    """Return whether another edge is straight ahead of an end of an edge, at most ``reach`` away.
 
     ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
     """
@@ -411,16 +413,16 @@ def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, far: float, grid: Edge
     i = half // 2
     x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]
     ux, uy = outward_direction(ends, bulge, half)
-    c0, c1 = cell_of(x - far, low[0], size[0], side), cell_of(x + far, low[0], size[0], side)
-    r0, r1 = cell_of(y - far, low[1], size[1], side), cell_of(y + far, low[1], size[1], side)
+    c0, c1 = cell_of(x - reach, low[0], size[0], side), cell_of(x + reach, low[0], size[0], side)
+    r0, r1 = cell_of(y - reach, low[1], size[1], side), cell_of(y + reach, low[1], size[1], side)
     for c in range(c0, c1 + 1):
         for r in range(r0, r1 + 1):
             for k in range(first[r * side + c], first[r * side + c + 1]):
                 j = listed[k]
                 if j == i:
                     continue
-                away, part = distance_to(ends, bulge, j, x, y, far)
-                if away <= far:
+                away, part = distance_to(ends, bulge, j, x, y, reach)
+                if away <= reach:
                     px, py = point_at(ends, bulge, j, part)
                     if (px - x) * ux + (py - y) * uy >= 0.9 * away:
                         return True

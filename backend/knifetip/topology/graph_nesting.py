@@ -47,25 +47,27 @@ def find_left_neighbours(
         Largest distance between ends that became one vertex of the graph.
     """
     count = len(graph.leftmost)
-    beside = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
+    left_neighbours = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
 
     def find(run: tuple[int, int]) -> None:
         _find_left(
             ends, bulge, graph.grid, graph.vertex, graph.first, graph.parameter, graph.component,
             graph.leftmost, tolerance,
-            *beside, *run,
+            *left_neighbours, *run,
         )  # fmt: skip
 
     parallel_map(find, chunks(count, MIN_CHUNK))
-    return beside
+    return left_neighbours
 
 
-def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32, owner: I32) -> I32:
+def enclosing_faces(
+    left_neighbours: LeftNeighbours, left: I32, right: I32, outside: I32, owner: I32
+) -> I32:
     """Return the bounded face that contains each of c components, (c,), -1 if there is none.
 
     Parameters
     ----------
-    beside
+    left_neighbours
         First piece of another component to the left of each component.
     left, right : (p,)
         Faces on the left and on the right of each piece.
@@ -74,8 +76,12 @@ def enclosing_faces(beside: LeftNeighbours, left: I32, right: I32, outside: I32,
     owner : (f,)
         Component of each face.
     """
-    met = np.where(beside.upward, right[beside.piece], left[beside.piece])
-    within: I32 = _containing_faces(np.where(beside.piece < 0, np.int32(-1), met), outside, owner)
+    met = np.where(
+        left_neighbours.upward, right[left_neighbours.piece], left[left_neighbours.piece]
+    )
+    within: I32 = _containing_faces(
+        np.where(left_neighbours.piece < 0, np.int32(-1), met), outside, owner
+    )
     return within
 
 
@@ -163,12 +169,12 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
     component_count = len(hit)
     within = np.full(component_count, -1, np.int32)
     known = np.zeros(component_count, np.bool_)
-    asked = np.empty(component_count, np.int32)
+    visited = np.empty(component_count, np.int32)
     for c in range(component_count):
         waiting = 0
         on, f = c, -1
         while not known[on]:
-            asked[waiting] = on
+            visited[waiting] = on
             waiting += 1
             known[on] = True
             f = hit[on]
@@ -177,7 +183,7 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
             on = owner[f]
             f = within[on]
         for k in range(waiting):
-            within[asked[k]] = f
+            within[visited[k]] = f
     return within
 
 

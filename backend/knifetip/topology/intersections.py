@@ -64,8 +64,8 @@ def find_crossings(
     def crossed(run: tuple[int, int]) -> Any:
         return _crossings_in_cells(ends, bulge, tolerance, grid, limit, *run)
 
-    found = parallel_map(crossed, chunks(grid.side * grid.side, MIN_CHUNK))
-    return Crossings(*(np.concatenate(column) for column in zip(*found, strict=True)))
+    crossings = parallel_map(crossed, chunks(grid.side * grid.side, MIN_CHUNK))
+    return Crossings(*(np.concatenate(column) for column in zip(*crossings, strict=True)))
 
 
 def find_splits(
@@ -105,13 +105,13 @@ def find_splits(
             lines.grid,
             *run,
         )
-        for run in chunks(vertices.known, MIN_CHUNK, 2 * core_count())
+        for run in chunks(vertices.vertex_count, MIN_CHUNK, 2 * core_count())
     ]
-    (crossing_splits, vertices), *found = parallel_map(
+    (crossing_splits, vertices), *end_columns = parallel_map(
         lambda task: task(),
         (partial(_split_at_crossings, ends, tolerance, pairs, vertices), *beside),
     )
-    end_splits = concatenate(*(Splits(*one) for one in found))
+    end_splits = concatenate(*(Splits(*one) for one in end_columns))
     if len(end_splits.row) + len(crossing_splits.row) > limit:
         return None
     return end_splits, crossing_splits, vertices
@@ -137,7 +137,9 @@ def _split_at_crossings(
     vertices = with_capacity(vertices, len(pair))
     at = np.empty(len(pair), np.int32)
     count = _merge_crossings(ends, tolerance, pair, parameter, vertices, at)
-    return Splits(pair.ravel(), parameter.ravel(), np.repeat(at, 2)), vertices._replace(known=count)
+    return Splits(pair.ravel(), parameter.ravel(), np.repeat(at, 2)), vertices._replace(
+        vertex_count=count
+    )
 
 
 @kernel
@@ -217,7 +219,7 @@ def _crossings_in_cells(
     low, size, side, first, listed = grid
     pair = np.empty((64, 2), np.int32)
     parameter = np.empty((64, 2))
-    found = 0
+    crossings = 0
     for cell in range(begin, end):
         left = low[0] + (cell % side) * size[0]
         bottom = low[1] + (cell // side) * size[1]
@@ -226,7 +228,7 @@ def _crossings_in_cells(
             if abs(bulge[i]) > BULGE:
                 continue
             ax, ay = ends[i, 0, 0], ends[i, 0, 1]
-            ux, uy, long = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay, chord_length(ends, i)
+            ux, uy, length = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay, chord_length(ends, i)
             for m in range(k + 1, first[cell + 1]):
                 j = listed[m]
                 if abs(bulge[j]) > BULGE:
@@ -235,21 +237,21 @@ def _crossings_in_cells(
                 if not 0.0 < s < 1.0:
                     continue
                 if (
-                    min(s, 1.0 - s) * long <= tolerance
+                    min(s, 1.0 - s) * length <= tolerance
                     or min(t, 1.0 - t) * chord_length(ends, j) <= tolerance
                 ):
                     continue
                 x, y = ax + s * ux, ay + s * uy
                 if not (left <= x < left + size[0] and bottom <= y < bottom + size[1]):
                     continue
-                if found == len(pair):
+                if crossings == len(pair):
                     pair, parameter = double_i32_2(pair), double_f64_2(parameter)
-                pair[found, 0], pair[found, 1] = i, j
-                parameter[found, 0], parameter[found, 1] = s, t
-                found += 1
-        if found > limit:
+                pair[crossings, 0], pair[crossings, 1] = i, j
+                parameter[crossings, 0], parameter[crossings, 1] = s, t
+                crossings += 1
+        if crossings > limit:
             break
-    return pair[:found], parameter[:found]
+    return pair[:crossings], parameter[:crossings]
 
 
 @kernel(allocates=False)
@@ -259,20 +261,22 @@ def _merge_crossings(
     pair: I32_2,
     parameter: F64_2,
     vertices: VertexTable,
-    at: OutI32_1,
+    crossing_vertex: OutI32_1,
 ) -> int:
-    """Write the vertex of each crossing to ``at``, (c,), and return the number of all vertices.
+    """Write the vertex of each crossing to ``crossing_vertex``; return the number of vertices.
 
     A crossing within the tolerance of a vertex gets this vertex; otherwise a vertex is added to
     ``vertices``.  ``pair`` (c, 2) are the two edges of each crossing, and ``parameter`` (c, 2) the
     parameters of the crossing on them.  ``ends`` (n, 2, 2) are the end points of the edges.
     """
-    count = vertices.known
+    count = vertices.vertex_count
     for k in range(len(pair)):
         i, s = pair[k, 0], parameter[k, 0]
         x = ends[i, 0, 0] + s * (ends[i, 1, 0] - ends[i, 0, 0])
         y = ends[i, 0, 1] + s * (ends[i, 1, 1] - ends[i, 0, 1])
-        at[k] = vertex_at(x, y, tolerance, vertices.point, count, vertices.head, vertices.onward)
-        if at[k] == count:
+        crossing_vertex[k] = vertex_at(
+            x, y, tolerance, vertices.point, count, vertices.head, vertices.next_vertex
+        )
+        if crossing_vertex[k] == count:
             count += 1
     return count

@@ -61,16 +61,16 @@ def _start_extent(ends: F64_3) -> Any:
 
 
 @kernel
-def _count_leaps(ends: F64_3, far: float) -> int:
+def _count_leaps(ends: F64_3, max_step: float) -> int:
     """Return how many of n edges have a start far from the start of the preceding edge.
 
-    Two starts are far from each other if they are more than ``far`` apart in x or in y.  ``ends``
-    (n, 2, 2) are the start and end points of the edges.
+    Two starts are far from each other if they are more than ``max_step`` apart in x or in y.
+    ``ends`` (n, 2, 2) are the start and end points of the edges.
     """
     leaps = 0
     for i in range(1, len(ends)):
         across, along = ends[i, 0, 0] - ends[i - 1, 0, 0], ends[i, 0, 1] - ends[i - 1, 0, 1]
-        leaps += abs(across) > far or abs(along) > far
+        leaps += abs(across) > max_step or abs(along) > max_step
     return leaps
 
 

@@ -43,7 +43,9 @@ class PlanarGraph:
     parameter: F64  #: (p,) parameter on its edge at which each piece starts, 0 … 1
     first: I32  #: (n + 1,) edge i has the pieces first[i] … first[i + 1] - 1
     end_vertex: I32  #: (2n,) vertices of the start and the end of each edge
-    same: I32  #: (p,) first piece that coincides with each piece; the piece itself if none does
+    twin_piece: (
+        I32  #: (p,) first piece that coincides with each piece; the piece itself if none does
+    )
     component: I32  #: (p,) connected component of each piece
     leftmost: I32  #: (c,) leftmost vertex of each component
     dashed: Bool  #: (n,) whether each edge is a dash of a row
@@ -95,7 +97,7 @@ def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> Planar
         return None
     end_splits, crossing_splits, vertices = splits
     loose = _dangling_vertices(
-        end_vertex, twin, end_splits.vertex, crossing_splits.vertex, vertices.known
+        end_vertex, twin, end_splits.vertex, crossing_splits.vertex, vertices.vertex_count
     )
     dashed, dash_links, gap_of = link_dashes(lines, reach, loose)
     met, links, vertices = link_loose_ends(lines, loose, gap_of, vertices)
@@ -104,13 +106,13 @@ def build_graph(ends: F64, bulge: F64, tolerance: float, reach: float) -> Planar
     start, end, piece_bulge, edge, parameter, first = _split_into_pieces(
         bulge, end_vertex, *concatenate(end_splits, crossing_splits, met, through), links
     )
-    point = vertices.point[: vertices.known]
-    same, (component, leftmost) = parallel_pair(
+    point = vertices.point[: vertices.vertex_count]
+    twin_piece, (component, leftmost) = parallel_pair(
         lambda: first_coincident(start, end, piece_bulge, point, tolerance),
         lambda: connected_components(point, start, end),
     )
     line = start, end, piece_bulge, edge, parameter, first, end_vertex
-    return PlanarGraph(grid, point, *line, same, component, leftmost, dashed)
+    return PlanarGraph(grid, point, *line, twin_piece, component, leftmost, dashed)
 
 
 def _find_crossings(

@@ -17,13 +17,13 @@ _CLEARLY: Final = 1.000001
 
 @inline_kernel
 def distance_to(
-    ends: F64_3, bulge: F64_1, i: int, x: float, y: float, far: float
+    ends: F64_3, bulge: F64_1, i: int, x: float, y: float, max_distance: float
 ) -> tuple[float, float]:
     """Return the distance of (``x``, ``y``) from segment ``i``, and the nearest parameter on it.
 
     The parameter is 0 at the start and 1 at the end of the segment.  The distance may be infinite
-    for a segment that is clearly farther away than ``far``.  ``ends`` (n, 2, 2) and ``bulge`` (n,)
-    are the end points and bulges of n segments.
+    for a segment that is clearly farther away than ``max_distance``.  ``ends`` (n, 2, 2) and
+    ``bulge`` (n,) are the end points and bulges of n segments.
     """
     ax, ay = ends[i, 0, 0], ends[i, 0, 1]
     dx, dy = ends[i, 1, 0] - ax, ends[i, 1, 1] - ay
@@ -31,7 +31,7 @@ def distance_to(
     ox, oy = x - ax, y - ay
     if abs(bulge[i]) <= BULGE:
         off = ox * dy - oy * dx
-        if off * off > _CLEARLY * far * far * square:
+        if off * off > _CLEARLY * max_distance * max_distance * square:
             return np.inf, 0.0
         parameter = min(max((ox * dx + oy * dy) / square, 0.0), 1.0) if square > 0.0 else 0.0
         ox -= parameter * dx
@@ -39,21 +39,21 @@ def distance_to(
         return math.sqrt(ox * ox + oy * oy), parameter
     # An arc of at most half a turn is in the circle with its chord as diameter.
     mx, my = ox - 0.5 * dx, oy - 0.5 * dy
-    room = 0.5 * math.sqrt(square) + far
+    room = 0.5 * math.sqrt(square) + max_distance
     if mx * mx + my * my > _CLEARLY * room * room:
         return np.inf, 0.0
-    return _distance_to_arc(dx, dy, bulge[i], ox, oy, far)
+    return _distance_to_arc(dx, dy, bulge[i], ox, oy, max_distance)
 
 
 @kernel(allocates=False)
 def _distance_to_arc(
-    dx: float, dy: float, b: float, x: float, y: float, far: float
+    dx: float, dy: float, b: float, x: float, y: float, max_distance: float
 ) -> tuple[float, float]:
     """Return the distance of (``x``, ``y``) from an arc, and the nearest parameter on it.
 
     The parameter is 0 at the start and 1 at the end of the arc.  The arc starts at (0, 0), ends at
     (``dx``, ``dy``) and has the bulge ``b``.  The distance may be infinite for an arc that is
-    clearly farther away than ``far``.
+    clearly farther away than ``max_distance``.
     """
     if dx == 0.0 and dy == 0.0:
         return math.hypot(x, y), 0.0
@@ -61,7 +61,7 @@ def _distance_to_arc(
     cx = 0.5 * dx - up * dy
     cy = 0.5 * dy + up * dx
     px, py = x - cx, y - cy
-    if abs(math.sqrt(px * px + py * py) - math.sqrt(cx * cx + cy * cy)) > _CLEARLY * far:
+    if abs(math.sqrt(px * px + py * py) - math.sqrt(cx * cx + cy * cy)) > _CLEARLY * max_distance:
         # Far from the whole circle: skip the angles, which are slow to compute.
         return np.inf, 0.0
     sweep = 4.0 * abs(math.atan(b))
@@ -115,10 +115,10 @@ def outward_direction(ends: F64_3, bulge: F64_1, half: int) -> tuple[float, floa
     # The direction of the chord, turned by half the sweep.
     b = bulge[i] if half % 2 == 1 else -bulge[i]
     c, s = (1.0 - b * b) / (1.0 + b * b), 2.0 * b / (1.0 + b * b)
-    long = math.sqrt(dx * dx + dy * dy)
-    if long == 0.0:
+    length = math.sqrt(dx * dx + dy * dy)
+    if length == 0.0:
         return 0.0, 0.0
-    return (c * dx - s * dy) / long, (s * dx + c * dy) / long
+    return (c * dx - s * dy) / length, (s * dx + c * dy) / length
 
 
 @inline_kernel

@@ -38,8 +38,8 @@ class VertexTable(NamedTuple):
     """The positions of q vertices, with a hash table that finds the vertices near a point."""
 
     point: OutF64_2  #: (≥ q, 2) position of each vertex
-    known: int  #: q, the number of vertices
-    onward: OutI32_1  #: (≥ q,) next vertex in the same hash bucket, -1 for none
+    vertex_count: int  #: q, the number of vertices
+    next_vertex: OutI32_1  #: (≥ q,) next vertex in the same hash bucket, -1 for none
     head: OutI32_1  #: (2^k,) vertex that was added last to each hash bucket, -1 for none
 
 
@@ -55,24 +55,27 @@ def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
         np.empty((2 * count, 2)), 0, np.empty(2 * count, np.int32), np.full(size, -1, np.int32)
     )
     end_vertex = np.empty(2 * count, np.int32)
-    several = np.zeros(2 * count, np.bool_)
-    found, near = _merge_points(ends, tolerance, vertices, end_vertex, several)
+    ambiguous = np.zeros(2 * count, np.bool_)
+    found, near = _merge_points(ends, tolerance, vertices, end_vertex, ambiguous)
     if near:
-        _unify_equal_ends(ends, tolerance, np.flatnonzero(several).astype(np.int32), end_vertex)
-    return vertices._replace(known=found), end_vertex
+        _unify_equal_ends(ends, tolerance, np.flatnonzero(ambiguous).astype(np.int32), end_vertex)
+    return vertices._replace(vertex_count=found), end_vertex
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
     """Return a copy of a table of vertices with capacity for ``more`` further vertices."""
-    point, onward = np.empty((vertices.known + more, 2)), np.empty(vertices.known + more, np.int32)
-    point[: vertices.known] = vertices.point[: vertices.known]
-    onward[: vertices.known] = vertices.onward[: vertices.known]
-    return VertexTable(point, vertices.known, onward, vertices.head)
+    point, next_vertex = (
+        np.empty((vertices.vertex_count + more, 2)),
+        np.empty(vertices.vertex_count + more, np.int32),
+    )
+    point[: vertices.vertex_count] = vertices.point[: vertices.vertex_count]
+    next_vertex[: vertices.vertex_count] = vertices.next_vertex[: vertices.vertex_count]
+    return VertexTable(point, vertices.vertex_count, next_vertex, vertices.head)
 
 
 @kernel(allocates=False)
 def _merge_points(
-    ends: F64_3, tolerance: float, vertices: VertexTable, end_vertex: OutI32_1, several: OutBool_1
+    ends: F64_3, tolerance: float, vertices: VertexTable, end_vertex: OutI32_1, ambiguous: OutBool_1
 ) -> Any:
     """Add the vertices at the ends of n edges to a table, and return two numbers.
 
@@ -89,28 +92,28 @@ def _merge_points(
         Table to which vertices are added.
     end_vertex : (2n,)
         Receives the vertex of each end.
-    several : (2n,)
+    ambiguous : (2n,)
         Set to True for ends with several vertices within the tolerance.
     """
     count = near = 0
     for half in range(len(end_vertex)):
         x, y = ends[half // 2, half % 2, 0], ends[half // 2, half % 2, 1]
-        at = _nearest_vertex(x, y, tolerance, vertices.point, vertices.head, vertices.onward)
+        at = _nearest_vertex(x, y, tolerance, vertices.point, vertices.head, vertices.next_vertex)
         if at == _NONE:
             at = count
-            _add_vertex(x, y, tolerance, vertices.point, count, vertices.head, vertices.onward)
+            _add_vertex(x, y, tolerance, vertices.point, count, vertices.head, vertices.next_vertex)
             count += 1
         elif at < 0:
             at = _SEVERAL - at
-            several[half] = True
+            ambiguous[half] = True
             near += 1
         end_vertex[half] = at
     return count, near
 
 
 @kernel
-def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
-    """Return the slot of the hash table ``known`` for the position of one end of an edge.
+def _slot(ends: F64_3, half: int, fine: float, table: I32_1) -> Any:
+    """Return the slot of the hash table ``table`` for the position of one end of an edge.
 
     The slot contains the number of an end at the same position, or a negative number if the table
     has no such end.  Positions are the same if they are equal after rounding to multiples of 1 /
@@ -122,13 +125,13 @@ def _slot(ends: F64_3, half: int, fine: float, known: I32_1) -> Any:
         Start and end points of n edges.
     half
         Number of the end: 2 i for the start of edge i and 2 i + 1 for its end.
-    known
+    table
         Hash table of numbers of ends; empty slots are negative.
     """
-    mask = len(known) - 1
+    mask = len(table) - 1
     x, y = _rounded_position(ends, half, fine)
     slot = _hash_bucket(x, y, mask)
-    while known[slot] >= 0 and _rounded_position(ends, known[slot], fine) != (x, y):
+    while table[slot] >= 0 and _rounded_position(ends, table[slot], fine) != (x, y):
         slot = (slot + 1) & mask
     return slot
 
@@ -166,7 +169,7 @@ def vertex_at(
     point: OutF64_2,
     count: int,
     head: OutI32_1,
-    onward: OutI32_1,
+    next_vertex: OutI32_1,
 ) -> int:
     """Return the vertex within the tolerance of (``x``, ``y``); add one if there is none.
 
@@ -174,29 +177,29 @@ def vertex_at(
     ----------
     tolerance
         Largest distance of the point from the vertex.
-    point, head, onward
+    point, head, next_vertex
         Columns of a ``VertexTable``, to which an added vertex is written.
     count
         Number of vertices in the table, which is also the number of an added vertex.  The caller
         must increase it after an addition.
     """
-    at = _nearest_vertex(x, y, tolerance, point, head, onward)
+    at = _nearest_vertex(x, y, tolerance, point, head, next_vertex)
     if at == _NONE:
-        _add_vertex(x, y, tolerance, point, count, head, onward)
+        _add_vertex(x, y, tolerance, point, count, head, next_vertex)
         return count
     return at if at >= 0 else _SEVERAL - at
 
 
 @inline_kernel
 def _nearest_vertex(
-    x: float, y: float, tolerance: float, point: F64_2, head: I32_1, onward: I32_1
+    x: float, y: float, tolerance: float, point: F64_2, head: I32_1, next_vertex: I32_1
 ) -> int:
     """Return the nearest vertex within the tolerance of (``x``, ``y``), or a negative number.
 
     The number is ``_NONE`` if no vertex is within the tolerance.  If several vertices are within
     the tolerance, and none is exactly at the point, the number is ``_SEVERAL`` minus the nearest
-    vertex, because returning a second value would take longer.  ``point``, ``head`` and ``onward``
-    are columns of a ``VertexTable``.
+    vertex, because returning a second value would take longer.  ``point``, ``head`` and
+    ``next_vertex`` are columns of a ``VertexTable``.
     """
     mask = len(head) - 1
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
@@ -220,7 +223,7 @@ def _nearest_vertex(
                     if away == 0.0:
                         exact = True
                         break
-                at = onward[at]
+                at = next_vertex[at]
             if exact:
                 break
         if exact:
@@ -236,17 +239,17 @@ def _add_vertex(
     point: OutF64_2,
     number: int,
     head: OutI32_1,
-    onward: OutI32_1,
+    next_vertex: OutI32_1,
 ) -> None:
     """Add a vertex with the given number at (``x``, ``y``) to the columns of a ``VertexTable``.
 
-    ``point``, ``head`` and ``onward`` are the columns.  ``tolerance`` is the tolerance within which
-    points become one vertex; it determines the size of the hash cells.
+    ``point``, ``head`` and ``next_vertex`` are the columns.  ``tolerance`` is the tolerance within
+    which points become one vertex; it determines the size of the hash cells.
     """
     fx, fy = x / (_CELL * tolerance), y / (_CELL * tolerance)
     own = _hash_bucket(math.floor(fx), math.floor(fy), len(head) - 1)
     point[number, 0], point[number, 1] = x, y
-    onward[number] = head[own]
+    next_vertex[number] = head[own]
     head[own] = number
 
 
@@ -267,7 +270,7 @@ def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, toler
         Half of the largest distance between the midpoints of coincident arcs.
     """
     count = len(start)
-    same = np.empty(count, np.int32)
+    twin = np.empty(count, np.int32)
     mask = 1
     while mask < 2 * count:
         mask *= 2
@@ -280,23 +283,25 @@ def first_coincident(start: I32_1, end: I32_1, bulge: F64_1, point: F64_2, toler
             a, b, bend = b, a, -bend
         slot = _hash_bucket(a, b, mask)
         at = heads[slot]
-        same[p] = p
+        twin[p] = p
         while at >= 0:
             if (start[at] == a and end[at] == b) or (start[at] == b and end[at] == a):
                 other = bulge[at] if start[at] == a else -bulge[at]
                 chord = math.hypot(point[a, 0] - point[b, 0], point[a, 1] - point[b, 1])
                 if 0.5 * abs(other - bend) * chord <= 2.0 * tolerance:
-                    same[p] = at
+                    twin[p] = at
                     break
             at = behind[at]
-        if same[p] == p:
+        if twin[p] == p:
             behind[p] = heads[slot]
             heads[slot] = p
-    return same
+    return twin
 
 
 @kernel
-def _unify_equal_ends(ends: F64_3, tolerance: float, several: I32_1, end_vertex: OutI32_1) -> None:
+def _unify_equal_ends(
+    ends: F64_3, tolerance: float, ambiguous: I32_1, end_vertex: OutI32_1
+) -> None:
     """Give all ends of edges at one position the vertex of the first of these ends.
 
     Only positions of ends that have several vertices within the tolerance are treated.
@@ -307,24 +312,24 @@ def _unify_equal_ends(ends: F64_3, tolerance: float, several: I32_1, end_vertex:
         Start and end points of n edges; edge i has the ends 2 i and 2 i + 1.
     tolerance
         Largest distance of an end from its vertex.
-    several
+    ambiguous
         Numbers of the ends that have several vertices within the tolerance.
     end_vertex : (2n,)
         Vertex of each end; the entries of unified ends are overwritten.
     """
     mask = 1
-    while mask < 4 * len(several):
+    while mask < 4 * len(ambiguous):
         mask *= 2
     mask -= 1
     # Points that are rounded to different integers are still within the tolerance.
     fine = _FINE / tolerance
-    known = np.full(mask + 1, -1, np.int32)
+    table = np.full(mask + 1, -1, np.int32)
     vertex_of_slot = np.full(mask + 1, -1, np.int32)
-    for half in several:
-        known[_slot(ends, half, fine, known)] = half
+    for half in ambiguous:
+        table[_slot(ends, half, fine, table)] = half
     for half in range(len(end_vertex)):
-        slot = _slot(ends, half, fine, known)
-        if known[slot] < 0:
+        slot = _slot(ends, half, fine, table)
+        if table[slot] < 0:
             continue
         if vertex_of_slot[slot] < 0:
             vertex_of_slot[slot] = end_vertex[half]

@@ -79,7 +79,7 @@ def test_shapely_finds_the_same_faces(seed: int) -> None:
     lines = np.flatnonzero(drawing.bulge == 0.0)
     ends = np.array(drawing.ends[lines])
     graph, sides = of(ends, np.zeros(len(ends)))
-    own = graph.same == np.arange(len(graph.same))
+    own = graph.twin_piece == np.arange(len(graph.twin_piece))
     segments = shapely.linestrings(
         np.stack([graph.vertex[graph.start[own]], graph.vertex[graph.end[own]]], axis=1)
     )

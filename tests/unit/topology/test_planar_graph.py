@@ -81,12 +81,12 @@ def test_a_line_through_the_gaps_of_dashes_crosses_them() -> None:
 
 def test_lines_that_lie_on_each_other_count_once() -> None:
     made = graph_of((0, 0, 10, 0), (10, 0, 0, 0), (0, 0, 10, 5))
-    assert made.same.tolist() == [0, 0, 2]
+    assert made.twin_piece.tolist() == [0, 0, 2]
 
 
 def test_arcs_between_the_same_places_count_by_their_bend() -> None:
     made = graph_of((0, 0, 10, 0), (0, 0, 10, 0), (10, 0, 0, 0), bulge=[0.5, -0.5, -0.5])
-    assert made.same.tolist() == [0, 1, 0]
+    assert made.twin_piece.tolist() == [0, 1, 0]
 
 
 def test_a_tangle_is_left_alone_and_so_is_nothing() -> None:

@@ -70,7 +70,7 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
     """
     is_arrow, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
     columns = _Graph(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
-    incidence = _pieces_by_vertex(columns, graph.same)
+    incidence = _pieces_by_vertex(columns, graph.twin_piece)
 
     def mark(chunk: tuple[int, int]) -> None:
         _mark_arrowheads(columns, graph.bulge, incidence, unit, is_arrow, tip, *chunk)
@@ -78,7 +78,7 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
     parallel_map(mark, chunks(len(tip), MIN_CHUNK))
     _mark_extension_lines(columns, incidence, unit, is_arrow, tip)
     if tip.any():
-        _mark_coincident(columns, graph.same, is_arrow)
+        _mark_coincident(columns, graph.twin_piece, is_arrow)
     return is_arrow
 
 

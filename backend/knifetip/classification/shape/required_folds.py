@@ -119,7 +119,7 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
     Pieces form an angle if they are not all on one straight line.
     """
     vertices = len(graph.vertex)
-    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
     ends = np.concatenate([graph.start[own], graph.end[own]])
     degree = np.bincount(ends, minlength=vertices)
     run = graph.vertex[graph.end[own]] - graph.vertex[graph.start[own]]
@@ -276,7 +276,7 @@ def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) 
     outline of a blank.
     """
     count = len(faces.area)
-    own = np.flatnonzero(graph.same == np.arange(len(graph.same)))
+    own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
     start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
     middle = 0.5 * (start + end)
     centre = np.zeros((count, 2))
