@@ -244,10 +244,10 @@ def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits,
         _find_crossed(ends, bulge, tolerance, twin, link, vertices.point, grid, is_crossed, *run)
 
     parallel_map(find, chunks(len(link), MIN_CHUNK))
-    row, parameter, cut, link, point, onward, count = _split_at_lines(
+    row, parameter, cut, link, point, next_vertex, count = _split_at_lines(
         ends, bulge, tolerance, twin, link, np.flatnonzero(is_crossed), vertices, grid
     )
-    return Splits(row, parameter, cut), link, VertexTable(point, count, onward, vertices.head)
+    return Splits(row, parameter, cut), link, VertexTable(point, count, next_vertex, vertices.head)
 
 
 @kernel(allocates=False)
@@ -368,10 +368,10 @@ def _split_at_lines(
         The edge, the parameter on it and the vertex of each split of an edge.
     links : (t, 2)
         Start vertex and end vertex of each link after the splits.
-    point, onward, known
+    point, next_vertex, vertex_count
         New values of these columns of ``vertices``.
     """
-    point, vertex_count, onward, head = vertices
+    point, vertex_count, next_vertex, head = vertices
     row = np.empty(16, np.int32)
     parameter = np.empty(16)
     cut = np.empty(16, np.int32)
@@ -385,8 +385,8 @@ def _split_at_lines(
         )
         if through >= 0:
             if vertex_count + 1 >= len(point):
-                point, onward = double_f64_2(point), double_i32(onward)
-            at = vertex_at(x, y, tolerance, point, vertex_count, head, onward)
+                point, next_vertex = double_f64_2(point), double_i32(next_vertex)
+            at = vertex_at(x, y, tolerance, point, vertex_count, head, next_vertex)
             if at == vertex_count:
                 vertex_count += 1
             if cuts == len(row):
@@ -400,7 +400,7 @@ def _split_at_lines(
                 link[k, 1] = at
                 links += 1
         turn += 1
-    return row[:cuts], parameter[:cuts], cut[:cuts], link[:links], point, onward, vertex_count
+    return row[:cuts], parameter[:cuts], cut[:cuts], link[:links], point, next_vertex, vertex_count
 
 
 @kernel(allocates=False)
