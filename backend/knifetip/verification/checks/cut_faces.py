@@ -96,7 +96,8 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 
 
 def _gap_links(cuts: Edges) -> F64:
-    """Return straight links that close the gaps at dangling ends of cuts, as curves (k, 6).
+    """Return k straight links that close gaps at dangling ends of cuts, (k, 6), in the format of
+    ``curves.curve``.
 
     An end of a cut is dangling if it touches no other cut.  Each link leads from a dangling end to
     a nearby cut or to another dangling end.  Two dangling ends are not linked to each other if a
@@ -184,8 +185,8 @@ def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> An
 def _split_curves(curve: F64) -> tuple[F64, I64, F64]:
     """Split n curves where the ends of other curves touch them, and where two curves cross.
 
-    Returns three arrays: the p pieces as curves (p, 6), the index of the curve of each piece (p,),
-    and the position on that curve at which the piece starts (p,) mm.
+    Returns three arrays: the p pieces in the format of ``curves.curve`` (p, 6), the index of the
+    curve of each piece (p,), and the position on that curve at which the piece starts (p,) mm.
     """
     size, nothing = curve[:, 5], np.zeros(len(curve))
     ends = np.stack([point_at(curve, nothing), point_at(curve, size)], axis=1).reshape(-1, 2)
@@ -225,7 +226,7 @@ def _assign_faces(curve: F64, cycle: I64, outside: Bool, component: I64) -> tupl
     Parameters
     ----------
     curve : (p, 6)
-        The pieces of cuts, as curves.
+        The pieces of cuts, in the format of ``curves.curve``.
     cycle : (p, 2)
         Index of the cycle of half-edges on the left and on the right of each piece.
     outside : (w,)
@@ -294,7 +295,8 @@ def _first_curve_left(points: F64, own: I64, curve: F64, owner: I64) -> tuple[I6
     own : (m,)
         Number of the group whose curves are ignored in the search from each point, -1 for none.
     curve, owner : (n, 6) and (n,)
-        The curves, and the number of the group of each, such as its connected component.
+        The curves in the format of ``curves.curve``, and the number of the group of each, such as
+        its connected component.
 
     Returns
     -------

@@ -141,7 +141,8 @@ class GrooveCheck(StationCheck):
         return final
 
     def _check_pass_steps(self) -> None:
-        """Add a finding for each pass that is too much deeper than the passes before it.
+        """Add a finding for each pass that is deeper than the passes before it by more than one
+        step.
 
         The greatest permitted step is in the board's record; a step of 0 there permits any depth.
         """
@@ -220,7 +221,8 @@ class GrooveCheck(StationCheck):
             )
 
     def _check_cuts_beside(self, drawn: Edges, blade: VCutter) -> None:
-        """Add a finding for each cut beside a groove whose edge a flank of the groove damages.
+        """Add a finding for each cut that lies beside a groove and is damaged by a flank of the
+        groove.
 
         ``drawn`` are the edges of the grooves without run-outs; ``blade`` is the V-cutter.
         """

@@ -27,7 +27,7 @@ SAMPLE_COUNT: Final = 9
 
 @dataclass(frozen=True, eq=False, slots=True)
 class DamagedCuts:
-    """k pairs of a groove and a cut whose edge a flank of the groove damages."""
+    """k pairs of a groove and a cut that a flank of the groove damages."""
 
     groove: I64  #: (k,) index of the groove
     cut: I64  #: (k,) index of the cut
@@ -36,7 +36,7 @@ class DamagedCuts:
 
 
 def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> DamagedCuts:
-    """Return the pairs of a groove and a cut inside the groove's strip in the top face.
+    """Return the pairs of a groove and a cut that lies inside the groove's strip in the top face.
 
     The strip covers ``reach`` on both sides of the groove's line.  If a cut meets that line within
     twice the reach of an end of the groove, or within the run-out if that is longer, then the strip
@@ -138,7 +138,8 @@ def _group_extremes(values: F64, group: I64, count: int) -> tuple[F64, F64]:
 def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
     """Return n curves lengthened at both ends, (n, 6), and the length added at each end, (n,) mm.
 
-    The added length is ``extra`` (mm), or less for an arc that would become a full circle.
+    ``curve`` are the curves, (n, 6), in the format of ``curves.curve``.  The added length is
+    ``extra`` (mm), or less for an arc that would become a full circle.
     """
     result = curve.copy()
     straight = curve[:, 0] == 0.0
@@ -152,9 +153,10 @@ def _lengthen(curve: F64, extra: float) -> tuple[F64, F64]:
 
 
 def _flatten(curves: F64, rows: I64) -> tuple[F64, I64]:
-    """Return k chords, (k, 6), that replace the curves with indices ``rows``.
+    """Return k chords, (k, 6), that replace the lines and arcs of ``curves`` with indices ``rows``.
 
-    Also returns the index in ``curves`` of the curve that each chord replaces, (k,).
+    Chords and curves have the format of ``curves.curve``.  Also returns the index in ``curves`` of
+    the curve that each chord replaces, (k,).
     """
     curve = curves[rows]
     round_ = curve[:, 0] != 0.0

@@ -289,7 +289,8 @@ class KnifeCheck(StationCheck):
         self.track = np.unique(self.track[keep], return_inverse=True)[1].astype(np.int64)
 
     def _check_lead_headings(self, path_rows: I64, blade: Knife) -> None:
-        """Check that the blade is parallel to its path on lead-ins and lead-outs.
+        """Add a finding for each lead-in or lead-out on which the blade is not parallel to its
+        path.
 
         A blade turned across its path tears the board.  ``path_rows`` are the indices of the tip
         paths of lead-ins and lead-outs.

@@ -53,7 +53,7 @@ class CentrePaths:
     blend: F64
 
     def select(self, rows: I64 | Bool) -> CentrePaths:
-        """Return the paths that ``rows``, an array of indices or a mask, selects."""
+        """Return some of the paths; ``rows`` are their indices or their mask."""
         return CentrePaths(
             self.curve[rows], self.z[rows], self.track[rows], self.line[rows], self.blend[rows]
         )

@@ -82,8 +82,9 @@ def nearest_candidates(curve: F64, along: F64, edge: F64, round_: bool) -> Itera
 def nearest_along(curve: F64, point: F64, reach: F64) -> F64:
     """Return the position on each of n curves that is nearest to a point, (n,) mm.
 
-    ``curve`` is (n, 6), and ``point`` contains one point for each curve, (n, 2) mm.  Distances
-    along X and Y are divided by the half-axes ``reach`` of the disc, (2,) mm.
+    ``curve``, (n, 6), is in the format of ``curves.curve``, and ``point`` contains one point for
+    each curve, (n, 2) mm.  Distances along X and Y are divided by the half-axes ``reach`` of the
+    disc, (2,) mm.
     """
     weight = 1.0 / reach**2
     to = point - curve[:, 1:3]

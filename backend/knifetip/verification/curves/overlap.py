@@ -23,9 +23,10 @@ def find_overlaps(curves: F64, edges: F64, low: F64, high: F64, limit: float) ->
     Parameters
     ----------
     curves : (n, 6)
-        A curve of length 0 is a point; it may lie up to ``limit`` past the ends of an edge.
+        The curves, in the format of ``curves.curve``.  A curve of length 0 is a point; it may lie
+        up to ``limit`` past the ends of an edge.
     edges : (m, 6)
-        The edges, as curves.
+        The edges, in the same format.
     low, high : (m,) mm
         Start and end of the part of each edge that is compared; no part if high < low.
     limit : mm
@@ -85,7 +86,7 @@ def cells_near_curve(
     Parameters
     ----------
     curve : (6,)
-        The curve.
+        The curve, in the format of ``curves.curve``.
     corner : (2,) mm
         Lower left corner of the grid.
     size : mm

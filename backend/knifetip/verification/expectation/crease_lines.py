@@ -128,7 +128,7 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         The cuts.  A dash that touches a cut bounds a slot, not a gap.  A cut through a gap
         separates the dashes on its two sides.
     wheel_paths : (n, 6)
-        Paths of the wheel, as curves.
+        Paths of the wheel, in the format of ``curves.curve``.
     limit : mm
         Greatest distance of the wheel from the dashes.
     """

@@ -22,7 +22,7 @@ _CHORD_ERROR: Final = 1e-4
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CutterPaths:
-    """k expected paths of a cutter's centre, as curves, each beside a stretch of one edge."""
+    """k expected paths of a cutter's centre, each a line or arc beside a stretch of one edge."""
 
     curve: F64  #: (k, 6) rows as in ``curves.curve``
     edge: I64  #: (k,) index of the edge

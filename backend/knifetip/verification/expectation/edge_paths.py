@@ -111,7 +111,7 @@ class EdgePaths:
         low, high : (c,) mm
             Start and end of the interval of each path, measured from the start of the path.
         curve : (n, 6)
-            The edges, as curves.
+            The edges, in the format of ``curves.curve``.
 
         Returns
         -------
@@ -133,7 +133,7 @@ class EdgePaths:
         path, position : (k,)
             Index of the path of each position, and its distance from the start of that path (mm).
         curve : (n, 6)
-            The edges of the paths, as curves.
+            The edges of the paths, in the format of ``curves.curve``.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""The drawn edges as curves on the sheet, and functions that find which of their ends meet."""
+"""The drawn edges in sheet coordinates, and functions that find which of their ends meet."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _BULGE: Final = 1e-9
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Edges:
-    """n edges in sheet coordinates, as curves, with their line types, ends and directions."""
+    """n edges (lines and arcs) in sheet coordinates, with their line types, ends and directions."""
 
     row: I32  #: (n,) row in Dieline
     curve: F64  #: (n, 6) rows as in ``curves.curve``

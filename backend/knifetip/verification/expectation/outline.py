@@ -177,7 +177,7 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     Parameters
     ----------
     curve : (n, 6)
-        The n cuts, as curves.
+        The n cuts, in the format of ``curves.curve``.
     closing : (n,)
         Mask of the cuts on the outside of their component.
     component : (n,)

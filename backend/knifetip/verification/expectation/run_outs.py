@@ -107,7 +107,7 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
     Parameters
     ----------
     curve : (n, 6)
-        The edge that each groove must pass.
+        The edge that each groove must pass, in the format of ``curves.curve``.
     end, u : (n, 2)
         End of each groove (mm) and the groove's unit direction there.
     aside : (n, 2) mm
