@@ -41,7 +41,7 @@ _HAIR: Final = 1e-9
 _FAR: Final = 1e9
 
 
-class _Placed(NamedTuple):
+class _FinalRows(NamedTuple):
     """Rows of the k edges after cleaning and of the q stretches of the n drawn edges.
 
     A stretch is a part of a drawn edge that belongs to one edge after cleaning, or is debris.
@@ -332,7 +332,7 @@ def _report(dieline: Dieline, length: F64, at_work: Bool, state: _State) -> Clea
     target_row[~at_work] = np.flatnonzero(~at_work)
     outcome, reason = _outcomes(
         state,
-        _Placed(row, edge, overlapping, slot, source, target_row),
+        _FinalRows(row, edge, overlapping, slot, source, target_row),
         _Lengths(kept, merged, moved),
         at_work,
     )
@@ -373,19 +373,21 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
     return target_row
 
 
-def _outcomes(state: _State, placed: _Placed, lengths: _Lengths, at_work: Bool) -> tuple[U8, U8]:
+def _outcomes(
+    state: _State, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool
+) -> tuple[U8, U8]:
     """Return the outcome of each of n drawn edges, (n,), and the reason for that outcome, (n,).
 
     Parameters
     ----------
-    state, placed
+    state, final_rows
         The current edges after the last step of cleaning, and their rows in the cleaned dieline.
     lengths
         Kept length, merged length and displacement of each drawn edge.
     at_work : (n,)
         Mask of the edges whose line type is cut or creased.
     """
-    row, edge, overlapping, slot, source, target_row = placed
+    row, edge, overlapping, slot, source, target_row = final_rows
     kept, merged, moved = lengths
     count = len(target_row)
     keeps_row = np.zeros(count, np.bool_)

@@ -58,21 +58,23 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
     )
 
 
-def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> Samples:
+def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, is_owned: Bool) -> Samples:
     """Return the samples of a verdict with positions on drawn edges instead of cleaned edges.
 
-    A sample is the deviation of the tip at a position of an edge.  ``own`` is the mask of the
+    A sample is the deviation of the tip at a position of an edge.  ``is_owned`` is the mask of the
     stretches of drawn edges that belong to a cleaned edge and do not overlap another edge.
     """
     parts = cleaned.stretches
     if len(samples.edge) == 0 or not cleaned.changed.any():
         return samples
-    row, target = parts.row[own], parts.cleaned[own]
+    row, target = parts.row[is_owned], parts.cleaned[is_owned]
     start, end, bulge = drawn.ends[row, 0], drawn.ends[row, 1], drawn.bulge[row]
     on = cleaned.dieline.ends[target]
     to = cleaned.dieline.bulge[target]
     first, last = (
-        arc.nearest_fraction(on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, fraction[own]))
+        arc.nearest_fraction(
+            on[:, 0], on[:, 1], to, arc.point_at(start, end, bulge, fraction[is_owned])
+        )
         for fraction in (parts.begin, parts.end)
     )
     low, high = np.minimum(first, last), np.maximum(first, last)
@@ -87,7 +89,7 @@ def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, own: Bool) -> S
     fraction = np.clip((samples.place - low[part]) / span, 0.0, 1.0)
     back = (last < first)[part]
     fraction = np.where(back, 1.0 - fraction, fraction)
-    begin, finish = parts.begin[own][part], parts.end[own][part]
+    begin, finish = parts.begin[is_owned][part], parts.end[is_owned][part]
     place = np.clip(begin + fraction * (finish - begin), 0.0, 1.0)
     edge = row[part]
     deviation = np.where(back, -samples.deviation, samples.deviation)

@@ -64,7 +64,7 @@ def crease_toolpath(operation: Operation) -> Toolpath:
     at_end = np.where(free_end, half_contact_length(depth[last], wheel) + clear, 0.0)
     fits = length - at_start - at_end > 10.0 * POINT
     rolled = np.flatnonzero(fits).astype(np.int32)
-    short = np.flatnonzero(~fits).astype(np.int32)
+    short_paths = np.flatnonzero(~fits).astype(np.int32)
 
     rolled_paths, rows = select_paths(paths, rolled)
     rolled_paths, kept = trim_ends(rolled_paths, at_start[rolled], at_end[rolled])
@@ -87,23 +87,23 @@ def crease_toolpath(operation: Operation) -> Toolpath:
         above_start=at_height(start_pose, height),
         above_end=at_height(end_pose, height),
     )
-    return rolling.merged_with(_presses(operation, wheel, short)).to_toolpath(operation)
+    return rolling.merged_with(_presses(operation, wheel, short_paths)).to_toolpath(operation)
 
 
-def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
-    """Return one press of the wheel for each path in ``short``, the numbers of too short paths.
+def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Strokes:
+    """Return one press of the wheel for each path that is too short for its setback.
 
-    A path is pressed midway between its ends if both are free, otherwise at the end that is not
-    free.
+    ``short_paths`` are the numbers of these paths in the operation.  A path is pressed midway
+    between its ends if both are free, otherwise at the end that is not free.
     """
-    paths, _ = select_paths(operation.paths, short)
-    free_start = operation.start[short] == End.FREE
-    free_end = operation.finish[short] == End.FREE
+    paths, _ = select_paths(operation.paths, short_paths)
+    free_start = operation.start[short_paths] == End.FREE
+    free_end = operation.finish[short_paths] == End.FREE
     length = paths.lengths
     position = np.where(free_start & free_end, length / 2.0, np.where(free_start, length, 0.0))
     half = np.where(free_start & free_end, length / 2.0, length) - operation.end_clearance
     xy, heading, segment = point_along(paths, position)
-    rows = operation.paths.first[:-1][short] + segment - paths.first[:-1]
+    rows = operation.paths.first[:-1][short_paths] + segment - paths.first[:-1]
     bad = np.flatnonzero((half <= POINT) | (operation.short_crease == "refuse"))
     if len(bad):
         listed = operation.source[rows[bad]]
@@ -117,17 +117,17 @@ def _presses(operation: Operation, wheel: CreaseWheel, short: I32) -> Strokes:
         )
     depth = np.minimum(depth_at_contact(half, wheel), operation.depth[rows, 0])
     pose = np.column_stack([xy, operation.caliper - depth, heading])
-    once = np.ones(len(short), np.bool_)
+    once = np.ones(len(short_paths), np.bool_)
     height = operation.caliper + operation.clearance
     start_pose = pose
     end_pose = pose
     return Strokes(
         start=start_pose,
         end=end_pose,
-        bulge=np.zeros(len(short)),
+        bulge=np.zeros(len(short_paths)),
         down=once,
         up=once,
-        track=short,
+        track=short_paths,
         source=operation.source[rows],
         above_start=at_height(start_pose, height),
         above_end=at_height(end_pose, height),

@@ -62,10 +62,10 @@ def offset_on_all_cores(
     contours = Contours(paths.start, paths.end, paths.bulge, paths.first)
     corners = CornerTypes(corner, k, 0 if len(corner) == 1 else 1)
 
-    def done(run: I32) -> Any:
+    def offset_run(run: I32) -> Any:
         return offset_groups(contours, OffsetGroups(member, run, signed), corners, refuse)
 
-    parts = parallel_map(done, runs)
+    parts = parallel_map(offset_run, runs)
     if len(parts) == 1:
         return parts[0]
     columns = [np.concatenate(column) for column in zip(*(part[:5] for part in parts), strict=True)]

@@ -112,7 +112,7 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
     return best if margin >= far and not doubtful else ""
 
 
-def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) -> list[Message]:
+def _contradictions(drawing: Drawing, lengths: Lengths, best: str, lead: float) -> list[Message]:
     """Return a warning for each contradiction to the unit in which the drawing was read.
 
     There may be one warning that the header states a different unit, and one that the evidence
@@ -120,7 +120,7 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
 
     Parameters
     ----------
-    found
+    lengths
         Lengths of the edges, and size, of the drawing.
     best
         The likeliest unit: the unit with the greatest total weight of evidence.
@@ -131,9 +131,9 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
         return []
     warnings = []
     unit, stated = drawing.unit, drawing.stated
-    width, height = found.size_in(unit)
+    width, height = lengths.size_in(unit)
     if stated and unit != stated:
-        stated_width, stated_height = found.size_in(stated)
+        stated_width, stated_height = lengths.size_in(stated)
         warnings.append(
             Message(
                 "unit.read-against-header",
@@ -146,7 +146,7 @@ def _contradictions(drawing: Drawing, found: Lengths, best: str, lead: float) ->
             )
         )
     if best not in (unit, stated) and lead >= weights.STATED_MARGIN:
-        best_width, best_height = found.size_in(best)
+        best_width, best_height = lengths.size_in(best)
         warnings.append(
             Message(
                 "unit.read-against-evidence",
@@ -168,16 +168,16 @@ def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
     are in the unit.  A header that states no unit counts as a header too.  The unit with the least
     fraction has no entry in the list, because its weight is 0.
     """
-    share = weights.STATED[drawing.stated]
-    least = min(share.values())
+    fractions = weights.STATED[drawing.stated]
+    least = min(fractions.values())
     return [
-        UnitEvidence(unit, _header_message(drawing.stated, unit, share[unit]), weight, "header")
+        UnitEvidence(unit, _header_message(drawing.stated, unit, fractions[unit]), weight, "header")
         for unit in MILLIMETRES
-        if (weight := math.log(share[unit] / least)) > 0.0
+        if (weight := math.log(fractions[unit] / least)) > 0.0
     ]
 
 
-def _header_message(stated: str, unit: str, share: float) -> Message:
+def _header_message(stated: str, unit: str, fraction: float) -> Message:
     """Return the message that states how often drawings with a given header are in ``unit``.
 
     Parameters
@@ -186,12 +186,12 @@ def _header_message(stated: str, unit: str, share: float) -> Message:
         The unit that the header states, empty for none.
     unit
         The unit for which the message is evidence.
-    share
+    fraction
         Fraction (0…1) of the drawings whose header states ``stated`` that are in ``unit``.
     """
     if not stated:
-        return Message("unit.share-unstated", unit=unit, percent=100.0 * share)
-    return Message("unit.share-stated", stated=stated, unit=unit, percent=100.0 * share)
+        return Message("unit.share-unstated", unit=unit, percent=100.0 * fraction)
+    return Message("unit.share-stated", stated=stated, unit=unit, percent=100.0 * fraction)
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:

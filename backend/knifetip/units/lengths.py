@@ -209,34 +209,34 @@ def evidence_of_units(
     ]
 
 
-def size_evidence(found: Lengths) -> list[UnitEvidence]:
+def size_evidence(lengths: Lengths) -> list[UnitEvidence]:
     """Return the evidence for each unit from the longer side of the drawing.
 
-    A unit in which this side has a usual length for a carton gets a greater weight.  ``found`` is
+    A unit in which this side has a usual length for a carton gets a greater weight.  ``lengths`` is
     the size of the drawing in file units.
     """
     weight = {
-        unit: _interpolate(weights.SIZE, found.longer * scale)
+        unit: _interpolate(weights.SIZE, lengths.longer * scale)
         for unit, scale in MILLIMETRES.items()
     }
     message = {}
     for unit in MILLIMETRES:
-        width, height = found.size_in(unit)
+        width, height = lengths.size_in(unit)
         code = "unit.size-usual" if weight[unit] >= weights.USUAL else "unit.size-unusual"
         message[unit] = Message(code, unit=unit, width=width, height=height)
     return evidence_of_units("size", weight, message)
 
 
-def feature_evidence(found: Lengths) -> list[UnitEvidence]:
+def feature_evidence(lengths: Lengths) -> list[UnitEvidence]:
     """Return the evidence for each unit from the shortest edge of the drawing.
 
     Slots and small flaps have usual lengths, since these depend on the caliper of the board.  The
-    list is empty if the drawing has too few straight edges.  ``found`` are the lengths of the edges
-    in file units.
+    list is empty if the drawing has too few straight edges.  ``lengths`` are the lengths of the
+    edges in file units.
     """
-    if found.straight < weights.FEATURE_EDGES or not np.isfinite(found.shortest):
+    if lengths.straight < weights.FEATURE_EDGES or not np.isfinite(lengths.shortest):
         return []
-    least = found.shortest
+    least = lengths.shortest
     return evidence_of_units(
         "features",
         {unit: _interpolate(weights.FEATURE, least * scale) for unit, scale in MILLIMETRES.items()},
@@ -247,47 +247,47 @@ def feature_evidence(found: Lengths) -> list[UnitEvidence]:
     )
 
 
-def paper_evidence(found: Lengths) -> list[UnitEvidence]:
-    """Return one piece of evidence for each unit in which the drawing has a paper size, such as A4.
+def paper_evidence(lengths: Lengths) -> list[UnitEvidence]:
+    """Return evidence for each unit in which the drawing has the size of a paper, such as A4.
 
-    The drawing may have this size because it contains a frame or the outline of a page.  ``found``
-    is the size of the drawing in file units.
+    The drawing may have this size because it contains a frame or the outline of a page.
+    ``lengths`` is the size of the drawing in file units.
     """
-    short, long = sorted((found.width, found.height))
+    shorter, longer = sorted((lengths.width, lengths.height))
     found_in = []
     for unit, scale in MILLIMETRES.items():
         for width, height, name in _PAPER:
-            if abs(short * scale - width) < 0.6 and abs(long * scale - height) < 0.6:
+            if abs(shorter * scale - width) < 0.6 and abs(longer * scale - height) < 0.6:
                 message = Message("unit.paper-size", unit=unit, sheet=name)
                 found_in.append(UnitEvidence(unit, message, weights.PAPER, "paper"))
                 break
     return found_in
 
 
-def grid_evidence(found: Lengths) -> list[UnitEvidence]:
+def grid_evidence(lengths: Lengths) -> list[UnitEvidence]:
     """Return the evidence for each unit from the edges whose lengths are round numbers in the unit.
 
-    The list is empty if the drawing has no straight edges.  ``found`` are the lengths of the edges
-    in file units.
+    The list is empty if the drawing has no straight edges.  ``lengths`` are the lengths of the
+    edges in file units.
     """
-    if not len(found.value):
+    if not len(lengths.value):
         return []
-    message = {unit: _grid_message(found, unit) for unit in MILLIMETRES}
-    return evidence_of_units("grid", grid_likelihood(found), message)
+    message = {unit: _grid_message(lengths, unit) for unit in MILLIMETRES}
+    return evidence_of_units("grid", grid_likelihood(lengths), message)
 
 
-def grid_likelihood(found: Lengths) -> dict[str, float]:
+def grid_likelihood(lengths: Lengths) -> dict[str, float]:
     """Return for each unit the log-likelihood of the edges' lengths if the drawing is in this unit.
 
-    ``found`` are the lengths in file units.
+    ``lengths`` are the lengths in file units.
     """
     result = {}
     for unit, scale in MILLIMETRES.items():
         metric = weights.DESIGNED_METRIC[unit]
         result[unit] = float(
             np.logaddexp(
-                np.log(metric) + table_likelihood(found, scale, weights.METRIC),
-                np.log(1.0 - metric) + table_likelihood(found, scale, weights.IMPERIAL),
+                np.log(metric) + table_likelihood(lengths, scale, weights.METRIC),
+                np.log(1.0 - metric) + table_likelihood(lengths, scale, weights.IMPERIAL),
             )
         )
     for family in weights.FAMILIES:
@@ -296,20 +296,22 @@ def grid_likelihood(found: Lengths) -> dict[str, float]:
     return result
 
 
-def table_likelihood(found: Lengths, scale: float, table: Mapping[float, float]) -> float:
+def table_likelihood(lengths: Lengths, scale: float, table: Mapping[float, float]) -> float:
     """Return the log-likelihood of the edges' lengths if they are multiples of given grid spacings.
 
     Parameters
     ----------
-    found
+    lengths
         Lengths of the edges of the drawing, in file units.
     scale
         Millimetres in one file unit.
     table
         Grid spacings (mm), and for each the fraction of lengths that are multiples of it.
     """
-    share = min(1.0, weights.INDEPENDENT / len(found.value))
-    return max(share * _log_likelihood(found.value, exact, table, scale) for exact in found.exact)
+    fraction = min(1.0, weights.INDEPENDENT / len(lengths.value))
+    return max(
+        fraction * _log_likelihood(lengths.value, exact, table, scale) for exact in lengths.exact
+    )
 
 
 def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scale: float) -> float:
@@ -324,7 +326,7 @@ def _log_likelihood(value: F64, exact: float, table: Mapping[float, float], scal
     return float(np.logaddexp.reduce(likely) - np.log(len(off)))
 
 
-def _grid_message(found: Lengths, unit: str) -> Message:
+def _grid_message(lengths: Lengths, unit: str) -> Message:
     """Return the message that names the best grid spacing and how many lengths are multiples of it.
 
     The best grid spacing is the one for which the edges whose length is a multiple of it have the
@@ -332,7 +334,7 @@ def _grid_message(found: Lengths, unit: str) -> Message:
 
     Parameters
     ----------
-    found
+    lengths
         Lengths of the edges of the drawing, in file units.
     unit
         Unit in which the drawing is assumed to be.
@@ -340,20 +342,20 @@ def _grid_message(found: Lengths, unit: str) -> Message:
     scale = MILLIMETRES[unit]
     fits = []
     for grid, name in _NAMED_GRIDS:
-        if grid < 8.0 * found.exact[-1] * scale:
+        if grid < 8.0 * lengths.exact[-1] * scale:
             continue
-        near = np.round(found.value * scale / grid)
-        on = (np.abs(found.value * scale - near * grid) <= found.exact[-1] * scale) & (near > 0)
-        fits.append((float(found.total[on].sum()), int(on.sum()), name))
+        near = np.round(lengths.value * scale / grid)
+        on = (np.abs(lengths.value * scale - near * grid) <= lengths.exact[-1] * scale) & (near > 0)
+        fits.append((float(lengths.total[on].sum()), int(on.sum()), name))
     if not fits:
         return Message("unit.imprecise", unit=unit)
     part, count, name = max(fits)
-    percent = 100.0 * part / float(found.total.sum())
+    percent = 100.0 * part / float(lengths.total.sum())
     return Message(
         "unit.multiples",
         unit=unit,
         count=count,
-        all=len(found.value),
+        all=len(lengths.value),
         percent=percent,
         grid=name,
     )
@@ -369,5 +371,5 @@ def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
     points
         Lengths (mm) in ascending order, each with its weight of evidence.
     """
-    at, weight = zip(*points, strict=True)
-    return float(np.interp(np.log(max(size, 1e-12)), np.log(at), weight))
+    sizes, weight = zip(*points, strict=True)
+    return float(np.interp(np.log(max(size, 1e-12)), np.log(sizes), weight))

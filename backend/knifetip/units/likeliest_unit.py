@@ -30,23 +30,23 @@ def choose_unit(drawing: Drawing, read_in: Callable[[str], Drawing]) -> Drawing:
         Function that reads the file of the drawing again in a given unit.  Scaling the drawing is
         not enough, because curves are fitted within a tolerance in mm when a file is read.
     """
-    found = find_unit(drawing)
-    if found.unit == drawing.unit:
+    finding = find_unit(drawing)
+    if finding.unit == drawing.unit:
         return drawing
     if drawing.unit and drawing.evidence.code != "unit.header":
         # Only the unit of a DXF header is doubted: it often comes from the template.
         return drawing
-    better = read_in(found.unit) if found.unit else rescale(drawing, "")
-    return replace(better, evidence=_unit_evidence(found, drawing))
+    better = read_in(finding.unit) if finding.unit else rescale(drawing, "")
+    return replace(better, evidence=_unit_evidence(finding, drawing))
 
 
-def _unit_evidence(found: UnitFinding, drawing: Drawing) -> Message:
+def _unit_evidence(finding: UnitFinding, drawing: Drawing) -> Message:
     """Return the message that explains why the unit that the file states was not kept.
 
-    ``found`` is the evidence for each unit of ``drawing``.
+    ``finding`` is the evidence for each unit of ``drawing``.
     """
-    best = found.ranking[0]
+    best = finding.ranking[0]
     if best == drawing.stated:
         return Message("unit.inconclusive", stated=drawing.evidence, unit=best)
-    reason = next(one.message for one in found.evidence if one.unit == best)
+    reason = next(one.message for one in finding.evidence if one.unit == best)
     return Message("unit.overruled", stated=drawing.evidence, unit=best, reason=reason)

@@ -135,16 +135,17 @@ def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Messa
     return []
 
 
-def _likelihoods(found: Lengths) -> dict[tuple[str, str], float]:
+def _likelihoods(lengths: Lengths) -> dict[tuple[str, str], float]:
     """Return the log-likelihood of one part's edge lengths for each pair of unit and system.
 
     The unit, "mm", "in", "pt" or "px", is the one in which the part is assumed to be drawn.  The
     system, "metric" or "imperial", is the one in which its lengths are assumed to be round numbers.
     Other units are omitted: lengths that are round in cm or m are round in mm, and lengths that are
-    round in feet are round in inches.  ``found`` are the lengths of the part's edges in file units.
+    round in feet are round in inches.  ``lengths`` are the lengths of the part's edges in file
+    units.
     """
     return {
-        (unit, system): table_likelihood(found, MILLIMETRES[unit], table)
+        (unit, system): table_likelihood(lengths, MILLIMETRES[unit], table)
         for unit in ("mm", "in", "pt", "px")
         for system, table in (("metric", weights.METRIC), ("imperial", weights.IMPERIAL))
     }

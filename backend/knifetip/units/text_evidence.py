@@ -80,10 +80,10 @@ class _Number:
     )
 
 
-def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
+def text_evidence(drawing: Drawing, lengths: Lengths) -> TextEvidence:
     """Return the evidence for each unit, and warnings, from the texts of a drawing.
 
-    ``found`` are the lengths of the edges of the drawing.
+    ``lengths`` are the lengths of the edges of the drawing.
     """
     scale = factor(drawing.unit)
     numbers: dict[tuple[float, str, float], _Number] = {}
@@ -106,7 +106,7 @@ def text_evidence(drawing: Drawing, found: Lengths) -> TextEvidence:
         for unit, line in statements.items()
     ]
     if numbers:
-        evidence += _number_evidence(list(numbers.values()), found, list(statements))
+        evidence += _number_evidence(list(numbers.values()), lengths, list(statements))
     warnings = _dimension_scale_warnings(list(numbers.values()))
     other = [f"{one}:{two}" for one, two in mentioned if one != two]
     if other:
@@ -134,7 +134,7 @@ def _numbers(text: Annotation, scale: float) -> Iterable[_Number]:
 
 
 def _number_evidence(
-    numbers: Sequence[_Number], found: Lengths, stated: Sequence[str]
+    numbers: Sequence[_Number], lengths: Lengths, stated: Sequence[str]
 ) -> list[UnitEvidence]:
     """Return the evidence for each unit from numbers in texts that equal lengths of the drawing.
 
@@ -144,12 +144,12 @@ def _number_evidence(
     ----------
     numbers
         Numbers in the texts on the sheet.
-    found
+    lengths
         Lengths of the edges, and size, of the drawing.
     stated
         Units that texts on the sheet state for all dimensions.
     """
-    gain, hits = _match(numbers, found)
+    gain, hits = _match(numbers, lengths)
     matched = np.any(hits, axis=1)
     if not matched.any():
         return []
@@ -168,8 +168,8 @@ def _number_evidence(
             float(gain[row, _COLUMN[unit, one.unit]]) for row, one in enumerate(written) if one.unit
         )
         parts = {
-            assumed: math.log(share) + float(gain[bare, _COLUMN[unit, assumed]].sum())
-            for assumed, share in share_of.items()
+            assumed: math.log(fraction) + float(gain[bare, _COLUMN[unit, assumed]].sum())
+            for assumed, fraction in share_of.items()
         }
         likely = max(parts, key=parts.__getitem__)
         weight[unit] = with_unit
@@ -204,7 +204,7 @@ def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message
     return Message(code, unit=unit, count=len(matches), all=count, numbers=matches[:_SHOWN])
 
 
-def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
+def _match(numbers: Sequence[_Number], lengths: Lengths) -> tuple[F64, Bool]:
     """Compare n numbers with the lengths of the drawing, at each ratio in ``_RATIOS``.
 
     A ratio is the number of file units in the unit of a written number.
@@ -214,7 +214,7 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
     numbers
         Numbers in the texts on the sheet.  A number in the text of a dimension is compared only
         with the length that the dimension measures.
-    found
+    lengths
         Lengths of the edges, and size, of the drawing.
 
     Returns
@@ -225,7 +225,7 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
     hits : (n, ratios)
         Whether the number, multiplied by the ratio, equals a length.
     """
-    sides = np.append(found.value, [found.width, found.height])
+    sides = np.append(lengths.value, [lengths.width, lengths.height])
     gain = np.zeros((len(numbers), len(_RATIOS)))
     hits = np.zeros((len(numbers), len(_RATIOS)), bool)
     for row, number in enumerate(numbers):
@@ -233,18 +233,18 @@ def _match(numbers: Sequence[_Number], found: Lengths) -> tuple[F64, Bool]:
         against, meant = (
             (sides, weights.IS_A_LENGTH) if math.isnan(own[0]) else (own, weights.OVERWRITTEN)
         )
-        chance = float(_matches(number.written, _CHANCE_SCALES, against, found.exact[0]).mean())
+        chance = float(_matches(number.written, _CHANCE_SCALES, against, lengths.exact[0]).mean())
         # One length matches at one of the 89 scales, whatever scales are chosen.
         chance = min(max(chance, 0.012), meant)
-        hits[row] = _matches(number.written, _RATIOS, against, found.exact[0])
+        hits[row] = _matches(number.written, _RATIOS, against, lengths.exact[0])
         gain[row] = np.where(
             hits[row], math.log(meant / chance), math.log((1.0 - meant) / (1.0 - chance))
         )
     return gain, hits
 
 
-def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) -> Bool:
-    """Return the mask of the ratios at which a written length equals a length in ``against``.
+def _matches(written: WrittenLength, ratios: F64, lengths: F64, exact: float) -> Bool:
+    """Return the mask of the ratios at which a written length equals a length in ``lengths``.
 
     The shape of the mask is (ratios,).
 
@@ -254,16 +254,16 @@ def _matches(written: WrittenLength, ratios: F64, against: F64, exact: float) ->
         The written length.
     ratios
         Possible numbers of file units in the unit of the written length.
-    against
+    lengths
         Lengths in the drawing (file units).
     exact
-        Precision of the lengths in ``against`` (file units).
+        Precision of the lengths in ``lengths`` (file units).
     """
     value = written.value * ratios
     near = np.maximum(np.maximum(exact, written.half * ratios), _TOLERANCE * value)
     # Numbers with few digits equal many lengths, so the tolerance is limited to 1 %.
     near = np.minimum(near, 0.01 * value)
-    matched: Bool = np.any(np.abs(against[:, None] - value) <= near, axis=0)
+    matched: Bool = np.any(np.abs(lengths[:, None] - value) <= near, axis=0)
     return matched
 
 
