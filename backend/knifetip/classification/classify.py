@@ -125,7 +125,7 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
     """Return the decisions about n edges.
 
     ``keys`` (n,) are the decision keys, which combine style, role and flags of each edge; edges
-    with equal keys get the same decision.
+    with equal keys get the same decision.  ``classifier`` has the evidence about all styles.
     """
     first, row = unique_rows(keys)
     decisions = [_decide(classifier, key) for key in keys[first].tolist()]
@@ -146,7 +146,8 @@ def _decide_edges(classifier: Classifier, keys: I64) -> _EdgeDecisions:
 def _decide(classifier: Classifier, key: int) -> Decision:
     """Return the decision for all edges with a decision key, which combines style, role and flags.
 
-    ``key`` is a number from ``StyleTotals.decision_keys``.
+    ``classifier`` has the evidence about all styles, and ``key`` is a number from
+    ``StyleTotals.decision_keys``.
     """
     style_and_role, flags = divmod(key, FLAG_COUNT)
     style, role = divmod(style_and_role, len(Role))

@@ -107,7 +107,16 @@ def _likely_types(
 
     The name of the layer is the best evidence, then the name of the linetype, then the extent:
     edges that span the drawing are its outline, straight lines inside it are folds, and arcs inside
-    it are holes.  ``straight`` is whether all the edges are lines.
+    it are holes.
+
+    Parameters
+    ----------
+    layer, linetype
+        Names of the layer and the linetype of the edges.
+    spans_drawing
+        Whether the edges together are about as wide and high as the drawing.
+    straight
+        Whether all the edges are lines.
     """
     folded_linetype = fold_name(linetype)
     named = name_meaning(layer).kind

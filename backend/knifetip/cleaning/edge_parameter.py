@@ -53,7 +53,7 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 
     The parameter is 0 at the start and 1 at the end of the edge, less than 0 before the start and
     greater than 1 beyond the end.  The extension of an arc is the rest of its circle, up to the
-    point opposite the midpoint of the arc.
+    point opposite the midpoint of the arc.  ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.
     """
     if abs(rows[i, 4]) < BULGE:
         dx = rows[i, 2] - rows[i, 0]
@@ -72,8 +72,9 @@ def place_of(rows: F64_2, i: int, x: float, y: float) -> float:
 def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
     """Return the parameters of edge ``i`` between which ``piece`` covers the edge, lower first.
 
-    ``piece`` is another edge, (5,), that is coincident with edge ``i``.  The parameter is 0 at the
+    ``piece`` (5,) is another edge that is coincident with edge ``i``.  The parameter is 0 at the
     start and 1 at the end of edge ``i``; it is outside 0 … 1 if ``piece`` reaches farther.
+    ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.
     """
     if abs(rows[i, 4]) < BULGE:
         a = place_of(rows, i, piece[0], piece[1])

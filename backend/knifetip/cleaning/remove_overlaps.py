@@ -152,7 +152,8 @@ def _are_reversed(ends: F64, others: F64) -> Bool:
 def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
     """Return for each of k edges the edge with equal geometry that replaces it, (k,).
 
-    It is the edge itself if the edge is not replaced.
+    The entry is the edge itself if the edge is not replaced.  ``ends`` (k, 2, 2) mm, ``bulge`` and
+    ``kind`` (k,) are end points, bulges and line types of the edges.
     """
     count = len(bulge)
     twin = np.arange(count)

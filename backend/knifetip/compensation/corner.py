@@ -82,14 +82,18 @@ def d_type_shape(turn: F64, radius: float, k: F64) -> tuple[F64, F64]:
 
 
 def b_type_length(turn: F64, radius: float) -> F64:
-    """Return the path length of B corners, L_B = r φ, (n,) mm, for turns φ (n,) in radians."""
+    """Return the path length L_B = r φ of n corners of type B, (n,) mm.
+
+    ``turn`` (n,) is the angle φ of each corner in radians, and ``radius`` r is the cutter's (mm).
+    """
     return radius * turn
 
 
 def c_type_length(turn: F64, radius: float) -> F64:
-    """Return the path length L_C of C corners, (n,) mm, for turns φ (n,) in radians.
+    """Return the path length L_C of n corners of type C, (n,) mm.
 
-    L_C = 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond, with r the ``radius`` in mm.
+    L_C = 2 r tan(φ/2) up to 90°, 2 r (1 + sin(φ/2) − cos(φ/2)) beyond.  ``turn`` (n,) is the angle
+    φ of each corner in radians, and ``radius`` r is the cutter's (mm).
     """
     half = turn / 2.0
     wide = turn > _RIGHT_ANGLE

@@ -45,7 +45,10 @@ def headings(paths: Paths) -> tuple[F64, F64]:
 
 
 def at_height(pose: F64, height: float) -> F64:
-    """Return a copy of n poses of the head, (n, 4) X, Y, Z and C, with Z set to ``height`` (mm)."""
+    """Return a copy of n poses of the head with Z set to ``height`` (mm).
+
+    ``pose`` (n, 4) contains X, Y, Z (mm) and C (degrees) of each pose.
+    """
     above = pose.copy()
     above[:, 2] = height
     return above
@@ -145,8 +148,12 @@ def _write_moves(
 ) -> Any:
     """Return the columns of the moves of n strokes; a stroke has up to six moves.
 
-    The array arguments are the columns of ``Strokes``.  ``feed``, ``plunge`` and ``swivel`` are the
-    feeds for moves along a path, for plunges and lifts, and for swivels.
+    Parameters
+    ----------
+    start, end, bulge, above_start, above_end, down, up, track, source, swing, motion
+        Columns of ``Strokes``.
+    feed, plunge, swivel
+        Feeds for moves along a path, for plunges and lifts, and for swivels (mm/min).
 
     Returns
     -------

@@ -15,13 +15,19 @@ from knifetip.geometry.tolerance import BULGE
 
 
 def sweep(bulge: F64) -> F64:
-    """Return the angle by which each segment turns, (n,) radians, > 0 to the left, 0 for a line."""
+    """Return the angle by which each of n segments turns, (n,) radians, from its bulge, (n,).
+
+    The angle is positive to the left, and 0 for a line.
+    """
     angle: F64 = 4.0 * np.arctan(bulge)
     return angle
 
 
 def centre(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the centre of each arc, (n, 2) mm; NaN for lines."""
+    """Return the centre of each of n arcs, (n, 2) mm; NaN for lines.
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the arcs.
+    """
     straight = np.abs(bulge) < BULGE
     safe = np.where(straight, 1.0, bulge)
     middle = (start + end) / 2.0
@@ -34,7 +40,10 @@ def centre(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def radius(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the radius of each arc, (n,) mm; infinite for lines."""
+    """Return the radius of each of n arcs, (n,) mm; infinite for lines.
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the arcs.
+    """
     chord = np.hypot(*(end - start).T)
     size = np.abs(bulge)
     straight = size < BULGE
@@ -44,9 +53,10 @@ def radius(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def length(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the length of each line or arc, (n,) mm.
+    """Return the length of each of n lines and arcs, (n,) mm.
 
-    Coordinates must be so small that their squares are finite floats; otherwise the result is inf.
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the lines and arcs.  Coordinates must be so
+    small that their squares are finite floats; otherwise the result is inf.
     """
     # Computed by column, since operations on rows of two numbers are slow.
     x, y = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
@@ -54,7 +64,10 @@ def length(start: F64, end: F64, bulge: F64) -> F64:
 
 
 def length_from_chord(chord: F64, bulge: F64) -> F64:
-    """Return the length of each line or arc, (n,) mm, given the length of its chord, (n,) mm."""
+    """Return the length of each of n lines and arcs, (n,) mm.
+
+    ``chord`` (n,) mm is the distance between the two ends, and ``bulge`` (n,) is 0 for a line.
+    """
     result = chord.copy()
     curved = np.flatnonzero(bulge != 0.0)
     size = np.abs(bulge[curved])
@@ -74,6 +87,7 @@ def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
     """Return the tangents at the start and the tangents at the end of n segments, (n, 2) each.
 
     A tangent points in the direction of travel and has the length of the segment's chord.
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.
     """
     half = sweep(bulge) / 2.0
     chord = end - start
@@ -81,10 +95,11 @@ def tangents(start: F64, end: F64, bulge: F64) -> tuple[F64, F64]:
 
 
 def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return one point of each segment, (n, 2) mm.
+    """Return one point of each of n segments, (n, 2) mm.
 
-    ``fraction`` (n,) is the distance of the point from the start along the segment, as a fraction
-    of the segment's length, 0 … 1.
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.  ``fraction`` (n,) is the
+    distance of the point from the start along the segment, as a fraction of the segment's length, 0
+    … 1.
     """
     theta = sweep(bulge)
     # Half-angle form: the chord from start to the point is r·2·sin(fθ/2), turned by (f-1)θ/2.
@@ -95,19 +110,22 @@ def point_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
 
 
 def tangent_at(start: F64, end: F64, bulge: F64, fraction: F64) -> F64:
-    """Return the tangent at one point of each segment, (n, 2).
+    """Return the tangent at one point of each of n segments, (n, 2).
 
     Each tangent points in the direction of travel and has the length of the segment's chord.
-    ``fraction`` (n,) is the distance of the point from the start along the segment, as a fraction
-    of the segment's length, 0 … 1.
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.  ``fraction`` (n,) is the
+    distance of the point from the start along the segment, as a fraction of the segment's length, 0
+    … 1.
     """
     return _rotate(end - start, sweep(bulge) * (fraction - 0.5))
 
 
 def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
-    """Return where each segment is nearest to a point, as a fraction of its length, (n,), 0 … 1.
+    """Return the position on each of n segments that is nearest to a given point, (n,).
 
-    ``point`` has one point for each segment, (n, 2) mm.
+    A position is a fraction of the segment's length, 0 at its start and 1 at its end.  ``start``,
+    ``end`` (n, 2) mm and ``bulge`` (n,) are the segments; ``point`` (n, 2) mm has one point for
+    each.
     """
     chord = end - start
     position: F64 = ((point - start) * chord).sum(axis=1) / (chord**2).sum(axis=1)
@@ -125,7 +143,10 @@ def nearest_fraction(start: F64, end: F64, bulge: F64, point: F64) -> F64:
 
 
 def points_along(start: F64, end: F64, bulge: F64, count: int) -> F64:
-    """Return ``count`` equidistant points of each segment, both ends included, (n, count, 2) mm."""
+    """Return ``count`` equidistant points of each of n segments, (n, count, 2) mm, ends included.
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.
+    """
     fraction = np.tile(np.linspace(0.0, 1.0, count), len(bulge))
     points = point_at(
         np.repeat(start, count, axis=0),
@@ -150,7 +171,10 @@ def sub_arc(start: F64, end: F64, bulge: F64, first: F64, last: F64) -> tuple[F6
 
 
 def bounding_boxes(start: F64, end: F64, bulge: F64) -> F64:
-    """Return the bounding box of each line or arc, (n, 4) mm: x min, y min, x max, y max."""
+    """Return the bounding box of each of n lines and arcs, (n, 4) mm: x min, y min, x max, y max.
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the lines and arcs.
+    """
     low = np.minimum(start, end)
     high = np.maximum(start, end)
     arcs = np.flatnonzero(np.abs(bulge) >= BULGE)

@@ -132,10 +132,11 @@ def fit_many(
 def _fit_block(
     point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
 ) -> tuple[F64, F64, F64, I64]:
-    """Return the segments of the curves ``low`` … ``low + count - 1``, as ``fit_many`` does.
+    """Return lines and arcs that approximate the curves ``low`` … ``low + count - 1``.
 
-    These curves are joined into one curve and fitted together.  The parameters 2i to 2i + 1 of the
-    joined curve belong to the curve ``low + i``.
+    Arguments and results are those of ``fit_many``.  The curves are joined into one curve and
+    fitted together: the parameters 2i to 2i + 1 of the joined curve belong to the curve ``low +
+    i``.
     """
 
     def curve_and_parameter(t: F64) -> tuple[I64, F64]:

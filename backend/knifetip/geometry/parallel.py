@@ -52,7 +52,7 @@ def parallel_pair(
 
 
 def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> list[_Result]:
-    """Call a function with each item, on all cores, and return the results in item order.
+    """Call ``func`` with each of the items, on all cores, and return the results in item order.
 
     The calling thread takes the first item, and every item that no other thread has started.  If
     calls fail, the exception of the first item that failed is raised after all calls.
@@ -74,7 +74,7 @@ def parallel_map(func: Callable[[_Item], _Result], items: Sequence[_Item]) -> li
 def _thread_pool(_process: int) -> ThreadPoolExecutor:
     """Return the pool of threads for all cores but one; the calling thread uses the remaining core.
 
-    The pool is cached, because starting threads is slow.  The process id is the key of the cache,
-    because a forked process does not inherit threads.
+    The pool is cached, because starting threads is slow.  ``_process``, the process id, is the key
+    of the cache, because a forked process does not inherit threads.
     """
     return ThreadPoolExecutor(max(core_count() - 1, 1), "core")

@@ -64,9 +64,10 @@ class _StoredKernel(CompileResultCacheImpl):
     """Conversion between a compiled kernel and the content of its cache file."""
 
     def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:
-        """Return the compiled kernel in the content of a cache file.
+        """Return the compiled kernel that the content of a cache file describes.
 
-        ``payload`` is what numba's ``CompileResult._reduce`` returned when the file was written.
+        ``payload`` is the content: what numba's ``CompileResult._reduce`` returned when the file
+        was written.  ``target_context`` is numba's compilation context of the processor.
         """
         stored, descriptor, environment, signature, object_mode, lifted, annotation, *rest = payload
         reload_init, referenced_environments = rest
@@ -113,7 +114,7 @@ class _KernelFiles(IndexDataCacheFile):
         return index
 
     def _load_data(self, name: str) -> Any:
-        """Return the content of a file with machine code.
+        """Return the content of the file ``name``, which contains machine code.
 
         Raises
         ------
@@ -151,9 +152,10 @@ class KernelCache(FunctionCache):
         return loaded
 
     def is_stored(self, sig: Any, target_context: Any) -> bool:
-        """Return whether machine code for a signature and this processor is in the cache.
+        """Return whether the cache has machine code for the signature ``sig`` and this processor.
 
-        The machine code is not loaded.
+        The machine code is not loaded.  ``target_context`` is numba's compilation context of the
+        processor.
         """
         key = self._index_key(sig, target_context.codegen())
         data_name = self._cache_file._load_index().get(key)

@@ -113,7 +113,10 @@ def offset_paths(
 
 
 def _broadcast(values: ArrayLike, count: int, dtype: Any) -> Any:
-    """Return values as a contiguous array of a type, (count,); a single value is repeated."""
+    """Return values as a contiguous array with the shape (count,) and the type ``dtype``.
+
+    A single value is repeated ``count`` times.
+    """
     array = np.asarray(values, dtype)
     return np.ascontiguousarray(np.broadcast_to(array, count))
 

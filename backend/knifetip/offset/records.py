@@ -89,7 +89,7 @@ class RawRows(NamedTuple):
 
 
 class RegionPaths(NamedTuple):
-    """The c paths that bound one region, in spatial order."""
+    """The c paths that bound one region, in an order in which near paths are adjacent."""
 
     member: I32_1  #: (c,) number of each path in the input
     begin: I64_1  #: (c + 1,) first segment of each path in the region

@@ -1,8 +1,8 @@
 """self_contact: find segments of an offset path that have a common point.
 
-Segments are compared if their bounding boxes overlap.  The boxes of a short path are compared with
-the same boxes shifted by two, three, … rows, which takes few instructions for many pairs.  In a
-long path, a tree of the boxes finds the overlaps.
+Segments are compared if their bounding boxes overlap.  In a short path, all boxes are compared with
+the boxes two rows later, then three rows later and so on, since comparing whole columns takes few
+instructions.  In a long path, a tree of the boxes finds the overlaps.
 """
 
 from __future__ import annotations
@@ -162,7 +162,11 @@ def write_box_columns(
     x1: OutF64_1,
     y1: OutF64_1,
 ) -> None:
-    """Write the bounding boxes of segments low … high - 1, enlarged by TOUCH, to four columns."""
+    """Write the bounding boxes of the segments low … high - 1 to the columns x0, y0, x1 and y1.
+
+    Each box is enlarged by ``TOUCH`` (mm) on all sides.  ``start``, ``end`` (n, 2) mm and ``bulge``
+    (n,) are the segments.
+    """
     for i in range(low, high):
         sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
         column = i - low
@@ -251,7 +255,11 @@ def path_meets_itself(
 
 @kernel
 def any_segments_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) -> bool:
-    """Return whether any two of n segments have a common point."""
+    """Return whether any two of n segments have a common point.
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments; ``scratch`` are scratch
+    arrays.
+    """
     count = len(bulge)
     boxes = np.empty((4, count))
     write_box_columns(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
@@ -266,12 +274,17 @@ def find_self_contact(
 ) -> tuple[int, int, float, float]:
     """Return two segments of a closed path that are not neighbours but have a common point.
 
-    The path has the segments low … high - 1.
+    Parameters
+    ----------
+    start, end, bulge : (n, 2), (n, 2) mm and (n,)
+        Segments of all paths.
+    low, high
+        The path has the segments low … high - 1.
 
     Returns
     -------
     one, two
-        The segments; ``one`` is -1 if there are none.
+        Indices of the two segments; ``one`` is -1 if there are none.
     x, y : mm
         The common point.
     """

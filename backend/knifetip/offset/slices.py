@@ -30,7 +30,10 @@ MIN_PIECE: Final = 1e-7
 
 @kernel
 def _connected(rows: F64_2, i: int, j: int) -> bool:
-    """Return whether the segment in row i ends at the start of the segment in row j."""
+    """Return whether the segment in row i ends at the start of the segment in row j.
+
+    ``rows`` (n, 5) are segments: x0, y0, x1, y1, bulge.
+    """
     dx = abs(rows[i, 2] - rows[j, 0])
     dy = abs(rows[i, 3] - rows[j, 1])
     return bool(dx <= TOUCH and dy <= TOUCH)

@@ -138,7 +138,10 @@ def area_under_edge(
 
 @kernel
 def area_under_path(start: F64_2, end: F64_2, bulge: F64_1, low: int, high: int) -> float:
-    """Return twice the signed area between the origin and the segments low … high - 1 (mm²)."""
+    """Return twice the signed area between the origin and the segments low … high - 1 (mm²).
+
+    ``start``, ``end`` (n, 2) mm and ``bulge`` (n,) are the segments.
+    """
     twice = 0.0
     for i in range(low, high):
         twice += start[i, 0] * end[i, 1] - start[i, 1] * end[i, 0]

@@ -168,7 +168,10 @@ def _write_transitions(
 
 @kernel(allocates=False)
 def quarter_tangent(cross: float, dot: float) -> float:
-    """Return tan(φ/4) for 0 ≤ φ ≤ π, given ``cross``, the sine of φ with either sign, and cos φ."""
+    """Return tan(φ/4) of an angle 0 ≤ φ ≤ π.
+
+    ``cross`` is the sine of φ with either sign, and ``dot`` is the cosine of φ.
+    """
     if dot < -0.99:
         # There tan(φ/2) is inaccurate or infinite.
         sin = math.sqrt(0.5 * (1.0 - dot))
@@ -214,7 +217,10 @@ def straight_and_radius(
 def _write_row(
     rows: OutF64_2, row: int, x0: float, y0: float, x1: float, y1: float, bulge: float
 ) -> int:
-    """Write one segment to row ``row`` of ``rows``, and return the index of the next row."""
+    """Write the segment (x0, y0, x1, y1, bulge) to a row of ``rows``; return the next row.
+
+    ``row`` is the index of the row.
+    """
     rows[row, 0] = x0
     rows[row, 1] = y0
     rows[row, 2] = x1

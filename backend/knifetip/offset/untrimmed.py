@@ -137,6 +137,8 @@ def raw_offset(
     ----------
     path
         The path; its moved segments are trimmed in place.
+    corners
+        Types of the transitions at the corners.
     raw, next_row
         Output rows, and the index of the first row to write.
     member

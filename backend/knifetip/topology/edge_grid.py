@@ -101,8 +101,8 @@ def _y_range(
 ) -> tuple[float, float]:
     """Return the least and the greatest y of edge ``i`` between x = ``left`` and x = ``right``.
 
-    The range is enlarged by ``pad`` at both ends.  ``boxes`` (n, 4) are the bounding boxes of the
-    edges.
+    The range is enlarged by ``pad`` at both ends.  ``ends`` (n, 2, 2), ``bulge`` (n,) and ``boxes``
+    (n, 4) are the end points, bulges and bounding boxes of the edges.
     """
     if abs(bulge[i]) > BULGE:
         return boxes[i, 1] - pad, boxes[i, 3] + pad

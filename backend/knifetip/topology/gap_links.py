@@ -407,7 +407,8 @@ def _split_at_lines(
 def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, reach: float, grid: EdgeGrid) -> bool:
     """Return whether another edge is straight ahead of an end of an edge, at most ``reach`` away.
 
-    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
+    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.  ``ends`` (n, 2, 2) and
+    ``bulge`` (n,) are the end points and bulges of the edges.
     """
     low, size, side, first, listed = grid
     i = half // 2

@@ -62,7 +62,10 @@ def unit_question(drawing: Drawing, finding: UnitFinding) -> Question | None:
 
 
 def _reason(drawing: Drawing, finding: UnitFinding) -> Message:
-    """Return the message that explains why the unit of a drawing is not known."""
+    """Return the message that explains why the unit of a drawing is not known.
+
+    ``finding`` is the evidence for each unit.
+    """
     if drawing.stated == finding.ranking[0]:
         return Message("question.unit-doubtful", stated=drawing.stated, other=finding.ranking[1])
     if drawing.stated:

@@ -271,6 +271,7 @@ def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[Message]:
     """Return a warning if the dimensions have more than one drawing scale, else an empty list.
 
     The scale of a dimension is the length in its text divided by the length that it measures.
+    ``numbers`` are the lengths in texts, with the lengths that their dimensions measure.
     """
     ratio = np.array(
         [

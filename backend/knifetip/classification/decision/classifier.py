@@ -95,7 +95,7 @@ class _Guess:
         self.confidence = 1.0 - (1.0 - self.confidence) * factor
 
     def replace(self, kind: LineType, confidence: float) -> None:
-        """Replace the line type and its confidence."""
+        """Replace the line type of the guess by ``kind``, and its confidence by ``confidence``."""
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
@@ -445,9 +445,10 @@ def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
 
 
 def _group_styles(styles: StyleTable) -> I64:
-    """Return the number of the group of each style, (c,).
+    """Return the number of the group of each of c styles, (c,).
 
-    Styles with equal layer, colour and linetype are in one group.
+    Styles with equal layer, colour and linetype are in one group; they may differ in the kind of
+    entity and in the block.
     """
     number: dict[tuple[str, int, int, str], int] = {}
     return np.array(

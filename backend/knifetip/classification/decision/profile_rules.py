@@ -111,16 +111,19 @@ class RuleMatches:
 
 
 def matching_rules(drawing: Drawing, rules: LineRules) -> I32:
-    """Return the index of the first rule that matches each edge of a drawing, (n,).
+    """Return the index of the first rule of a profile that matches each edge of a drawing, (n,).
 
-    The index is -1 for an edge that no rule matches.
+    The index is -1 for an edge that no rule matches.  ``rules`` is the profile.
     """
     styles = tabulate_styles(drawing)
     return match_rules(styles, rules).rule[styles.row]
 
 
 def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
-    """Return the first rule of a profile that matches each style, and its patterns that matched."""
+    """Return for each style the first rule that matches it, and its patterns that matched.
+
+    ``styles`` are the styles of a drawing, and ``rules`` is the profile.
+    """
     count = len(styles)
     line_type = np.full(count, LineType.UNCLASSIFIED, np.uint8)
     matched_rule = np.full(count, -1, np.int32)

@@ -88,7 +88,7 @@ class StyleTotals(NamedTuple):
 
         Edges with equal keys get the same decision.  The flags are whether the edge's pieces have
         different roles, whether it is near a text, and whether it must be a fold.  ``style`` (n,)
-        is the style of each edge.
+        is the style of each edge, and ``features`` are the shape features of the edges.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
@@ -159,9 +159,14 @@ def _write_keys(
 ) -> None:
     """Write the decision key of each of n edges to ``key``, (n,).
 
-    A decision key combines style, role and flags of an edge in one number.  ``dashes_fold`` (c,) is
-    whether the dashed edges of each style are treated as folds.  The other arguments are the style
-    of each edge and columns of ``ShapeFeatures``.
+    A decision key combines style, role and flags of an edge in one number.
+
+    Parameters
+    ----------
+    style, role, role_fraction, near_text, must_fold, dashed : (n,) each
+        Style of each edge, and columns of its ``ShapeFeatures``.
+    dashes_fold : (c,)
+        Whether the dashed edges of each style are treated as folds.
     """
     for i in range(len(style)):
         flags = 0

@@ -95,7 +95,7 @@ def _mirror_pairs(blanks: _Blanks, rows: I64, candidates: I64, axis: int) -> tup
 
     The first array has edges from ``rows``, the second array their images from ``candidates``; all
     are indices of edges.  ``axis`` is 0 for images with opposite x and 1 for images with opposite
-    y, relative to the centre of the blank.
+    y, relative to the centre of the blank.  ``blanks`` are the edges and the blanks of the drawing.
     """
     found: list[tuple[I64, I64]] = []
     # Two grids, half a cell apart: lines near a border of one are inside a cell of the other.

@@ -243,8 +243,8 @@ def _mark_bleeds(
 def _segments_of(lines: _Lines, pieces: _ComponentPieces, components: I64_1) -> Any:
     """Return the ends, (m, 2, 2), and the bulges, (m,), of all pieces of some components.
 
-    ``components`` are the numbers of the components, and ``pieces`` lists the pieces of each
-    component.
+    ``lines`` are the pieces of the graph, ``pieces`` lists the pieces of each component, and
+    ``components`` are the numbers of the components.
     """
     vertex, start, end, bulge = lines
     count = 0

@@ -432,7 +432,8 @@ _SLOT: Final = Role.SLOT, Role.FREE, Role.INNER, Role.INNER
 def _piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
     """Return the role of each piece of a graph, (p,).
 
-    The role follows from the kind of the piece's component and the faces on the piece's two sides.
+    The role follows from the kind of the piece's component, which ``kinds`` contains, and from the
+    faces on the two sides of the piece.
     """
     # A component of several kinds gets the roles of the last of these rows.
     rows = (

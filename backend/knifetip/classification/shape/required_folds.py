@@ -94,7 +94,8 @@ def find_required_folds(
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
     """Return the mask of faces that are panels, (f,).
 
-    A panel is a bounded face that is at the outline of a blank or is not framed by bends.
+    A panel is a bounded face that is at the outline of a blank, or whose dividers do not end at
+    bends: a tab or a window inside a panel is framed by dividers with bends.
 
     Parameters
     ----------
@@ -103,7 +104,7 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
     at_rim : (f,)
         Whether each face is at the outline of a blank.
     bend : (q,)
-        Whether exactly two pieces meet at each vertex, at an angle.
+        Whether each vertex is a bend: exactly two pieces meet there, at an angle.
     """
     framed = np.zeros(len(faces.area), np.bool_)
     for side in (faces.left, faces.right):
