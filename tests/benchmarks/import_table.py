@@ -258,9 +258,9 @@ def _company_figures(company: Company) -> tuple[F64, F64, int, Counter[str]]:
         times = np.ptp(drawing.ends.reshape(-1, 2), axis=0).max() / np.ptp(corners, axis=0).max()
         found = "found" if abs(times - 1.0) < 0.02 else "wrong"
         units[found if drawing.unit else "asked"] += 1
-        unsaid = dieline.line_type == LineType.UNCLASSIFIED
+        unclassified = dieline.line_type == LineType.UNCLASSIFIED
         right = dieline.line_type == kinds
-        for column, rows in enumerate((right, unsaid, ~right & ~unsaid)):
+        for column, rows in enumerate((right, unclassified, ~right & ~unclassified)):
             edges[column] += rows.sum()
             lengths[column] += drawing.lengths[rows].sum() / times
     return edges, lengths, asked, units

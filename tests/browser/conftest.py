@@ -113,22 +113,22 @@ def _wait(running: Running, process: subprocess.Popen[bytes]) -> None:
 def page(browser: Browser, server: Running) -> Iterator[Page]:
     """Open the page; fail if it writes an error to the console during the test."""
     context = browser.new_context(viewport={"width": 1440, "height": 900})
-    opened = context.new_page()
-    opened.set_default_timeout(30_000)
+    opened_page = context.new_page()
+    opened_page.set_default_timeout(30_000)
     expect.set_options(timeout=30_000)
-    complaints: list[str] = []
+    errors: list[str] = []
 
-    def hear(message: ConsoleMessage) -> None:
+    def record_error(message: ConsoleMessage) -> None:
         # A response with status 4xx is no error of the page; the tests check how the page shows it.
         if message.type == "error" and "Failed to load resource" not in message.text:
-            complaints.append(message.text)
+            errors.append(message.text)
 
-    opened.on("console", hear)
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    opened.goto(server.url)
-    yield opened
+    opened_page.on("console", record_error)
+    opened_page.on("pageerror", lambda error: errors.append(str(error)))
+    opened_page.goto(server.url)
+    yield opened_page
     context.close()
-    assert complaints == []
+    assert errors == []
 
 
 @pytest.fixture(scope="session")

@@ -265,7 +265,7 @@ def colours(page: Page) -> set[tuple[int, int, int]]:
 NOTHING, LIMIT, GROOVE = (0x3F, 0x6D, 0xD7), (0xFA, 0xF1, 0x64), (0xB7, 0x94, 0xFF)
 
 
-def test_the_verdict_colours_the_edges_and_bands_show_what_is_taken(
+def test_the_verdict_colours_edges_and_bands_show_removed_material(
     page: Page, screenshots: Path
 ) -> None:
     drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
@@ -295,9 +295,7 @@ def test_the_verdict_colours_the_edges_and_bands_show_what_is_taken(
     page.screenshot(path=screenshots / "rigid-box-blank-7-swept.png")
 
 
-def test_what_nobody_knows_is_asked_and_answered_and_can_be_taken_back(
-    page: Page, screenshots: Path
-) -> None:
+def test_an_unknown_line_type_is_asked_answered_and_undone(page: Page, screenshots: Path) -> None:
     drop(page, "odd.dxf", ODD.encode())
     expect(page.get_by_test_id("unit-mm")).to_be_visible()
     expect(page.get_by_test_id("compile")).to_be_disabled()
@@ -336,7 +334,7 @@ def test_hover_names_the_edge_and_a_click_changes_its_type(page: Page, screensho
     expect(page.get_by_test_id("legend-crease")).to_be_visible()
 
 
-def test_a_file_that_is_no_drawing_is_refused_in_words(page: Page, screenshots: Path) -> None:
+def test_a_file_that_is_no_drawing_is_refused_with_a_message(page: Page, screenshots: Path) -> None:
     page.get_by_test_id("file-input").set_input_files(
         {"name": "letter.dxf", "mimeType": "image/vnd.dxf", "buffer": b"Dear Sir or Madam"}
     )
@@ -363,7 +361,7 @@ def on_router(page: Page, board: str) -> None:
     compile_on(page, board)
 
 
-def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
+def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     page: Page, screenshots: Path
 ) -> None:
     lines = [text.line(*a, *b, (8, "CUT")) for a, b in [*pairwise(PART), *pairwise(WINDOW)]]
@@ -420,7 +418,7 @@ def test_a_cutter_is_told_its_corners_and_what_it_leaves_is_shown(
     expect(page.get_by_test_id("reason")).to_contain_text("mm")
 
 
-def test_the_inspector_has_the_section_of_a_groove(page: Page, screenshots: Path) -> None:
+def test_the_inspector_shows_the_section_of_a_groove(page: Page, screenshots: Path) -> None:
     drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
     on_router(page, "Greyboard 2.0 mm")
     expect(page.get_by_test_id("unreached")).to_contain_text("8 places")

@@ -28,13 +28,13 @@ ALL_FOLDS = [{"type": "perforation", "layer": "CREASE"}]
 ONE_FOLD = [{"type": "half-cut", "edges": [4]}]
 
 
-def rest(url: str) -> httpx.Client:
+def rest_client(url: str) -> httpx.Client:
     return httpx.Client(base_url=url, timeout=60.0, trust_env=False)
 
 
 @pytest.fixture
 def api(page: Page) -> Iterator[httpx.Client]:
-    with rest(re.sub(r"/(#.*)?$", "", page.url)) as client:
+    with rest_client(re.sub(r"/(#.*)?$", "", page.url)) as client:
         yield client
 
 
@@ -46,24 +46,24 @@ def drawing(api: httpx.Client) -> str:
     return str(answer.json()["id"])
 
 
-def opened(page: Page, drawing: str) -> None:
+def open_drawing(page: Page, drawing: str) -> None:
     page.evaluate("(id) => { location.hash = `#/drawings/${id}` }", drawing)
     expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
     expect(page.get_by_test_id("legend-crease")).to_be_visible()
 
 
-def board(page: Page) -> None:
+def select_board(page: Page) -> None:
     page.get_by_test_id("board-select").click()
     page.get_by_role("option", name="Corrugated, E-flute 1.6 mm").click()
 
 
-def test_a_tab_shows_within_two_seconds_what_another_one_changed(
+def test_a_tab_shows_changes_of_another_tab_within_two_seconds(
     page: Page, drawing: str, api: httpx.Client, screenshots: Path
 ) -> None:
     other = page.context.new_page()
     other.goto(page.url)
-    opened(page, drawing)
-    opened(other, drawing)
+    open_drawing(page, drawing)
+    open_drawing(other, drawing)
     began = time.monotonic()
     api.patch(f"/api/drawings/{drawing}/edges", json={"overrides": ALL_FOLDS}).raise_for_status()
     for tab in (page, other):
@@ -85,11 +85,11 @@ def test_a_tab_shows_within_two_seconds_what_another_one_changed(
     other.close()
 
 
-def test_an_order_of_what_is_no_longer_there_is_refused(
+def test_an_order_of_an_outdated_drawing_is_refused(
     page: Page, drawing: str, api: httpx.Client
 ) -> None:
-    opened(page, drawing)
-    board(page)
+    open_drawing(page, drawing)
+    select_board(page)
     sent: list[Any] = []
 
     def late(route: Route) -> None:
@@ -165,10 +165,10 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
         process = subprocess.Popen(command, cwd=tmp_path, stdout=log, stderr=log)
     try:
         base = f"http://{address}:{port}"
-        ready(base, process, tmp_path / "log")
+        wait_until_ready(base, process, tmp_path / "log")
         key = (tmp_path / "key").read_text().strip()
         assert f"/?key={key}" in (tmp_path / "log").read_text().replace("\n", "")
-        with rest(base) as stranger:
+        with rest_client(base) as stranger:
             assert stranger.get("/api/jobs").status_code == 401
             # The gateway of the server needs no key: it uses the loopback address.
             deadline = time.monotonic() + 30.0
@@ -209,7 +209,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
             process.wait()
 
 
-def ready(base: str, process: subprocess.Popen[bytes], log: Path) -> None:
+def wait_until_ready(base: str, process: subprocess.Popen[bytes], log: Path) -> None:
     deadline = time.monotonic() + 60.0
     while time.monotonic() < deadline and process.poll() is None:
         try:

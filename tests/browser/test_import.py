@@ -22,13 +22,13 @@ INNER = (
     text.line(0.5, 1.5, 3.5, 1.5, (8, "INNER"), (62, 1)),
     text.line(0.5, 2.0, 3.5, 2.0, (8, "INNER"), (62, 30)),
 )
-SILENT = text.dxf(
+AMBIGUOUS = text.dxf(
     *(text.line(*start, *end, (8, "CUT")) for start, end in pairwise(CORNERS)), *INNER, units=None
 )
 
 
-def words(said: str, x: float, y: float) -> str:
-    return text.entity("TEXT", (8, "NOTES"), (10, x), (20, y), (40, 5), (1, said))
+def note(content: str, x: float, y: float) -> str:
+    return text.entity("TEXT", (8, "NOTES"), (10, x), (20, y), (40, 5), (1, content))
 
 
 def carton(*more: str) -> bytes:
@@ -38,25 +38,25 @@ def carton(*more: str) -> bytes:
 
 
 #: A part with two texts, an overlapping edge, a line drawn twice, and debris.
-MESSY = carton(
+FLAWED = carton(
     text.line(50.0, 0.0, 250.0, 0.0, (8, "CUT")),
-    words("Rev. B", 350.0, 280.0),
-    words("Glue here", 20.0, 20.0),
+    note("Rev. B", 350.0, 280.0),
+    note("Glue here", 20.0, 20.0),
     text.line(0.0, 150.0, 400.0, 150.0, (8, "CREASE")),
     text.line(0.0, 150.0, 400.0, 150.0, (8, "CREASE")),
     text.line(30.0, 30.0, 30.001, 30.0, (8, "CUT")),
 )
 
 
-def as_sent() -> bytes:
+def customer_file() -> bytes:
     """Return the sample carton with a frame, texts and repeated edges, like files of customers."""
     frame = ((-12.0, -30.0), (297.0, -30.0), (297.0, 263.0), (-12.0, 263.0), (-12.0, -30.0))
     added = (
         *(text.line(*a, *b, (8, "FRAME")) for a, b in pairwise(frame)),
-        words("Tuck end carton 90 x 45 x 129", 160.0, -22.0),
-        words("Rev. B", -4.0, -22.0),
-        words("Front", 52.0, 122.0),
-        words("Glue here", 3.0, 100.0),
+        note("Tuck end carton 90 x 45 x 129", 160.0, -22.0),
+        note("Rev. B", -4.0, -22.0),
+        note("Front", 52.0, 122.0),
+        note("Glue here", 3.0, 100.0),
         text.line(105.0, 61.0, 105.0, 190.0, (8, "CREASE")),
         text.line(30.0, 0.0, 80.0, 0.0, (8, "CUT")),
         text.line(60.0, 60.5, 90.0, 60.5, (8, "CREASE")),
@@ -67,7 +67,7 @@ def as_sent() -> bytes:
     return head + "".join(added).encode() + end + tail
 
 
-def choose(page: Page, *files: tuple[str, bytes]) -> None:
+def upload_files(page: Page, *files: tuple[str, bytes]) -> None:
     page.get_by_test_id("file-input").set_input_files(
         [FilePayload(name=name, mimeType="image/vnd.dxf", buffer=data) for name, data in files]
     )
@@ -75,26 +75,24 @@ def choose(page: Page, *files: tuple[str, bytes]) -> None:
     expect(page.get_by_role("heading", name=files[-1][0])).to_be_visible(timeout=60_000)
 
 
-def again(page: Page, name: str, content: bytes) -> None:
+def replace_drawing(page: Page, name: str, content: bytes) -> None:
     """Close the open drawing and upload another one."""
     page.get_by_test_id("close-drawing").click()
-    choose(page, (name, content))
+    upload_files(page, (name, content))
 
 
 def questions(page: Page) -> Locator:
     return page.get_by_test_id("question")
 
 
-def picture(page: Page) -> bytes:
+def screenshot(page: Page) -> bytes:
     """Return a screenshot of the canvas after it has been redrawn."""
     page.evaluate("() => new Promise((done) => requestAnimationFrame(() => setTimeout(done)))")
     return page.get_by_test_id("canvas").screenshot()
 
 
-def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
-    page: Page, screenshots: Path
-) -> None:
-    choose(page, ("silent.dxf", SILENT))
+def test_an_unknown_unit_is_asked_with_sizes_and_evidence(page: Page, screenshots: Path) -> None:
+    upload_files(page, ("silent.dxf", AMBIGUOUS))
     expect(page.get_by_test_id("unit-in")).to_contain_text("101.6 × 76.2")
     expect(page.get_by_test_id("unit-m")).to_contain_text("4000.0 × 3000.0")
     expect(page.get_by_test_id("drawing-size")).to_contain_text("unit unknown")
@@ -119,16 +117,16 @@ def test_a_unit_that_nobody_knows_is_asked_with_sizes_and_what_speaks_for_them(
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
 
 
-def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
-    choose(page, ("silent.dxf", SILENT))
+def test_each_question_is_answered_by_one_click_and_undone_in_one_step(page: Page) -> None:
+    upload_files(page, ("silent.dxf", AMBIGUOUS))
     page.get_by_test_id("unit-in").click()
     expect(questions(page)).to_have_count(2)
     # Hovering over an answer shows its effect.
     page.mouse.move(5, 5)
-    still = picture(page)
+    still = screenshot(page)
     answer = questions(page).first.get_by_test_id("answer-crease")
     answer.hover()
-    assert picture(page) != still
+    assert screenshot(page) != still
     answer.click()
     expect(questions(page)).to_have_count(1)
     # With the keyboard only; then the next question has the focus.
@@ -147,8 +145,8 @@ def test_each_question_is_one_click_and_one_step_back(page: Page) -> None:
     expect(page.get_by_test_id("unit-in")).to_be_visible()
 
 
-def test_an_edge_says_why_it_is_what_it_is_and_what_else_it_could_be(page: Page) -> None:
-    choose(page, ("inner.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
+def test_an_edge_shows_the_reason_for_its_line_type_and_alternatives(page: Page) -> None:
+    upload_files(page, ("inner.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
     page.get_by_title("Select edges of layer INNER, colour 7").click()
     inspector = page.get_by_test_id("inspector")
     expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
@@ -161,10 +159,10 @@ def test_an_edge_says_why_it_is_what_it_is_and_what_else_it_could_be(page: Page)
     expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
 
 
-def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
+def test_corrections_become_a_profile_that_classifies_the_next_drawing(
     page: Page, screenshots: Path
 ) -> None:
-    choose(page, ("silent.dxf", SILENT))
+    upload_files(page, ("silent.dxf", AMBIGUOUS))
     page.get_by_test_id("unit-in").click()
     questions(page).first.get_by_test_id("answer-crease").click()
     expect(questions(page)).to_have_count(1)
@@ -176,9 +174,9 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     expect(lesson).to_contain_text('layer "INNER", colour 1')
     expect(lesson).to_contain_text("2 edges")
     page.mouse.move(5, 5)
-    still = picture(page)
+    still = screenshot(page)
     lesson.hover()
-    assert picture(page) != still
+    assert screenshot(page) != still
     page.screenshot(path=screenshots / "import-2-learned.png")
     lesson.get_by_test_id("customer").fill("Acme & Söhne")
     lesson.get_by_test_id("keep-lesson").click()
@@ -188,7 +186,7 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     expect(page.get_by_test_id("lesson")).to_have_count(0)
 
     # The next drawing of the customer is classified by the profile without a question.
-    again(
+    replace_drawing(
         page,
         "next.dxf",
         carton(*(text.line(0.0, y, 400.0, y, (8, "INNER"), (62, 30)) for y in (100.0, 200.0))),
@@ -207,10 +205,8 @@ def test_corrections_become_a_customers_profile_that_reads_the_next_drawing(
     expect(page.get_by_test_id("undo")).to_be_disabled()
 
 
-def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
-    page: Page, screenshots: Path
-) -> None:
-    choose(
+def test_a_profile_is_edited_exported_and_imported_as_toml(page: Page, screenshots: Path) -> None:
+    upload_files(
         page,
         (
             "inner.dxf",
@@ -285,23 +281,25 @@ def test_a_profile_is_written_step_by_step_and_goes_out_and_in_as_toml(
     expect(page.get_by_test_id("report")).to_contain_text("glue")
 
 
-def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screenshots: Path) -> None:
-    choose(page, ("first.dxf", SILENT), ("messy.dxf", MESSY))
+def test_lengths_in_the_report_add_up_and_its_rows_select_edges(
+    page: Page, screenshots: Path
+) -> None:
+    upload_files(page, ("first.dxf", AMBIGUOUS), ("messy.dxf", FLAWED))
     # Outline 1,400 mm and crease 400 mm; 200 mm of the outline and the crease are drawn twice.
     expect(page.get_by_test_id("report-drawn")).to_have_text(re.compile(r"^2000"))
-    told = page.get_by_test_id("report-groups")
+    groups = page.get_by_test_id("report-groups")
     selection = page.get_by_test_id("selection")
     # A click on a group of edges selects them on the canvas.
-    told.get_by_text("lies completely on other edges").click()
+    groups.get_by_text("lies completely on other edges").click()
     expect(selection).to_contain_text(re.compile(r"1 edge selected · 200\smm"))
     expect(page.get_by_test_id("inspector")).to_contain_text("merged")
     # A click on a duplicate entity selects the kept one.
-    told.get_by_text("is drawn twice").click()
+    groups.get_by_text("is drawn twice").click()
     page.get_by_test_id("entity").click()
     expect(selection).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
-    told.get_by_text("is drawn twice").click()
+    groups.get_by_text("is drawn twice").click()
     # Texts have no edge: their position is marked.
-    told.get_by_text("Texts are not cut").click()
+    groups.get_by_text("Texts are not cut").click()
     expect(page.get_by_test_id("entity")).to_have_count(2)
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
     expect(page.get_by_test_id("entity").filter(has_text="Glue here")).to_have_attribute(
@@ -321,9 +319,9 @@ def test_the_report_adds_up_and_leads_to_whatever_it_names(page: Page, screensho
     expect(page.get_by_test_id("drawing-row").filter(has_text="first.dxf").first).to_be_visible()
 
 
-def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page: Page) -> None:
-    cut_short = MESSY[: MESSY.rindex(b"ENDSEC") - 40]
-    choose(page, ("short.dxf", cut_short), ("whole.dxf", MESSY))
+def test_a_refused_file_has_a_message_with_a_hint_and_the_others_are_read(page: Page) -> None:
+    cut_short = FLAWED[: FLAWED.rindex(b"ENDSEC") - 40]
+    upload_files(page, ("short.dxf", cut_short), ("whole.dxf", FLAWED))
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("short.dxf")
     expect(report).to_contain_text(re.compile(r"in the section ENTITIES, after \d+ entities"))
@@ -332,9 +330,9 @@ def test_a_refused_file_says_place_measure_and_mend_and_the_others_come_in(page:
     expect(report).to_be_hidden()
 
 
-def test_a_sheet_of_thousands_of_entities_is_listed_bit_by_bit(page: Page) -> None:
-    notes = (words(f"No {at}", at % 100, at // 100) for at in range(2500))
-    choose(page, ("notes.dxf", carton(*notes)))
+def test_the_report_of_thousands_of_entities_is_listed_in_parts(page: Page) -> None:
+    notes = (note(f"No {at}", at % 100, at // 100) for at in range(2500))
+    upload_files(page, ("notes.dxf", carton(*notes)))
     page.get_by_test_id("report-dropped").click()
     expect(page.get_by_test_id("entity")).to_have_count(100)
     more = page.get_by_test_id("entities").get_by_test_id("show-more")
@@ -345,8 +343,8 @@ def test_a_sheet_of_thousands_of_entities_is_listed_bit_by_bit(page: Page) -> No
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "50,1,50,1")
 
 
-def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: Path) -> None:
-    choose(page, ("carton-as-sent.dxf", as_sent()))
+def test_screenshot_of_the_report_for_the_documentation(page: Page, screenshots: Path) -> None:
+    upload_files(page, ("carton-as-sent.dxf", customer_file()))
     expect(page.get_by_test_id("drawing-size")).to_contain_text("mm")
     page.set_viewport_size({"width": 1440, "height": 1290})
     for folded in ("Line types", "Layers in the file"):
@@ -359,23 +357,21 @@ def test_the_picture_of_the_report_that_the_docs_show(page: Page, screenshots: P
     page.screenshot(path=screenshots / "import-5-docs.png")
 
 
-def test_a_filled_area_that_was_dropped_is_framed_where_it_lies(
-    page: Page, screenshots: Path
-) -> None:
+def test_a_dropped_filled_area_is_framed_at_its_position(page: Page, screenshots: Path) -> None:
     corners = ((260.0, 40.0), (340.0, 40.0), (260.0, 90.0), (340.0, 90.0))
     tags = [
         (code + step, value)
         for step, corner in enumerate(corners)
         for code, value in zip((10, 20), corner, strict=True)
     ]
-    choose(page, ("filled.dxf", carton(text.entity("SOLID", (8, "ART"), *tags))))
+    upload_files(page, ("filled.dxf", carton(text.entity("SOLID", (8, "ART"), *tags))))
     page.get_by_text("is a filled area without a line").click()
     page.get_by_test_id("entity").click()
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "260,40,340,90")
     page.screenshot(path=screenshots / "import-6-area.png")
 
 
-def test_what_was_read_anew_is_taken_back_to_the_rules_as_they_were(page: Page) -> None:
+def test_undo_of_a_reclassification_restores_the_former_rules(page: Page) -> None:
     rule = """title = "Cole"\n[[rule]]\ntype = "crease"\nlayer = ["INNER"]\n"""
     put = """async ([text, version]) => (await fetch("/api/profiles/cole", {
         method: "PUT",
@@ -384,7 +380,7 @@ def test_what_was_read_anew_is_taken_back_to_the_rules_as_they_were(page: Page) 
     })).status"""
     assert page.evaluate(put, [rule, None]) == 201
     page.reload()
-    choose(page, ("cole.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
+    upload_files(page, ("cole.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
     page.get_by_test_id("profile-select").click()
     page.get_by_role("option", name="Cole").click()
     expect(page.get_by_test_id("legend-crease")).to_contain_text("1")

@@ -98,7 +98,7 @@ def test_three_stations_in_one_program_work_with_their_own_datum_and_piston() ->
         (b"F12000\n", b"\n", "accepted", None),
     ],
 )
-def test_the_second_verifier_finds_what_is_wrong(
+def test_the_second_verifier_finds_errors(
     old: bytes, new: bytes, measure: str, least: float | None
 ) -> None:
     program = add_cuts(ToolpathBuilder()).program()
@@ -115,7 +115,7 @@ def test_the_second_verifier_finds_what_is_wrong(
         assert report.problems
 
 
-def test_the_second_verifier_finds_an_edge_that_no_tool_works_and_a_line_that_nobody_drew() -> None:
+def test_the_second_verifier_finds_an_edge_that_is_not_cut_and_a_cut_without_an_edge() -> None:
     program = add_cuts(ToolpathBuilder()).program()
     more = concatenate_edges(BLANK, ([((0, 0), (5, 0))], [0], [LineType.CUT]))
     assert verdict(program, more).worst_gap == pytest.approx(np.hypot(100, 50), abs=0.01)
@@ -134,7 +134,7 @@ def test_the_second_verifier_finds_a_v_cutter_on_the_wrong_side_and_one_that_tea
     assert verdict(upright, GROOVE).worst_deviation > 1.0
 
 
-def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
+def test_the_controller_reads_positions_and_arcs_within_the_last_decimal() -> None:
     """Two thousand moves of every size are accepted with coordinates within the last decimal."""
     rng = np.random.default_rng(12)
     builder = ToolpathBuilder().to(1, Motion.RAPID, 500, 500, 20, 0)
@@ -165,7 +165,7 @@ def test_the_controller_reads_the_same_places_and_arcs_within_a_unit() -> None:
     assert np.abs(np.hypot(*arcs.T) - np.hypot(*others.T)).max() < 3e-4
 
 
-def test_feeds_are_what_the_toolpath_asks_for() -> None:
+def test_feeds_equal_those_of_the_toolpath() -> None:
     builder = add_cuts(ToolpathBuilder())
     moves = read_program(builder.program(), TOOLS).moves
     working = moves.kind != 0
@@ -175,7 +175,7 @@ def test_feeds_are_what_the_toolpath_asks_for() -> None:
     np.testing.assert_allclose(moves.feed[working & ~swivel], 12000.0)
 
 
-def test_what_linuxcnc_obeys_in_a_comment_never_reaches_it() -> None:
+def test_commands_in_comments_are_not_written_for_linuxcnc() -> None:
     builder = ToolpathBuilder().to(1, Motion.RAPID, 1, 1)
     text = process(
         builder.toolpath(), TABLE, "linuxcnc", notes=["(PY,raise SystemExit(7))", "LOGOPEN,x.txt"]

@@ -69,19 +69,19 @@ def on_the_line(report: Report, over: float) -> None:
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_linuxcnc_puts_the_tip_on_the_line_of_our_samples(named: Named) -> None:
+def test_linuxcnc_moves_the_tip_along_the_lines_of_our_samples(named: Named) -> None:
     on_the_line(*verify_named(named, None))
 
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("named", NAMED, ids=str)
-def test_linuxcnc_puts_the_tip_on_the_line_of_drawings_by_other_hands(
+def test_linuxcnc_moves_the_tip_along_the_lines_of_drawings_by_other_authors(
     named: Named, corpus: Path
 ) -> None:
     on_the_line(*verify_named(named, corpus))
 
 
-def test_a_wrong_offset_of_the_v_cutter_would_be_seen() -> None:
+def test_a_wrong_offset_of_the_v_cutter_is_detected() -> None:
     # A test of the second verifier: if d is 0.05 mm too long, it must report a deviation.
     drawing, dieline, board = SAMPLES[2].classified(None)
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")

@@ -60,7 +60,7 @@ def way(moves: Moves, row: int) -> F64:
 
 
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
-def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
+def test_linuxcnc_moves_the_router_around_the_part(corner: str) -> None:
     text = program(corner)
     assert b"T4 M6 G43" in text
     assert b"M3 S18000\nG4 P2\n" in text
@@ -86,7 +86,7 @@ def test_linuxcnc_takes_the_router_round_the_part(corner: str) -> None:
     assert swept.intersection(PART).area == pytest.approx(60.0 * 6.0 + np.pi * 9.0, abs=2.0)
 
 
-def test_two_passes_go_through_a_board_of_three_millimetres() -> None:
+def test_two_passes_cut_through_a_board_of_three_millimetres() -> None:
     depths = read_program(program("B"), TABLE).moves.end[:, 2]
     # 3.3 mm in passes of at most 3: to z 1.35, then to −0.3.
     assert {1.35, -0.3} <= {round(float(z), 4) for z in depths}

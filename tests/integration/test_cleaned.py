@@ -123,7 +123,7 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(
     ) in verdict.findings[0].text
 
 
-def test_damage_in_a_file_by_other_hands_is_told_edge_by_edge(corpus: Path) -> None:
+def test_flaws_in_a_file_by_another_author_are_reported_for_each_edge(corpus: Path) -> None:
     named = Named("Obrary__Parametric-Papercraft/Interchange-Files", "cube.dxf", "e-flute", "mm")
     drawing, line, board = named.classified(corpus)
     made = pipeline.compile(drawing, line, TABLE, board)

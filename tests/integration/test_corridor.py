@@ -30,8 +30,8 @@ def runs_to_its_end(shop: httpx.Client, named: Named, corpus: Path | None) -> No
     drawing = upload_drawing(shop, named.data(corpus), **asked)
     assert bool(drawing["questions"]) == bool(named.answer)
     if named.answer:
-        said = [{"type": named.answer, "edges": one["edges"]} for one in drawing["questions"]]
-        answer = shop.patch(f"/api/drawings/{drawing['id']}/edges", json={"overrides": said})
+        overrides = [{"type": named.answer, "edges": one["edges"]} for one in drawing["questions"]]
+        answer = shop.patch(f"/api/drawings/{drawing['id']}/edges", json={"overrides": overrides})
         assert answer.json()["questions"] == []
     job = order_job(shop, drawing["id"], board=named.board, release=True)["id"]
     done = wait_for_state(shop, job, "done", confirm=True)
@@ -46,14 +46,14 @@ def test_a_sample_runs_to_its_end(shop: httpx.Client, named: Named) -> None:
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("named", NAMED, ids=str)
-def test_a_drawing_by_other_hands_runs_to_its_end(
+def test_a_drawing_by_another_author_runs_to_its_end(
     shop: httpx.Client, named: Named, corpus: Path
 ) -> None:
     runs_to_its_end(shop, named, corpus)
 
 
 @pytest.mark.corpus
-def test_an_svg_by_other_hands_runs_to_its_end(shop: httpx.Client, corpus: Path) -> None:
+def test_an_svg_by_another_author_runs_to_its_end(shop: httpx.Client, corpus: Path) -> None:
     runs_to_its_end(shop, MAILER, corpus)
 
 
@@ -101,9 +101,9 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
         shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
     done = wait_for_state(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
-    whys = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
-    assert "Copy 1 of 3 is finished. The next copy needs a new sheet." in whys
-    assert "Copy 2 of 3 is finished. The next copy needs a new sheet." in whys
+    reasons = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
+    assert "Copy 1 of 3 is finished. The next copy needs a new sheet." in reasons
+    assert "Copy 2 of 3 is finished. The next copy needs a new sheet." in reasons
 
 
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
@@ -116,7 +116,7 @@ def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
     assert shop.get("/api/machines/demo-table").json()["job"] is None
 
 
-def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Client) -> None:
+def test_the_next_job_waits_for_the_operator_and_states_the_reason(shop: httpx.Client) -> None:
     drawing = upload_drawing(shop, square())["id"]
     first, second = (order_job(shop, drawing, release=True)["id"] for _ in range(2))
     wait_for_state(shop, first, "done", confirm=True)
@@ -138,12 +138,12 @@ def test_the_next_job_waits_for_the_operator_and_states_what_for(shop: httpx.Cli
     shop.post(f"/api/jobs/{second}/confirm", json={"board": "e-flute", "by": "Kim"})
     wait_for_state(shop, second, "done")
     events = shop.get(f"/api/jobs/{second}/events").json()
-    said = [(event["state"], event["who"], event["why"]) for event in events]
+    rows = [(event["state"], event["who"], event["why"]) for event in events]
     assert (
         "queued",
         "operator Kim",
         "The operator confirmed that the table is clear and that the board is e-flute.",
-    ) in said
+    ) in rows
 
 
 def test_a_job_that_waits_is_cancelled_at_once_and_the_next_one_is_offered(

@@ -156,7 +156,7 @@ async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> Non
             assert row.startswith("G1 X300" if out else "G1 X100"), (progress, row)
 
 
-async def test_seconds_left_fall_and_are_near_the_truth() -> None:
+async def test_remaining_seconds_decrease_and_are_nearly_correct() -> None:
     async with joined(speed=5.0) as (table, controller):
         left: dict[int, tuple[float | None, float]] = {}
         async with aclosing(run(slots(2), controller)) as course:
@@ -170,7 +170,7 @@ async def test_seconds_left_fall_and_are_near_the_truth() -> None:
     assert seconds[-1] < 0.2 * seconds[0]
 
 
-async def test_pistons_move_only_while_the_table_stands() -> None:
+async def test_pistons_move_only_while_the_table_is_at_rest() -> None:
     async with joined() as (table, controller):
         await finished(slots(2), controller)
         switched = [(event.output, event.on) for event in table.switch_events]
@@ -205,7 +205,7 @@ async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up()
         await finished(slots(1), controller)
 
 
-async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on() -> None:
+async def test_a_reset_within_an_arc_stops_everything() -> None:
     program = slots(3)
     async with joined(speed=5.0, faults=Faults(reset_in_arc=2), sample=0.001) as (
         table,
@@ -228,7 +228,7 @@ async def test_a_reset_in_mid_arc_stops_everything_and_nothing_goes_on() -> None
     assert low[:, 2].max() <= 110.0 + 1e-9
 
 
-async def test_after_an_alarm_only_the_operator_lets_it_go_on() -> None:
+async def test_after_an_alarm_only_the_operator_can_continue() -> None:
     async with await simulator.serve(MACHINE, speed=50.0) as server:
         server.table.receive(b"G0 X5000\n\x18")
         with pytest.raises(ControllerAlarm, match="locked"):
@@ -239,7 +239,7 @@ async def test_after_an_alarm_only_the_operator_lets_it_go_on() -> None:
         await controller.close()
 
 
-async def test_hold_in_mid_arc_stands_and_resume_finishes_the_same_path() -> None:
+async def test_hold_within_an_arc_stops_and_resume_finishes_the_same_path() -> None:
     async with joined(speed=2.0, sample=0.0005) as (table, controller):
         held, asked = [], False
         async with aclosing(run(slots(1), controller, interval=0.002)) as course:

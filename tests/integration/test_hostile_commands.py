@@ -19,8 +19,8 @@ def check_refused(result: tuple[int, str, str], word: str) -> None:
     assert code == 3
     assert out == ""
     assert "Traceback" not in err
-    told, hint = err.strip().split("\n")
-    assert word in told
+    message, hint = err.strip().split("\n")
+    assert word in message
     assert hint
 
 
@@ -34,7 +34,7 @@ def test_a_hostile_file_is_not_read(knifetip: Command, tmp_path: Path, name: str
 
 @pytest.mark.parametrize("words", [("classify",), ("clean",), ("program", *_MAKE)])
 @pytest.mark.parametrize("name", _SMALL)
-def test_nothing_is_made_of_a_hostile_file(
+def test_no_output_is_written_for_a_hostile_file(
     knifetip: Command,
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
@@ -51,7 +51,7 @@ def test_nothing_is_made_of_a_hostile_file(
 
 
 @pytest.mark.parametrize("name", hostile.READ)
-def test_what_is_hostile_in_a_file_is_left_out_and_told(
+def test_hostile_parts_of_a_file_are_omitted_and_reported(
     knifetip: Command, tmp_path: Path, name: str
 ) -> None:
     word, _, made = hostile.READ[name]

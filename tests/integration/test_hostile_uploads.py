@@ -41,7 +41,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
         assert running.process.poll() is None
 
 
-def most_memory(server: Running) -> int:
+def peak_memory(server: Running) -> int:
     """Return the peak memory of the server's process (bytes), 0 if the system does not report
     it.
     """
@@ -56,19 +56,19 @@ def unharmed(server: Running) -> Iterator[None]:
     """Check that the context takes little time and memory, and that the server serves
     afterwards.
     """
-    before, begun = most_memory(server), time.monotonic()
+    before, start = peak_memory(server), time.monotonic()
     yield
-    assert time.monotonic() - begun < _SECONDS
-    assert most_memory(server) - before < _MORE_MEMORY
+    assert time.monotonic() - start < _SECONDS
+    assert peak_memory(server) - before < _MORE_MEMORY
     assert upload_drawing(server.client, square())["segments"] == 4
 
 
 def check_problem(answer: httpx.Response, status: int, word: str) -> None:
     assert answer.status_code == status, answer.text
     assert answer.headers["content-type"] == "application/problem+json"
-    said = answer.json()
-    assert word in said["detail"]
-    assert said["hint"]
+    problem = answer.json()
+    assert word in problem["detail"]
+    assert problem["hint"]
     assert len(answer.content) < 10_000
     assert "Traceback" not in answer.text
 
@@ -83,7 +83,7 @@ def test_a_hostile_file_is_refused(server: Running, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", hostile.READ)
-def test_what_is_hostile_in_a_file_is_left_out_and_told(server: Running, name: str) -> None:
+def test_hostile_parts_of_a_file_are_omitted_and_reported(server: Running, name: str) -> None:
     word, edges, made = hostile.READ[name]
     with unharmed(server):
         drawing = upload_drawing(server.client, made(), unit="mm")
@@ -116,8 +116,8 @@ _FORM = "multipart/form-data; boundary=x"
 @contextmanager
 def connected(server: Running) -> Iterator[socket.socket]:
     url = server.client.base_url
-    with socket.create_connection((url.host, url.port), timeout=_SECONDS) as line:
-        yield line
+    with socket.create_connection((url.host, url.port), timeout=_SECONDS) as connection:
+        yield connection
 
 
 def request(server: Running, *headers: str) -> bytes:
@@ -128,75 +128,75 @@ def request(server: Running, *headers: str) -> bytes:
     return "\r\n".join([*lines, "", ""]).encode()
 
 
-def answered(line: socket.socket) -> bytes:
+def received_bytes(connection: socket.socket) -> bytes:
     """Return the bytes received until the server closes the connection or stops sending."""
-    said = b""
+    received = b""
     with suppress(ConnectionError, TimeoutError):
-        while part := line.recv(65536):
-            said += part
-    return said
+        while part := connection.recv(65536):
+            received += part
+    return received
 
 
 def test_half_a_gigabyte_in_pieces_is_refused_after_the_first_64_megabytes(server: Running) -> None:
     piece = b"999\nnothing\n" * 87_381
     sent = 0
-    with unharmed(server), connected(server) as line:
-        line.sendall(request(server, "Transfer-Encoding: chunked"))
+    with unharmed(server), connected(server) as connection:
+        connection.sendall(request(server, "Transfer-Encoding: chunked"))
         with suppress(ConnectionError):
             for part in [_HEAD, *[piece] * 500, _TAIL]:
-                line.sendall(b"%x\r\n%b\r\n" % (len(part), part))
+                connection.sendall(b"%x\r\n%b\r\n" % (len(part), part))
                 sent += len(part)
-        line.settimeout(2.0)
-        said = answered(line)
+        connection.settimeout(2.0)
+        received = received_bytes(connection)
     # Bytes in the buffers of the connection count as sent.
     assert 64 * _MEGABYTE <= sent < 96 * _MEGABYTE
     # The response may be lost if the server closes the connection while the client sends.
-    assert said == b"" or said.startswith(b"HTTP/1.1 413")
+    assert received == b"" or received.startswith(b"HTTP/1.1 413")
 
 
-def test_half_a_gigabyte_that_is_announced_is_refused_before_it_comes(server: Running) -> None:
-    with unharmed(server), connected(server) as line:
-        line.sendall(request(server, f"Content-Length: {500 * _MEGABYTE}"))
-        assert answered(line).startswith(b"HTTP/1.1 413")
+def test_an_announced_half_gigabyte_is_refused_before_it_is_sent(server: Running) -> None:
+    with unharmed(server), connected(server) as connection:
+        connection.sendall(request(server, f"Content-Length: {500 * _MEGABYTE}"))
+        assert received_bytes(connection).startswith(b"HTTP/1.1 413")
 
 
-def test_less_than_was_announced_is_waited_for_and_forgotten_with_the_connection(
+def test_an_incomplete_request_is_discarded_when_its_connection_closes(
     server: Running,
 ) -> None:
-    with unharmed(server), connected(server) as line:
-        line.sendall(request(server, "Content-Length: 1000000") + _HEAD + square())
-        line.settimeout(0.5)
-        assert answered(line) == b""
+    with unharmed(server), connected(server) as connection:
+        connection.sendall(request(server, "Content-Length: 1000000") + _HEAD + square())
+        connection.settimeout(0.5)
+        assert received_bytes(connection) == b""
 
 
-def test_more_than_was_announced_is_no_second_request(server: Running) -> None:
+def test_bytes_beyond_the_announced_length_are_no_second_request(server: Running) -> None:
     whole = _HEAD + square() + _TAIL
-    with unharmed(server), connected(server) as line:
-        line.sendall(request(server, f"Content-Length: {len(whole) - 20}") + whole)
-        line.settimeout(2.0)
-        said = answered(line)
+    with unharmed(server), connected(server) as connection:
+        connection.sendall(request(server, f"Content-Length: {len(whole) - 20}") + whole)
+        connection.settimeout(2.0)
+        received = received_bytes(connection)
     # The form has no end mark; the bytes after it are not HTTP.
-    assert said.startswith(b"HTTP/1.1 4")
-    assert said.count(b"HTTP/1.1 2") == 0
+    assert received.startswith(b"HTTP/1.1 4")
+    assert received.count(b"HTTP/1.1 2") == 0
 
 
 @pytest.mark.parametrize("length", ["-1", "1e3", "9" * 5000, "5, 6", ""])
-def test_a_length_that_is_none_is_a_bad_request(server: Running, length: str) -> None:
-    with unharmed(server), connected(server) as line:
-        line.sendall(request(server, f"Content-Length: {length}") + _HEAD)
-        line.settimeout(2.0)
-        assert answered(line).startswith(b"HTTP/1.1 4")
+def test_an_invalid_length_is_a_bad_request(server: Running, length: str) -> None:
+    with unharmed(server), connected(server) as connection:
+        connection.sendall(request(server, f"Content-Length: {length}") + _HEAD)
+        connection.settimeout(2.0)
+        assert received_bytes(connection).startswith(b"HTTP/1.1 4")
 
 
-def test_fifty_who_stop_in_the_middle_keep_nobody_waiting(server: Running) -> None:
+def test_fifty_clients_that_stop_sending_do_not_delay_others(server: Running) -> None:
     with unharmed(server):
         lines = [connected(server) for _ in range(50)]
-        begun = request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000
-        for line in lines:
-            line.__enter__().sendall(begun)
+        start = request(server, "Content-Length: 60000000") + _HEAD + b"0\n" * 1000
+        for connection in lines:
+            connection.__enter__().sendall(start)
         assert upload_drawing(server.client, square())["segments"] == 4
-        for line in lines:
-            line.__exit__(None, None, None)
+        for connection in lines:
+            connection.__exit__(None, None, None)
 
 
 FORMS = {
@@ -229,7 +229,7 @@ def test_a_hostile_form_is_a_problem(server: Running, name: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["", "text/plain", "multipart/form-data; boundary=", "a" * 5000])
-def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kind: str) -> None:
+def test_a_form_with_another_content_type_is_a_problem(server: Running, kind: str) -> None:
     with unharmed(server):
         answer = server.client.post(
             "/api/drawings", content=_HEAD + square() + _TAIL, headers={"Content-Type": kind}
@@ -238,7 +238,7 @@ def test_a_form_that_says_it_is_something_else_is_a_problem(server: Running, kin
         assert answer.headers["content-type"] == "application/problem+json"
 
 
-def test_a_name_full_of_signs_is_kept_as_words(server: Running) -> None:
+def test_a_name_with_special_characters_is_kept_as_plain_text(server: Running) -> None:
     name = '../../<script>alert(1)</script>\x00\x1b[31m\u202e"%s.dxf'
     body = _HEAD.replace(b"a.dxf", name.encode().replace(b'"', b"%22")) + square() + _TAIL
     with unharmed(server):
@@ -248,7 +248,7 @@ def test_a_name_full_of_signs_is_kept_as_words(server: Running) -> None:
             assert not set(answer.json()["name"]) & set("/\\\x00\x1b\u202e")
 
 
-def test_everything_at_once_leaves_a_server_that_reads(server: Running) -> None:
+def test_many_hostile_uploads_at_once_leave_a_working_server(server: Running) -> None:
     """Eight clients send bombs while one sends a carton."""
     bombs = [made for _, _, made in hostile.REFUSED.values() if made.__name__ != "<lambda>"]
     statuses: list[int] = []

@@ -112,7 +112,7 @@ def test_a_broken_program_is_refused(made: Made, name: str) -> None:
     assert not verdict.accepted
 
 
-def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made) -> None:
+def test_every_displaced_point_is_refused(made: Made) -> None:
     dieline, result = made
     text = result.program.text
     points = list(re.finditer(rb"P([UD])(\d+),(\d+)", text))
@@ -127,7 +127,7 @@ def test_every_point_of_the_work_that_is_moved_aside_is_seen(made: Made) -> None
         assert not verdict.accepted, (points[row][0], x, y)
 
 
-def test_a_shift_by_the_rounding_alone_is_the_only_one_let_pass(made: Made) -> None:
+def test_only_a_displacement_within_rounding_is_accepted(made: Made) -> None:
     dieline, result = made
     refused = [
         not pipeline.verify(
@@ -138,7 +138,7 @@ def test_a_shift_by_the_rounding_alone_is_the_only_one_let_pass(made: Made) -> N
     assert refused == [True, False, True]
 
 
-def test_another_reader_sees_the_same_lines_with_the_same_pens(made: Made) -> None:
+def test_another_program_reads_the_same_lines_with_the_same_pens(made: Made) -> None:
     _, result = made
     moves, faults = READER.read(result.program.text, MACHINE, BOARD)
     assert faults == []

@@ -133,7 +133,7 @@ def states_attended(client: httpx.Client, jobs: list[str]) -> dict[str, str]:
     return states
 
 
-def test_stopped_in_order_its_machine_stands(database: Path) -> None:
+def test_a_regular_stop_of_the_server_stops_its_machine(database: Path) -> None:
     first = Running(database, speed=0.2)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
     wait_for_state(first.client, job, "running", confirm=True)
@@ -146,7 +146,7 @@ def test_stopped_in_order_its_machine_stands(database: Path) -> None:
         assert "switched off" in found["reason"]
 
 
-def test_a_claim_that_waited_when_the_power_went_is_confirmed_anew(database: Path) -> None:
+def test_a_claim_that_waited_during_a_power_failure_is_confirmed_again(database: Path) -> None:
     first = Running(database, speed=200.0)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
     while first.client.get(f"/api/jobs/{job}").json()["waiting_for"] != "confirmation":

@@ -50,7 +50,7 @@ def text() -> str:
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
-def test_what_the_laser_makes_is_accepted(dialect: str, corner: str) -> None:
+def test_programs_of_the_laser_are_accepted(dialect: str, corner: str) -> None:
     verdict = verdict_of(program(dialect, corner).text, dialect)
     assert verdict.accepted, verdict.findings[:3]
     assert verdict.uncut.max() == 0.0
@@ -148,10 +148,10 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_program_with_a_fault_is_refused(text: str, fault: str) -> None:
-    spoil, said = FAULTS[fault]
-    wrong = spoil(text)
+    damage, expected = FAULTS[fault]
+    wrong = damage(text)
     assert wrong != text
-    assert said in findings(wrong)
+    assert expected in findings(wrong)
 
 
 def test_a_laser_without_power_has_no_program() -> None:
@@ -159,7 +159,7 @@ def test_a_laser_without_power_has_no_program() -> None:
         program("grblhal", machine=with_laser(power=0.0))
 
 
-def test_the_time_counts_where_the_beam_pierces() -> None:
+def test_the_time_includes_piercing() -> None:
     slow = with_laser(pierce=1.2)
     path = toolpath()
     assert durations(path, slow).sum() - durations(path, LASER).sum() == pytest.approx(3 * 1.0)

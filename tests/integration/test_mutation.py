@@ -38,11 +38,11 @@ def every_moving_mutant_is_refused(named: Named, corpus: Path | None, dialect: s
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_of_our_samples(named: Named, dialect: str) -> None:
+def test_mutants_of_our_samples_are_refused(named: Named, dialect: str) -> None:
     every_moving_mutant_is_refused(named, None, dialect)
 
 
 @pytest.mark.corpus
 @pytest.mark.parametrize("named", NAMED, ids=str)
-def test_of_drawings_by_other_hands(named: Named, corpus: Path) -> None:
+def test_mutants_of_drawings_by_other_authors_are_refused(named: Named, corpus: Path) -> None:
     every_moving_mutant_is_refused(named, corpus, "linuxcnc")

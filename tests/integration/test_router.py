@@ -42,7 +42,7 @@ def verdict(board: Board = BOARD, dialect: str = "linuxcnc", corner: str = "auto
 
 @pytest.mark.parametrize("dialect", ["linuxcnc", "grblhal"])
 @pytest.mark.parametrize("corner", ["B", "C", "D", "auto"])
-def test_what_the_router_makes_is_accepted(dialect: str, corner: str) -> None:
+def test_programs_of_the_router_are_accepted(dialect: str, corner: str) -> None:
     result = verdict(dialect=dialect, corner=corner)
     assert result.accepted, result.findings[:3]
 
@@ -77,7 +77,7 @@ def _without_leads(centre: CentrePaths) -> tuple[Paths, I32, U8]:
     return centre.paths, centre.segment, np.full(len(centre.segment), Motion.FEED, np.uint8)
 
 
-def test_a_deflection_that_the_board_knows_is_accepted_and_one_aimed_outwards_is_not(
+def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     soft = replace(BOARD, deflection=(Deflection("Router", 0.08, 0.05),))
@@ -142,7 +142,7 @@ def test_bridges_that_are_too_narrow_or_too_wide_are_refused(
     assert found.measure == pytest.approx(0.05, abs=1e-3)
 
 
-def test_a_part_that_nothing_holds_is_refused_where_the_board_wants_bridges(
+def test_a_part_without_bridges_is_refused_if_the_board_requires_them(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     line = dieline(OUTLINE)

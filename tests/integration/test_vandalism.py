@@ -143,7 +143,7 @@ WRONG: list[tuple[str, Engine, Engine]] = [
     ("bridges 0.05 too wide", NICKS, board(NICKS, bridge_width=0.85)),
     ("bridges too many", NICKS, board(NICKS, bridge_spacing=60.0)),
     ("bridges too few", NICKS, board(NICKS, bridge_spacing=250.0)),
-    ("bridges that nobody wants", KNIFE, board(KNIFE, bridge_width=0.8, bridge_spacing=150.0)),
+    ("bridges that are not expected", KNIFE, board(KNIFE, bridge_width=0.8, bridge_spacing=150.0)),
     ("router's radius off by 0.02", B, tool(B, 4, radius=3.02)),
     ("router's radius off by -0.02", C, tool(C, 4, radius=2.98)),
     ("router in one pass", B, tool(B, 4, step=0.0)),
@@ -174,7 +174,7 @@ WRONG: list[tuple[str, Engine, Engine]] = [
 @pytest.mark.parametrize(
     ("right", "wrong"), [row[1:] for row in WRONG], ids=[f"{row[1]}: {row[0]}" for row in WRONG]
 )
-def test_what_is_made_from_one_wrong_thing_is_refused(right: Engine, wrong: Engine) -> None:
+def test_a_program_from_one_wrong_input_is_refused(right: Engine, wrong: Engine) -> None:
     assert wrong.verdict_of(wrong.text).accepted, wrong.verdict_of(wrong.text).findings[:2]
     assert not right.verdict_of(wrong.text).accepted
 
@@ -229,7 +229,7 @@ def without(kind: LineType) -> Callable[[list[Operation]], list[Operation]]:
     ],
     ids=lambda value: str(value) if isinstance(value, Engine) else "",
 )
-def test_what_is_planned_by_a_wrong_rule_is_refused(
+def test_a_program_planned_by_a_wrong_rule_is_refused(
     engine: Engine, change: Callable[..., Any]
 ) -> None:
     text = engine.program_bytes(change)
@@ -285,7 +285,7 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: En
     ).accepted
 
 
-def test_a_cutter_round_as_it_is_may_be_turned_as_it_likes() -> None:
+def test_a_router_may_have_any_heading() -> None:
     assert AUTO.verdict_of(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
 
 

@@ -28,7 +28,7 @@ def verdict(named: Named) -> Verdict:
 
 
 @pytest.mark.parametrize("named", SAMPLES, ids=str)
-def test_what_the_engines_make_is_accepted(named: Named) -> None:
+def test_programs_of_the_engines_are_accepted(named: Named) -> None:
     result = verdict(named)
     assert result.accepted, result.findings[:3]
     assert result.deviation.max() < 0.006

@@ -100,9 +100,9 @@ def assert_adds_up(line: Dieline, made: Cleaned) -> None:
     assert (made.off <= GAP + SAME).all()
 
 
-def split(line: Dieline, row: int, shares: list[float]) -> Dieline:
+def split(line: Dieline, row: int, fractions: list[float]) -> Dieline:
     """Split an edge at fractions of its length; the pieces are appended in reverse order."""
-    places = np.array([0.0, *sorted(shares), 1.0])
+    places = np.array([0.0, *sorted(fractions), 1.0])
     n = len(places) - 1
     start, end, bulge = (
         np.repeat(x[[row]], n, axis=0) for x in (line.ends[:, 0], line.ends[:, 1], line.bulge)
@@ -117,7 +117,7 @@ def split(line: Dieline, row: int, shares: list[float]) -> Dieline:
     )
 
 
-shares = st.lists(
+fractions = st.lists(
     st.sampled_from([0.1, 0.25, 1 / 3, 0.5, 0.61, 0.8]), min_size=1, max_size=3, unique=True
 )
 
@@ -131,7 +131,7 @@ def test_edges_drawn_twice_split_and_reversed_are_restored(
     row = data.draw(st.integers(0, len(line) - 1))
     broken = line
     if data.draw(st.booleans()):
-        broken = split(broken, row, data.draw(shares))
+        broken = split(broken, row, data.draw(fractions))
     twice = data.draw(st.lists(st.integers(0, len(broken) - 1), max_size=6))
     kinds = broken.line_type[twice].copy()
     under = data.draw(st.booleans())
@@ -199,7 +199,7 @@ def test_cleaning_is_idempotent(line: Dieline, data: st.DataObject) -> None:
 @given(
     line=dielines(),
     row=st.integers(0, 11),
-    at=shares,
+    at=fractions,
     degrees=st.sampled_from([0.0, 30.0, 90.0, 179.0, 211.7]),
     mirror=st.booleans(),
     back=st.booleans(),
@@ -228,7 +228,7 @@ def _union(line: Dieline) -> shapely.Geometry:
 def test_the_union_of_edges_is_the_same_before_and_after(
     line: Dieline, data: st.DataObject
 ) -> None:
-    line = split(line, data.draw(st.integers(0, len(line) - 1)), data.draw(shares))
+    line = split(line, data.draw(st.integers(0, len(line) - 1)), data.draw(fractions))
     slide = data.draw(st.sampled_from([0.1, 0.5, 0.9]))
     way = line.ends[:, 1] - line.ends[:, 0]
     straight = np.flatnonzero(line.bulge == 0.0)

@@ -20,8 +20,8 @@ def test_both_readers_return_the_same_for_every_drawing_of_the_corpus(corpus: Pa
     for path in files:
         data = path.read_bytes()
         accepted += fast_reader_accepts(data)
-        if said := difference(*read_by_both(data)):
-            different[str(path.relative_to(corpus))] = said[:300]
+        if text := difference(*read_by_both(data)):
+            different[str(path.relative_to(corpus))] = text[:300]
     assert different == {}
     # If the fast reader falls back, the test compares ezdxf with itself.
     assert accepted >= ACCEPTED, f"our reader accepts {accepted} of {len(files)} drawings"

@@ -468,6 +468,6 @@ COMPANIES: tuple[Company, ...] = (
     Company(
         "Unit left out, inches", _styles_by_layer("CUT", "CREASE"), header=None, scale=1 / 25.4
     ),
-    Company("Unit says inches, millimetres drawn", _styles_by_layer("CUT", "CREASE"), header=1),
-    Company("Unit says metres, millimetres drawn", _styles_by_layer("CUT", "CREASE"), header=6),
+    Company("Header in inches, millimetres drawn", _styles_by_layer("CUT", "CREASE"), header=1),
+    Company("Header in metres, millimetres drawn", _styles_by_layer("CUT", "CREASE"), header=6),
 )

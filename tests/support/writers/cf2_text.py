@@ -5,7 +5,7 @@ from __future__ import annotations
 
 def cf2(*records: str, head: tuple[str, ...] = ("UM", "SCALE,1,1"), subs: str = "") -> bytes:
     """Return a CF2 file with a main section of header records, records and subroutines."""
-    main = ["$BOF", "V2", "ORDER", "Name: somebody", "END", "MAIN,carton", *head, *records, "END"]
+    main = ["$BOF", "V2", "ORDER", "Name: author", "END", "MAIN,carton", *head, *records, "END"]
     return "\r\n".join([*main, *filter(None, [subs]), "$EOF", ""]).encode()
 
 

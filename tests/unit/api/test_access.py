@@ -205,7 +205,7 @@ def test_others_need_the_key(peer: str | None) -> None:
 @pytest.mark.parametrize(
     "header", [f"Basic {KEY}", KEY, "Bearer", "Bearer ", f"Bearer {KEY}x", f"Bearer {KEY[:-1]}"]
 )
-def test_what_is_not_the_key_opens_nothing(header: str) -> None:
+def test_a_wrong_key_gives_no_access(header: str) -> None:
     assert status(KEYED, replace(LAN, authorization=header)) == 401
     assert status(OPEN, replace(LAN, authorization=header)) == 403
 
@@ -271,7 +271,7 @@ def test_a_session_is_signed_with_the_key_and_ends(cookie: str) -> None:
         ("a\n", None),
     ],
 )
-def test_hosts_are_taken_apart(text: str, expected: tuple[str, int | None] | None) -> None:
+def test_hosts_are_parsed(text: str, expected: tuple[str, int | None] | None) -> None:
     assert parse_authority(text) == expected
 
 
@@ -332,13 +332,13 @@ async def test_the_key_that_is_typed_signs_a_browser_in(delay: float) -> None:
 @pytest.mark.parametrize(
     "body", [b"", b"key", b"key=", b"other=1", b"key=%ff%fe", b"key=" + b"x" * 10_000, b"\xff" * 9]
 )
-async def test_what_is_no_key_in_the_form_is_wrong(delay: float, body: bytes) -> None:
+async def test_an_invalid_key_in_the_form_is_refused(delay: float, body: bytes) -> None:
     async with asking(KEYED) as browser:
         own = {**HTML, "Origin": "http://192.168.1.20:8080"}
         assert (await browser.post("/sign-in", content=body, headers=own)).status_code == 401
 
 
-async def test_a_wrong_key_waits_and_the_right_one_does_not(delay: float) -> None:
+async def test_a_wrong_key_is_delayed_and_the_right_one_is_not(delay: float) -> None:
     async with asking(KEYED) as client:
         wrong: tuple[dict[str, Any], ...] = (
             {"headers": {"Authorization": "Bearer x"}},

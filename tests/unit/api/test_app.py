@@ -28,12 +28,12 @@ PNG = b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40
 def problem(answer: httpx.Response, status: int) -> dict[str, Any]:
     assert answer.status_code == status, answer.text
     assert answer.headers["content-type"] == PROBLEM
-    said: dict[str, Any] = answer.json()
-    assert said["status"] == status
-    assert said["title"]
-    assert said["detail"]
+    data: dict[str, Any] = answer.json()
+    assert data["status"] == status
+    assert data["title"]
+    assert data["detail"]
     assert "Traceback" not in answer.text
-    return said
+    return data
 
 
 def upload(client: httpx.Client, content: bytes, name: str = "a.dxf") -> httpx.Response:
@@ -66,17 +66,17 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(
         assert answer.json()["import_report"]["rows"]
         assert all(abs(side) < 1e6 for side in answer.json()["bounds"])
         return
-    said = problem(answer, 422)
-    assert "a.dxf" in said["detail"]
-    assert said["hint"]
+    data = problem(answer, 422)
+    assert "a.dxf" in data["detail"]
+    assert data["hint"]
 
 
 def test_70_megabytes_are_refused_before_they_are_read(client: httpx.Client) -> None:
-    said = problem(upload(client, b"0\n" * (35 << 20)), 413)
-    assert "64 MB" in said["detail"]
+    data = problem(upload(client, b"0\n" * (35 << 20)), 413)
+    assert "64 MB" in data["detail"]
 
 
-def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(
+def test_70_megabytes_without_a_length_are_refused(
     client: httpx.Client,
 ) -> None:
     taken = 0
@@ -101,8 +101,8 @@ def test_70_megabytes_that_do_not_say_how_many_they_are_are_refused_too(
 
 
 def test_an_order_of_17_megabytes_is_refused_too(client: httpx.Client) -> None:
-    said = {"drawing": "x" * (17 << 20), "board": "e-flute"}
-    assert "16 MB" in problem(client.post("/api/jobs", json=said), 413)["detail"]
+    data = {"drawing": "x" * (17 << 20), "board": "e-flute"}
+    assert "16 MB" in problem(client.post("/api/jobs", json=data), 413)["detail"]
 
 
 def test_a_page_of_another_site_cannot_order_anything(client: httpx.Client) -> None:
@@ -116,9 +116,7 @@ def test_a_rebound_name_cannot_read_anything(client: httpx.Client) -> None:
 
 
 @pytest.mark.parametrize("path", ["/api/jobs", "/api/nothing", "/healthz"])
-def test_answers_of_the_api_are_framed_run_and_guessed_by_no_page(
-    client: httpx.Client, path: str
-) -> None:
+def test_responses_cannot_be_framed_executed_or_sniffed(client: httpx.Client, path: str) -> None:
     headers = client.get(path).headers
     assert headers["x-content-type-options"] == "nosniff"
     assert headers["x-frame-options"] == "DENY"
@@ -217,27 +215,27 @@ BODIES: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.parametrize("path", BODIES)
-def test_no_body_makes_a_fault(client: httpx.Client, path: str) -> None:
+def test_no_body_causes_an_internal_error(client: httpx.Client, path: str) -> None:
     plain = BODIES[path]
     for field, value in itertools.product(plain, HOSTILE):
-        said = body({**plain, field: value})
-        answer = client.post(path, content=said, headers={"Content-Type": "application/json"})
+        data = body({**plain, field: value})
+        answer = client.post(path, content=data, headers={"Content-Type": "application/json"})
         assert answer.status_code < 500, (field, value, answer.text)
         if answer.status_code >= 400:
             problem(answer, answer.status_code)
 
 
 @pytest.mark.parametrize("where", ["", "/edges"])
-def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str) -> None:
+def test_no_change_to_a_drawing_causes_an_internal_error(client: httpx.Client, where: str) -> None:
     id = upload_drawing(client, square())["id"]
     fields = ["unit", "profile"] if not where else ["type", "edges", "handles", "layer", "colour"]
     for field, value in itertools.product(fields, HOSTILE):
-        said: dict[str, object] = {field: value}
+        data: dict[str, object] = {field: value}
         if where:
-            said = {"overrides": [{"type": "cut", **said}]}
+            data = {"overrides": [{"type": "cut", **data}]}
         answer = client.patch(
             f"/api/drawings/{id}{where}",
-            content=body(said),
+            content=body(data),
             headers={"Content-Type": "application/json"},
         )
         assert answer.status_code < 500, (field, value, answer.text)
@@ -259,7 +257,7 @@ def test_no_change_to_a_drawing_makes_a_fault(client: httpx.Client, where: str) 
     ids=range(8),
 )
 @pytest.mark.parametrize("path", BODIES)
-def test_what_is_no_json_is_a_problem(client: httpx.Client, path: str, raw: bytes) -> None:
+def test_invalid_json_is_a_problem(client: httpx.Client, path: str, raw: bytes) -> None:
     answer = client.post(path, content=raw, headers={"Content-Type": "application/json"})
     # A confirmation needs no body; without one, the only error is that the job does not exist.
     absent = path.endswith("/confirm") and raw in (b"", b"null")
@@ -291,14 +289,14 @@ def test_a_form_without_a_file_is_a_problem(
     problem(answer, answer.status_code)
 
 
-def test_a_field_that_is_wrong_is_named_by_its_place(client: httpx.Client) -> None:
+def test_an_invalid_field_is_reported_with_its_path(client: httpx.Client) -> None:
     order = {"drawing": "a", "board": "e-flute", "overrides": [{"type": "kut", "edges": [0]}]}
-    said = problem(client.post("/api/jobs", json=order), 422)
-    assert said["source"] == ["body.overrides.0.type"]
-    assert "body.overrides.0.type" in said["detail"]
+    data = problem(client.post("/api/jobs", json=order), 422)
+    assert data["source"] == ["body.overrides.0.type"]
+    assert "body.overrides.0.type" in data["detail"]
 
 
-def test_every_error_has_a_status_and_none_is_a_fault_of_ours() -> None:
+def test_every_error_has_a_status_and_none_is_an_internal_error() -> None:
     def descendants(kind: type[errors.KnifetipError]) -> list[type[errors.KnifetipError]]:
         return [kind, *(deep for child in kind.__subclasses__() for deep in descendants(child))]
 
@@ -308,7 +306,7 @@ def test_every_error_has_a_status_and_none_is_a_fault_of_ours() -> None:
     assert {status_of(error) for error in made} == {404, 409, 412, 413, 422, 502, 503}
 
 
-def test_openapi_is_3_1_and_every_route_says_what_its_problems_look_like(
+def test_openapi_is_3_1_and_every_route_declares_its_problems(
     client: httpx.Client,
 ) -> None:
     described = client.get("/api/openapi.json").json()

@@ -31,19 +31,19 @@ def override(client: httpx.Client, id: str, *overrides: dict[str, Any]) -> httpx
 def test_an_upload_answers_with_unit_counts_and_import_report(client: httpx.Client) -> None:
     answer = client.post("/api/drawings", files={"file": ("square.dxf", square())})
     assert answer.status_code == 201
-    said = answer.json()
-    assert answer.headers["location"] == f"/api/drawings/{said['id']}"
-    assert (said["name"], said["unit"], said["segments"]) == ("square.dxf", "mm", 4)
-    assert (said["width"], said["height"]) == (100.0, 100.0)
-    assert said["counts"] == [{"type": "cut", "edges": 4, "length": 400.0}]
-    assert said["questions"] == []
-    assert said["sha256"] == hashlib.sha256(square()).hexdigest()
-    assert (said["import_report"]["kept"], len(said["import_report"]["rows"])) == (4, 4)
-    assert client.get(f"/api/drawings/{said['id']}").json() == said
-    assert client.get(f"/api/drawings/{said['id']}/import-report").json() == said["import_report"]
+    body = answer.json()
+    assert answer.headers["location"] == f"/api/drawings/{body['id']}"
+    assert (body["name"], body["unit"], body["segments"]) == ("square.dxf", "mm", 4)
+    assert (body["width"], body["height"]) == (100.0, 100.0)
+    assert body["counts"] == [{"type": "cut", "edges": 4, "length": 400.0}]
+    assert body["questions"] == []
+    assert body["sha256"] == hashlib.sha256(square()).hexdigest()
+    assert (body["import_report"]["kept"], len(body["import_report"]["rows"])) == (4, 4)
+    assert client.get(f"/api/drawings/{body['id']}").json() == body
+    assert client.get(f"/api/drawings/{body['id']}/import-report").json() == body["import_report"]
 
 
-def test_the_import_report_can_be_asked_for_one_outcome_and_says_where_words_stand(
+def test_the_import_report_is_filtered_by_outcome_and_has_positions_of_texts(
     client: httpx.Client,
 ) -> None:
     note = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Rev. B"))
@@ -68,22 +68,22 @@ def test_drawings_are_listed_newest_first_and_page_by_page(client: httpx.Client)
     assert client.get(path).json()[0]["id"] == ids[0]
 
 
-def test_a_drawing_without_a_unit_asks_and_is_told(client: httpx.Client) -> None:
-    said = upload_drawing(client, square(units=None, side=4.0))
-    assert said["unit"] is None
-    assert "unit" in [question["kind"] for question in said["questions"]]
-    told = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
-    assert (told["unit"], told["questions"]) == ("in", [])
-    assert told["width"] == pytest.approx(101.6)
+def test_a_drawing_without_a_unit_has_a_question_that_can_be_answered(client: httpx.Client) -> None:
+    body = upload_drawing(client, square(units=None, side=4.0))
+    assert body["unit"] is None
+    assert "unit" in [question["kind"] for question in body["questions"]]
+    updated = client.patch(f"/api/drawings/{body['id']}", json={"unit": "in"}).json()
+    assert (updated["unit"], updated["questions"]) == ("in", [])
+    assert updated["width"] == pytest.approx(101.6)
 
 
-def test_a_unit_that_comes_with_the_file_counts(client: httpx.Client) -> None:
+def test_a_unit_sent_with_the_file_is_used(client: httpx.Client) -> None:
     assert upload_drawing(client, square(units=None, side=4.0), unit="cm")[
         "width"
     ] == pytest.approx(40.0)
 
 
-def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
+def test_setting_the_unit_reads_the_file_again_and_refits_curves(
     client: httpx.Client,
 ) -> None:
     # Half axes of 4 and 2: an ellipse in inches needs more arcs than one in millimetres.
@@ -91,16 +91,18 @@ def test_telling_the_unit_reads_the_file_again_so_that_curves_are_fitted_anew(
         "ELLIPSE", (8, "CUT"), (10, 0), (20, 0), (11, 4), (21, 0), (40, 0.5), (41, 0), (42, 6.28)
     )
     data = text.dxf(ellipse, units=None, version="AC1015")
-    silent, given = upload_drawing(client, data), upload_drawing(client, data, unit="in")
-    assert silent["unit"] is None
-    coarse = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "mm"}).json()
-    told = client.patch(f"/api/drawings/{silent['id']}", json={"unit": "in"}).json()
-    assert told["segments"] == given["segments"] > coarse["segments"]
-    fine = edges(client, given["id"])
-    assert [edge["start"] for edge in edges(client, told["id"])] == [edge["start"] for edge in fine]
+    without_unit, with_unit = upload_drawing(client, data), upload_drawing(client, data, unit="in")
+    assert without_unit["unit"] is None
+    coarse = client.patch(f"/api/drawings/{without_unit['id']}", json={"unit": "mm"}).json()
+    updated = client.patch(f"/api/drawings/{without_unit['id']}", json={"unit": "in"}).json()
+    assert updated["segments"] == with_unit["segments"] > coarse["segments"]
+    fine = edges(client, with_unit["id"])
+    assert [edge["start"] for edge in edges(client, updated["id"])] == [
+        edge["start"] for edge in fine
+    ]
 
 
-def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(
+def test_a_drawing_has_the_evidence_for_its_unit_and_contradictions(
     client: httpx.Client,
 ) -> None:
     finding = upload_drawing(client, square())["unit_finding"]
@@ -110,9 +112,9 @@ def test_a_drawing_says_what_speaks_for_its_unit_and_what_contradicts_it(
     assert first["arguments"]["unit"] == first["unit"]
     assert finding["evidence"][0]["weight"] > 1.0
     id = upload_drawing(client, square())["id"]
-    told = client.patch(f"/api/drawings/{id}", json={"unit": "in"}).json()
-    assert (told["unit"], told["width"]) == ("in", 2540.0)
-    warning = told["unit_finding"]["warnings"][0]
+    updated = client.patch(f"/api/drawings/{id}", json={"unit": "in"}).json()
+    assert (updated["unit"], updated["width"]) == ("in", 2540.0)
+    warning = updated["unit_finding"]["warnings"][0]
     assert warning["code"] == "unit.read-against-header"
     assert (warning["arguments"]["stated"], warning["arguments"]["unit"]) == ("mm", "in")
 
@@ -140,8 +142,8 @@ def test_an_override_answers_the_question_and_can_be_taken_back(
     id = upload_drawing(client, square(extra=(MYSTERY,)))["id"]
     (question,) = client.get(f"/api/drawings/{id}").json()["questions"]
     assert (question["kind"], question["edges"]) == ("line-type", [4])
-    said = override(client, id, {"type": "crease", **who}).json()
-    assert (said["questions"], said["overrides"]) == ([], 1)
+    body = override(client, id, {"type": "crease", **who}).json()
+    assert (body["questions"], body["overrides"]) == ([], 1)
     edge = edges(client, id)[4]
     assert (edge["type"], edge["rule"], edge["length"]) == ("crease", "set by the user", 80.0)
     taken = override(client, id, {"type": None, **who}).json()
@@ -157,7 +159,7 @@ def test_an_override_by_handle_and_a_later_one_on_top(client: httpx.Client) -> N
     assert [edge["type"] for edge in edges(client, id)] == ["ignored", *["crease"] * 3]
 
 
-def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Client) -> None:
+def test_overrides_remain_on_their_edges_when_the_unit_is_set(client: httpx.Client) -> None:
     id = upload_drawing(client, square(units=None))["id"]
     override(client, id, {"type": "crease", "edges": [2]})
     client.patch(f"/api/drawings/{id}", json={"unit": "mm"})
@@ -177,7 +179,7 @@ def test_overrides_stay_with_their_edges_when_the_unit_is_told(client: httpx.Cli
         ({"edges": [0], "layer": "CUT"}, "in exactly one way"),
     ],
 )
-def test_an_override_about_nothing_is_refused(
+def test_an_override_without_edges_is_refused(
     client: httpx.Client, who: dict[str, Any], words: str
 ) -> None:
     id = upload_drawing(client, square())["id"]
@@ -187,7 +189,7 @@ def test_an_override_about_nothing_is_refused(
     assert [edge["type"] for edge in edges(client, id)] == ["cut"] * 4
 
 
-def test_columns_say_the_same_as_json(client: httpx.Client) -> None:
+def test_columns_have_the_same_values_as_json(client: httpx.Client) -> None:
     id = upload_drawing(client, square(extra=(MYSTERY,)))["id"]
     answer = client.get(f"/api/drawings/{id}/edges", params={"format": "columns"})
     columns, meta = unpack_columns(answer.content)
@@ -240,7 +242,7 @@ def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(
 
 
 @pytest.mark.parametrize(
-    ("given", "kept"),
+    ("with_unit", "kept"),
     [
         ("tray.dxf", "tray.dxf"),
         ("../../etc/passwd", "passwd"),
@@ -251,8 +253,8 @@ def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(
         ("Größe 1.dxf", "Größe 1.dxf"),
     ],
 )
-def test_a_name_keeps_its_last_part_and_what_can_be_shown(given: str, kept: str) -> None:
-    assert drawing_name(given) == kept
+def test_a_name_keeps_its_last_part_and_printable_characters(with_unit: str, kept: str) -> None:
+    assert drawing_name(with_unit) == kept
 
 
 def test_a_very_long_name_keeps_its_suffix() -> None:

@@ -58,83 +58,83 @@ def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Q
         thread.join(10.0)
 
 
-def of(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:
+def wait_for_event(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard:
     while True:
-        said = heard.get(timeout=20.0)
-        if said.data.get("id") == id and said.data.get("state", "") == state:
-            return said
+        event = heard.get(timeout=20.0)
+        if event.data.get("id") == id and event.data.get("state", "") == state:
+            return event
 
 
-def test_a_new_drawing_and_the_course_of_a_job_are_heard(client: httpx.Client) -> None:
+def test_a_new_drawing_and_the_states_of_a_job_are_events(client: httpx.Client) -> None:
     with listening(client) as heard:
         drawing = upload_drawing(client, square())["id"]
-        assert of(heard, drawing).kind == "drawing"
+        assert wait_for_event(heard, drawing).kind == "drawing"
         job = order_job(client, drawing)["id"]
-        said = of(heard, job, "ready")
-        assert said.kind == "job"
-        assert said.number is not None
-        assert said.data == client.get(f"/api/jobs/{job}").json()
+        event = wait_for_event(heard, job, "ready")
+        assert event.kind == "job"
+        assert event.number is not None
+        assert event.data == client.get(f"/api/jobs/{job}").json()
 
 
-def test_who_comes_back_hears_what_was_missed_and_no_more(client: httpx.Client) -> None:
+def test_a_client_that_reconnects_receives_only_missed_events(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     with listening(client) as heard:
         before = order_job(client, drawing)["id"]
-        last = of(heard, before, "ready").number
+        last = wait_for_event(heard, before, "ready").number
     assert last is not None
     missed = order_job(client, drawing)["id"]
     wait_for_state(client, missed, "ready")
     client.post(f"/api/jobs/{missed}/release")
     with listening(client, last) as heard:
-        said = of(heard, missed, "queued")
-        assert said.number is not None
-        assert said.number > last
+        event = wait_for_event(heard, missed, "queued")
+        assert event.number is not None
+        assert event.number > last
         assert heard.empty()
         client.post(f"/api/jobs/{missed}/cancel")
-        cancelled = of(heard, missed, "cancelled")
+        cancelled = wait_for_event(heard, missed, "cancelled")
         assert cancelled.number is not None
-        assert cancelled.number > said.number
+        assert cancelled.number > event.number
 
 
-def test_progress_is_heard_without_a_number(client: httpx.Client) -> None:
+def test_events_of_progress_have_no_number(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     job = wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
     with listening(client) as heard:
         claim = {"gateway": "g", "machine": "demo-table", "wait": 0.0}
         epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
-        while of(heard, job, "queued").data["waiting_for"] != "confirmation":
+        while wait_for_event(heard, job, "queued").data["waiting_for"] != "confirmation":
             pass
         client.post(f"/api/jobs/{job}/confirm")
         waits = {"job": job, "epoch": epoch, "line": 0, "waiting": True}
         client.post("/api/gateway/heartbeat", json=waits)
-        of(heard, job, "running")
+        wait_for_event(heard, job, "running")
         beat = {"job": job, "epoch": epoch, "line": 7, "position": [1.0, 2.0, 3.0, 4.0]}
         client.post("/api/gateway/heartbeat", json=beat)
-        while (said := of(heard, job, "running")).data["line"] != 7:
+        while (event := wait_for_event(heard, job, "running")).data["line"] != 7:
             pass
-        assert said.number is None
-        assert said.data["position"] == [1.0, 2.0, 3.0, 4.0]
+        assert event.number is None
+        assert event.data["position"] == [1.0, 2.0, 3.0, 4.0]
         finish = {"job": job, "epoch": epoch, "outcome": "done"}
         client.post("/api/gateway/finish", json=finish)
-        assert of(heard, job, "done").number is not None
+        assert wait_for_event(heard, job, "done").number is not None
 
 
-def test_a_number_that_was_never_ours_replays_nothing(client: httpx.Client) -> None:
+def test_an_unknown_event_number_replays_nothing(client: httpx.Client) -> None:
     upload_drawing(client, square())
     with listening(client, 10**12) as heard:
         drawing = upload_drawing(client, square())["id"]
         assert heard.get(timeout=10.0).data["id"] == drawing
 
 
-def test_a_deleted_drawing_is_heard(client: httpx.Client) -> None:
+def test_a_deleted_drawing_is_an_event(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     with listening(client) as heard:
         client.delete(f"/api/drawings/{drawing}")
-        said = heard.get(timeout=10.0)
-        assert (said.kind, said.data) == ("deleted", {"drawing": drawing})
+        event = heard.get(timeout=10.0)
+        assert (event.kind, event.data) == ("deleted", {"drawing": drawing})
 
 
-def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Client) -> None:
+def test_a_changed_reason_for_waiting_is_an_event(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     first, second = (
         wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
@@ -143,7 +143,7 @@ def test_a_queued_job_is_heard_when_it_waits_for_something_else(client: httpx.Cl
     with listening(client) as heard:
         assert client.get(f"/api/jobs/{second}").json()["waiting_for"] == "turn"
         client.post(f"/api/jobs/{first}/cancel")
-        said = of(heard, second, "queued")
+        event = wait_for_event(heard, second, "queued")
         # Its own state did not change: another job ended.
-        assert (said.number, said.data["waiting_for"]) == (None, "machine")
+        assert (event.number, event.data["waiting_for"]) == (None, "machine")
         client.post(f"/api/jobs/{second}/cancel")

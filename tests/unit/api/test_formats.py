@@ -25,43 +25,43 @@ FILES = {
 }
 
 
-def posted(client: httpx.Client, name: str, content: bytes, **fields: str) -> httpx.Response:
+def upload(client: httpx.Client, name: str, content: bytes, **fields: str) -> httpx.Response:
     return client.post("/api/drawings", files={"file": (name, content)}, data=fields)
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_a_file_is_read_by_its_content(client: httpx.Client, name: str) -> None:
     content, media_type = FILES[name]
-    said = posted(client, name, content).json()
+    body = upload(client, name, content).json()
     unit = "pt" if name == "carton.ai" else "mm"
-    assert (said["name"], said["unit"], said["questions"]) == (name, unit, [])
-    assert {count["type"] for count in said["counts"]} >= {"cut", "crease"}
-    back = client.get(f"/api/drawings/{said['id']}/file")
+    assert (body["name"], body["unit"], body["questions"]) == (name, unit, [])
+    assert {count["type"] for count in body["counts"]} >= {"cut", "crease"}
+    back = client.get(f"/api/drawings/{body['id']}/file")
     assert back.content == content
     assert back.headers["content-type"] == media_type
     assert back.headers["content-disposition"].startswith("attachment")
 
 
-def test_a_page_in_pixels_asks_and_is_told(client: httpx.Client) -> None:
+def test_a_page_in_pixels_has_a_question_that_can_be_answered(client: httpx.Client) -> None:
     size = b'width="220mm" height="100mm"'
     content = svg_text.carton().replace(size, b'width="220" height="100"')
-    said = posted(client, "carton.svg", content).json()
-    (question,) = (one for one in said["questions"] if one["kind"] == "unit")
+    body = upload(client, "carton.svg", content).json()
+    (question,) = (one for one in body["questions"] if one["kind"] == "unit")
     assert {"mm", "pt", "px"} <= set(question["choices"])
-    told = client.patch(f"/api/drawings/{said['id']}", json={"unit": "px"}).json()
-    assert (told["unit"], told["questions"]) == ("px", [])
-    assert told["width"] == pytest.approx(200 * 25.4 / 96)
+    updated = client.patch(f"/api/drawings/{body['id']}", json={"unit": "px"}).json()
+    assert (updated["unit"], updated["questions"]) == ("px", [])
+    assert updated["width"] == pytest.approx(200 * 25.4 / 96)
 
 
-def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client) -> None:
+def test_a_profile_determines_the_line_types_of_cf2_numbers(client: httpx.Client) -> None:
     fold = cf2_text.line(50, 0, 50, 80, 3)
     content = cf2_text.carton().replace(cf2_text.line(50, 0, 50, 80, 2).encode(), fold.encode())
-    asked = posted(client, "a.cf2", content).json()["questions"]
+    asked = upload(client, "a.cf2", content).json()["questions"]
     assert [question["kind"] for question in asked] == ["line-type"]
     assert "CF2 3 2pt" in asked[0]["text"]
-    said = posted(client, "a.cf2", content, profile="cf2-plmpack").json()
-    assert said["questions"] == []
-    assert "combi" in {count["type"] for count in said["counts"]}
+    body = upload(client, "a.cf2", content, profile="cf2-plmpack").json()
+    assert body["questions"] == []
+    assert "combi" in {count["type"] for count in body["counts"]}
 
 
 @pytest.mark.parametrize(
@@ -74,10 +74,10 @@ def test_a_profile_says_what_the_numbers_of_a_cf2_mean(client: httpx.Client) -> 
         (svg_text.carton()[:400], "incomplete"),
     ],
 )
-def test_what_cannot_be_read_is_a_clear_problem(
+def test_an_unreadable_file_is_a_clear_problem(
     client: httpx.Client, content: bytes, words: str
 ) -> None:
-    answer = posted(client, "carton.svg", content)
+    answer = upload(client, "carton.svg", content)
     assert answer.status_code == 422
     problem = answer.json()
     assert words in json.dumps(problem) or "is not loaded" in json.dumps(problem)
@@ -85,7 +85,7 @@ def test_what_cannot_be_read_is_a_clear_problem(
     assert "root:" not in answer.text
 
 
-def test_the_command_line_reads_them_too(
+def test_the_command_line_reads_all_formats(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     for name, (content, _) in FILES.items():

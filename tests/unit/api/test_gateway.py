@@ -21,13 +21,13 @@ def claim(client: httpx.Client, gateway: str = "g", wait: float = 0.0) -> httpx.
 
 
 def beat(client: httpx.Client, job: dict[str, Any], line: int, **more: object) -> httpx.Response:
-    said = {"job": job["job"], "epoch": job["epoch"], "line": line, **more}
-    return client.post("/api/gateway/heartbeat", json=said)
+    fields = {"job": job["job"], "epoch": job["epoch"], "line": line, **more}
+    return client.post("/api/gateway/heartbeat", json=fields)
 
 
 def finish(client: httpx.Client, job: dict[str, Any], outcome: str = "done") -> httpx.Response:
-    said = {"job": job["job"], "epoch": job["epoch"], "outcome": outcome}
-    return client.post("/api/gateway/finish", json=said)
+    fields = {"job": job["job"], "epoch": job["epoch"], "outcome": outcome}
+    return client.post("/api/gateway/finish", json=fields)
 
 
 @pytest.fixture
@@ -93,7 +93,7 @@ def test_a_second_gateway_gets_nothing_while_the_table_is_taken(
     client.post(f"/api/jobs/{other['id']}/cancel")
 
 
-def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
+def test_heartbeats_update_the_job_and_return_requested_actions(
     client: httpx.Client, claimed: dict[str, Any]
 ) -> None:
     id, lines = claimed["job"], claimed["lines"]
@@ -120,13 +120,13 @@ def test_heartbeats_move_the_job_and_bring_the_operators_wishes(
 
 
 @pytest.mark.parametrize(
-    "said",
+    "fields",
     ['"position": [0, 0, NaN, 0]', '"position": [Infinity, 0, 0, 0]', '"seconds_left": NaN'],
 )
-def test_a_heartbeat_with_what_is_no_number_is_refused(
-    client: httpx.Client, claimed: dict[str, Any], said: str
+def test_a_heartbeat_with_an_invalid_number_is_refused(
+    client: httpx.Client, claimed: dict[str, Any], fields: str
 ) -> None:
-    body = f'{{"job": "{claimed["job"]}", "epoch": {claimed["epoch"]}, "line": 1, {said}}}'
+    body = f'{{"job": "{claimed["job"]}", "epoch": {claimed["epoch"]}, "line": 1, {fields}}}'
     answer = client.post(
         "/api/gateway/heartbeat", content=body, headers={"Content-Type": "application/json"}
     )
@@ -143,7 +143,7 @@ def test_a_stale_epoch_is_refused(client: httpx.Client, claimed: dict[str, Any])
     assert beat(client, claimed, 9).status_code == 409
 
 
-def test_an_interrupted_job_runs_again_when_the_operator_says_so(
+def test_an_interrupted_job_runs_again_at_the_operators_request(
     client: httpx.Client, claimed: dict[str, Any]
 ) -> None:
     assert finish(client, claimed, "interrupted").json()["state"] == "interrupted"
@@ -164,11 +164,11 @@ def test_a_program_is_given_out_only_while_its_job_is_on_a_table(
     client.post(f"/api/jobs/{queued['id']}/cancel")
 
 
-def confirm(client: httpx.Client, job: dict[str, Any], **said: str) -> httpx.Response:
-    return client.post(f"/api/jobs/{job['job']}/confirm", json=said)
+def confirm(client: httpx.Client, job: dict[str, Any], **fields: str) -> httpx.Response:
+    return client.post(f"/api/jobs/{job['job']}/confirm", json=fields)
 
 
-def test_a_claimed_job_waits_for_the_operator_and_states_what_for(
+def test_a_claimed_job_waits_for_the_operator_and_states_the_reason(
     client: httpx.Client, waiting: dict[str, Any]
 ) -> None:
     assert beat(client, waiting, 0, waiting=True).json()["command"] == "wait"
@@ -260,7 +260,7 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
         client.post(f"/api/jobs/{id}/cancel")
 
 
-def test_a_gateway_that_runs_without_a_confirmation_is_heard_and_held(
+def test_a_gateway_that_runs_without_a_confirmation_is_recorded_and_held(
     client: httpx.Client, waiting: dict[str, Any]
 ) -> None:
     answer = beat(client, waiting, 1)
@@ -295,8 +295,10 @@ def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
     client: httpx.Client, claimed: dict[str, Any]
 ) -> None:
     beat(client, claimed, 3)
-    said = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
-    job = client.post("/api/gateway/finish", json={**said, "why": "A belt tore.", "line": 5}).json()
+    fields = {"job": claimed["job"], "epoch": claimed["epoch"], "outcome": "interrupted"}
+    job = client.post(
+        "/api/gateway/finish", json={**fields, "why": "A belt tore.", "line": 5}
+    ).json()
     assert job["reason"] == f"The job was interrupted at line 5 of {claimed['lines']}. A belt tore."
     assert "queue the job again" in job["hint"].lower()
     done = finish(client, claimed).json()

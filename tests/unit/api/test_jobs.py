@@ -45,7 +45,7 @@ def test_the_program_is_served_byte_for_byte_as_it_was_verified(
     assert answer.headers["etag"] == f'"{ready["program_sha256"]}"'
 
 
-def test_the_toolpath_comes_as_columns_that_know_their_lines(
+def test_the_toolpath_has_columns_with_program_lines(
     client: httpx.Client, ready: dict[str, Any]
 ) -> None:
     columns, meta = unpack_columns(client.get(f"/api/jobs/{ready['id']}/toolpath").content)
@@ -79,7 +79,7 @@ def test_a_drawing_with_open_questions_is_409_with_the_questions(client: httpx.C
     assert [job for job in client.get("/api/jobs").json() if job["drawing"] == drawing] == []
 
 
-def test_an_override_in_the_order_counts_for_the_job_alone(client: httpx.Client) -> None:
+def test_an_override_in_the_order_applies_to_the_job_only(client: httpx.Client) -> None:
     mystery = text.line(10.0, 50.0, 90.0, 50.0, (8, "MYSTERY"), (62, 30))
     drawing = upload_drawing(client, square(extra=(mystery,)))["id"]
     job = order_job(client, drawing, overrides=[{"type": "crease", "layer": "MYSTERY"}])
@@ -150,7 +150,7 @@ def test_the_same_key_orders_once(client: httpx.Client) -> None:
         ("profile", "no-such", "profile 'no-such'"),
     ],
 )
-def test_what_is_not_in_the_library_is_named(
+def test_names_missing_in_the_library_are_reported(
     client: httpx.Client, field: str, value: str, words: str
 ) -> None:
     drawing = upload_drawing(client, square())["id"]
@@ -211,7 +211,7 @@ def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx
     assert "(0.00, 0.00)" in job["hint"]
 
 
-def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.Client) -> None:
+def test_corners_for_a_table_with_a_knife_are_refused_on_order(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     order = {"drawing": drawing, "board": "e-flute", "corners": {"type": "D"}}
     answer = client.post("/api/jobs", json=order)
@@ -238,7 +238,7 @@ def test_corners_for_a_table_with_a_knife_are_refused_at_the_door(client: httpx.
         ('{"radius": 3}', "body.corners.radius"),
     ],
 )
-def test_corners_that_are_none_are_named(client: httpx.Client, corners: str, place: str) -> None:
+def test_invalid_corners_are_reported(client: httpx.Client, corners: str, place: str) -> None:
     body = f'{{"drawing": "a", "board": "e-flute", "corners": {corners}}}'
     answer = client.post("/api/jobs", content=body, headers={"Content-Type": "application/json"})
     assert answer.status_code == 422
@@ -273,7 +273,7 @@ def test_interference_refuse_refuses_what_trim_leaves_uncut(client: httpx.Client
     assert "mm" in states["refuse"]["reason"]
 
 
-def test_what_no_cutter_gets_to_is_told_with_its_places(
+def test_unreached_areas_are_reported_with_their_positions(
     client: httpx.Client, window: dict[str, Any]
 ) -> None:
     assert window["verdict"]["unreached"] == pytest.approx(LEFT, abs=0.05)
@@ -317,7 +317,7 @@ def test_the_verdict_has_the_figures_of_grooves_and_knives(client: httpx.Client)
     assert max(verdict["edge_top_overcut"]) > 0.0
 
 
-def test_the_time_against_full_retracts_is_told(
+def test_the_time_saved_by_least_lifts_is_reported(
     ready: dict[str, Any], window: dict[str, Any]
 ) -> None:
     for job in (ready, window):

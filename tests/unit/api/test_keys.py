@@ -18,13 +18,13 @@ def test_a_key_file_is_made_once_with_a_random_key_for_its_owner_only(tmp_path: 
     assert keys.load_key("", tmp_path / "other") != first
 
 
-def test_no_key_is_an_empty_one_and_a_given_one_is_kept() -> None:
+def test_a_missing_key_is_empty_and_a_given_one_is_used() -> None:
     assert keys.load_key("", None) == ""
     assert keys.load_key("long-enough", None) == "long-enough"
 
 
 @pytest.mark.parametrize("key", ["short", "with space in it", "ä" * 20, "x" * 201, "line\nbreak-1"])
-def test_what_is_no_key_is_refused(key: str, tmp_path: Path) -> None:
+def test_invalid_keys_are_refused(key: str, tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="key"):
         keys.load_key(key, None)
     file = tmp_path / "key"
@@ -45,7 +45,7 @@ def test_an_empty_file_a_folder_and_two_keys_are_refused(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("host", ["", "a b", "http://a", "a/b", "[::1", "a:b"])
-def test_what_is_no_host_is_refused(host: str) -> None:
+def test_invalid_hosts_are_refused(host: str) -> None:
     assert keys.check_hosts(["shop.example", "shop:80", "[::1]:8080"])
     with pytest.raises(SettingsError, match="host"):
         keys.check_hosts(["shop", host])

@@ -21,7 +21,7 @@ def test_the_demo_table_shows_its_stations_with_their_dimensions(client: httpx.C
     assert client.get("/api/machines/demo-table").json() == machine
 
 
-def test_boards_and_profiles_are_listed_and_looked_at(client: httpx.Client) -> None:
+def test_boards_and_profiles_are_listed_and_returned(client: httpx.Client) -> None:
     boards = client.get("/api/boards").json()
     assert {"e-flute", "greyboard-2.0", "fbb-0.4"} <= {board["name"] for board in boards}
     assert client.get("/api/boards/greyboard-2.0").json()["caliper"] == 2.0
@@ -31,7 +31,7 @@ def test_boards_and_profiles_are_listed_and_looked_at(client: httpx.Client) -> N
     assert {"cut", "crease", "v-groove"} <= {rule["type"] for rule in default["rules"]}
 
 
-def test_tools_say_where_they_are_mounted(client: httpx.Client) -> None:
+def test_tools_have_the_stations_of_their_machines(client: httpx.Client) -> None:
     tools = client.get("/api/tools").json()
     mounted = {(tool["station"], tool["kind"]) for tool in tools if tool["machine"] == "demo-table"}
     assert mounted == {(1, "knife"), (2, "crease-wheel"), (3, "v-cutter")}
@@ -54,7 +54,7 @@ def test_a_cutter_is_calibrated_from_measured_points(client: httpx.Client) -> No
     assert made["toml"] == "[deflection.Router]\nx = 0.0800\ny = 0.0500\n"
 
 
-def test_directions_that_say_too_little_are_answered_with_what_to_measure(
+def test_insufficient_directions_are_refused_with_directions_to_measure(
     client: httpx.Client,
 ) -> None:
     order = {**MEASURED, "points": POINTS[:1]}
@@ -65,7 +65,7 @@ def test_directions_that_say_too_little_are_answered_with_what_to_measure(
     assert answer.json()["hint"].startswith("Measure one more point where the contour runs along Y")
 
 
-def test_the_wrong_side_is_noticed(client: httpx.Client) -> None:
+def test_points_on_the_wrong_side_are_refused(client: httpx.Client) -> None:
     order = {**MEASURED, "side": "right"}
     answer = client.post("/api/boards/greyboard-3.0/deflection", json=order)
     assert answer.status_code == 422
@@ -82,7 +82,7 @@ def test_the_wrong_side_is_noticed(client: httpx.Client) -> None:
         ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),
     ],
 )
-def test_a_calibration_about_nothing_is_refused(
+def test_a_calibration_without_points_is_refused(
     client: httpx.Client, change: dict[str, Any], words: str
 ) -> None:
     answer = client.post("/api/boards/greyboard-3.0/deflection", json={**MEASURED, **change})

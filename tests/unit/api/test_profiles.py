@@ -44,26 +44,26 @@ def test_a_profile_is_kept_listed_and_exported_as_it_was_written(client: httpx.C
     answer = keep(client, "acme")
     assert answer.status_code == 201, answer.text
     assert answer.headers["etag"] == '"1"'
-    said = answer.json()
-    assert (said["name"], said["title"], said["version"]) == ("acme", "Acme", 1)
-    assert (said["shipped"], said["extends"], said["overrules"]) == (False, "default", True)
-    assert [rule["conditions"]["text"] for rule in said["rules"] if not rule["inherited"]] == [
+    body = answer.json()
+    assert (body["name"], body["title"], body["version"]) == ("acme", "Acme", 1)
+    assert (body["shipped"], body["extends"], body["overrules"]) == (False, "default", True)
+    assert [rule["conditions"]["text"] for rule in body["rules"] if not rule["inherited"]] == [
         'layer "INNER", colour 1'
     ]
-    assert client.get("/api/profiles/acme").json() == said
-    assert said in client.get("/api/profiles").json()
+    assert client.get("/api/profiles/acme").json() == body
+    assert body in client.get("/api/profiles").json()
     exported = client.get("/api/profiles/acme.toml")
     assert exported.text == OURS
     assert exported.headers["content-type"].startswith("application/toml")
     assert 'filename="acme.toml"' in exported.headers["content-disposition"]
 
 
-def test_a_profile_in_json_becomes_toml_that_says_the_same(client: httpx.Client) -> None:
+def test_a_profile_in_json_becomes_equivalent_toml(client: httpx.Client) -> None:
     rules = [{"type": "cut", "colour": [1, "#00aeef"], "layer": ["Größe*", "刀线"]}]
     body = {"title": 'A "quoted" title', "extends": "german", "overrules": True, "rules": rules}
-    said = client.put("/api/profiles/in-json", json=body)
-    assert said.status_code == 201, said.text
-    assert said.json()["rules"][0]["colour"] == [1, "#00aeef"]
+    response = client.put("/api/profiles/in-json", json=body)
+    assert response.status_code == 201, response.text
+    assert response.json()["rules"][0]["colour"] == [1, "#00aeef"]
     fields = tomllib.loads(client.get("/api/profiles/in-json.toml").text)
     assert (fields["title"], fields["extends"]) == ('A "quoted" title', "german")
     assert fields["rule"] == [
@@ -78,7 +78,7 @@ def test_shipped_profiles_are_exported_and_stay_as_they_are(client: httpx.Client
         assert "cannot be changed" in answer.json()["detail"]
 
 
-def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client) -> None:
+def test_a_profile_changed_by_another_client_is_not_overwritten(client: httpx.Client) -> None:
     assert keep(client, "shared").status_code == 201
     again = keep(client, "shared")
     assert again.status_code == 409
@@ -100,7 +100,7 @@ def test_nobody_overwrites_what_somebody_else_changed(client: httpx.Client) -> N
 
 
 @pytest.mark.parametrize("match", ["", "three", '"-1"', '"99999999999999999999"', "NaN"])
-def test_a_version_that_is_none_is_refused(client: httpx.Client, match: str) -> None:
+def test_an_invalid_version_is_refused(client: httpx.Client, match: str) -> None:
     answer = keep(client, "versions", **{"If-Match": match})
     assert answer.status_code == 422
     assert "If-Match" in answer.json()["detail"]
@@ -162,15 +162,15 @@ def test_a_name_is_a_name_and_never_a_path(client: httpx.Client, name: str) -> N
         ("title = 'x'\nrule = []\ncut = 1", [], "cut is not a known field"),
     ],
 )  # fmt: skip
-def test_what_is_no_profile_is_refused_with_rule_and_field(
+def test_an_invalid_profile_is_refused_with_rule_and_field(
     client: httpx.Client, toml: str, source: list[str], words: str
 ) -> None:
     answer = keep(client, "wrong", toml)
     assert answer.status_code == 422, answer.text
-    said = answer.json()
-    assert words in said["detail"]
-    assert said["source"][: len(source)] == source
-    assert said["hint"]
+    body = answer.json()
+    assert words in body["detail"]
+    assert body["source"][: len(source)] == source
+    assert body["hint"]
     assert client.get("/api/profiles/wrong").status_code == 404
 
 
@@ -196,7 +196,7 @@ def test_text_that_is_not_utf8_is_refused(client: httpx.Client) -> None:
         ('{"title": "x", "rules": ' + "[" * 100_000 + "]" * 100_000 + "}", [], ""),
     ],
 )
-def test_json_that_is_no_profile_is_refused_with_rule_and_field(
+def test_an_invalid_profile_in_json_is_refused_with_rule_and_field(
     client: httpx.Client, body: str, source: list[str], words: str
 ) -> None:
     answer = client.put(
@@ -207,7 +207,7 @@ def test_json_that_is_no_profile_is_refused_with_rule_and_field(
     assert answer.json()["source"][: len(source)] == source
 
 
-def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed(
+def test_a_drawing_classified_by_a_profile_reports_that_the_profile_changed(
     client: httpx.Client,
 ) -> None:
     keep(client, "changing")
@@ -257,7 +257,7 @@ def test_a_drawing_is_read_by_a_customers_profile_and_says_when_that_has_changed
         ({"profile": "acme", "rules": 7}, 422, "string"),
     ],
 )
-def test_rules_that_are_none_change_nothing(
+def test_invalid_rules_change_nothing(
     client: httpx.Client, patch: dict[str, object], status: int, words: str
 ) -> None:
     drawing = upload_drawing(client, square(extra=INNER))
@@ -266,7 +266,7 @@ def test_rules_that_are_none_change_nothing(
     assert client.get(f"/api/drawings/{drawing['id']}").json()["rules"] == ""
 
 
-def test_a_job_is_made_by_the_rules_it_was_ordered_with(client: httpx.Client) -> None:
+def test_a_job_uses_the_rules_with_which_it_was_ordered(client: httpx.Client) -> None:
     keep(client, "ordering", OURS + '\n[[rule]]\ntype = "ignored"\nlayer = "INNER"\n')
     id = upload_drawing(client, square(extra=INNER), profile="ordering")["id"]
     # The changed profile leaves edges unclassified; the job uses the rules of the drawing.
@@ -293,7 +293,7 @@ def test_a_file_beside_the_library_is_no_profile(client: httpx.Client, tmp_path:
         assert "does not exist" in answer.json()["detail"]
 
 
-def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.Client) -> None:
+def test_a_preview_counts_the_edges_of_each_rule_and_stores_nothing(client: httpx.Client) -> None:
     id = upload_drawing(client, square(extra=INNER))["id"]
     override = {"overrides": [{"type": "cut", "edges": [4]}]}
     before = client.patch(f"/api/drawings/{id}/edges", json=override).json()
@@ -303,16 +303,16 @@ def test_a_preview_counts_what_each_rule_takes_and_keeps_nothing(client: httpx.C
         {"type": "cut", "layer": ["NOWHERE"]},
     ]
     body = {"title": "Try", "extends": "default", "overrules": True, "rules": rules}
-    said = client.post(f"/api/drawings/{id}/preview", json=body).json()
-    mine = [rule for rule in said["rules"] if not rule["inherited"]]
+    preview = client.post(f"/api/drawings/{id}/preview", json=body).json()
+    mine = [rule for rule in preview["rules"] if not rule["inherited"]]
     assert [(rule["edges"], rule["length"]) for rule in mine] == [(2, 160.0), (4, 400.0), (0, 0.0)]
-    assert said["open"] == 0
+    assert preview["open"] == 0
     # The override of edge 4 has priority over any profile.
-    assert [(one["after"], one["edges"]) for one in said["changes"]] == [("perforation", [5])]
+    assert [(one["after"], one["edges"]) for one in preview["changes"]] == [("perforation", [5])]
     assert client.get(f"/api/drawings/{id}").json() == before
 
 
-def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client) -> None:
+def test_a_preview_of_an_invalid_profile_is_refused(client: httpx.Client) -> None:
     id = upload_drawing(client, square())["id"]
     body = {"title": "x", "rules": [{"type": "cut", "colour": [0]}]}
     answer = client.post(f"/api/drawings/{id}/preview", json=body)
@@ -320,7 +320,7 @@ def test_a_preview_of_what_is_no_profile_is_refused(client: httpx.Client) -> Non
     assert answer.json()["source"] == ["rule 1", "colour"]
 
 
-def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Client) -> None:
+def test_corrections_propose_a_rule_that_makes_them_unnecessary(client: httpx.Client) -> None:
     drawing = square(extra=INNER)
     id = upload_drawing(client, drawing)["id"]
     assert client.post(f"/api/drawings/{id}/learned").json() == []
@@ -338,7 +338,7 @@ def test_corrections_teach_a_rule_that_saves_them_the_next_time(client: httpx.Cl
     assert types(client, other["id"])[4] == "perforation"
 
 
-def test_a_correction_against_the_profile_says_what_else_it_would_change(
+def test_a_correction_against_the_profile_lists_other_changed_edges(
     client: httpx.Client,
 ) -> None:
     folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (40.0, 60.0)]
@@ -350,28 +350,28 @@ def test_a_correction_against_the_profile_says_what_else_it_would_change(
     assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [5]}]
 
 
-def test_the_report_adds_up_and_every_edge_has_an_outcome(client: httpx.Client) -> None:
+def test_lengths_in_the_report_add_up_and_every_edge_has_an_outcome(client: httpx.Client) -> None:
     twice = text.line(20.0, 0.0, 80.0, 0.0, (8, "CUT"))
     note = "0\nTEXT\n8\nNOTES\n10\n0\n20\n0\n40\n5\n1\nhello\n"
-    said = upload_drawing(client, square(extra=(twice, note)))
-    report = said["report"]
+    body = upload_drawing(client, square(extra=(twice, note)))
+    report = body["report"]
     assert report["drawn"] == pytest.approx(460.0)
     assert report["kept"] + report["merged"] + report["dropped"] == pytest.approx(report["drawn"])
     assert report["merged"] == pytest.approx(60.0)
     words = {(group["outcome"], group["what"]): group for group in report["groups"]}
     assert words["dropped", "entities"]["kinds"] == ["TEXT"]
-    edges = client.get(f"/api/drawings/{said['id']}/edges").json()["edges"]
+    edges = client.get(f"/api/drawings/{body['id']}/edges").json()["edges"]
     (gone,) = [edge for edge in edges if edge["outcome"] == "merged"]
     assert (gone["length"], gone["reason"] != "") == (60.0, True)
 
 
-def test_a_unit_that_was_said_can_be_taken_back(client: httpx.Client) -> None:
-    said = upload_drawing(client, square())
-    assert (said["unit"], said["unit_given"]) == ("mm", None)
-    inches = client.patch(f"/api/drawings/{said['id']}", json={"unit": "in"}).json()
+def test_a_given_unit_can_be_removed(client: httpx.Client) -> None:
+    body = upload_drawing(client, square())
+    assert (body["unit"], body["unit_given"]) == ("mm", None)
+    inches = client.patch(f"/api/drawings/{body['id']}", json={"unit": "in"}).json()
     assert (inches["unit_given"], inches["width"]) == ("in", pytest.approx(2540.0))
-    back = client.patch(f"/api/drawings/{said['id']}", json={"unit": "file"}).json()
+    back = client.patch(f"/api/drawings/{body['id']}", json={"unit": "file"}).json()
     assert (back["unit_given"], back["width"]) == (None, 100.0)
-    assert said["unit_finding"]["stated"] == "mm"
-    assert {one["unit"] for one in said["unit_finding"]["evidence"]} >= {"mm"}
-    assert json.dumps(said, allow_nan=False)
+    assert body["unit_finding"]["stated"] == "mm"
+    assert {one["unit"] for one in body["unit_finding"]["evidence"]} >= {"mm"}
+    assert json.dumps(body, allow_nan=False)

@@ -28,7 +28,7 @@ from tests.support.serving.server import (
 pytestmark = pytest.mark.xdist_group("server")
 
 
-async def test_calls_are_made_in_order_and_so_many_at_once() -> None:
+async def test_calls_are_made_in_order_with_limited_concurrency() -> None:
     work = WorkQueue(2, 10)
     inside, most, order = 0, 0, []
     lock = threading.Lock()
@@ -51,7 +51,7 @@ async def test_calls_are_made_in_order_and_so_many_at_once() -> None:
     work.close()
 
 
-async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -> None:
+async def test_a_call_beyond_the_limit_is_refused_with_a_time_to_retry() -> None:
     work = WorkQueue(1, 2)
     gate = threading.Event()
     made: list[int] = []
@@ -77,7 +77,7 @@ async def test_one_more_than_may_wait_is_refused_and_told_when_to_come_again() -
     work.close()
 
 
-async def test_the_wait_that_is_told_follows_what_calls_take() -> None:
+async def test_the_time_to_retry_follows_the_duration_of_calls() -> None:
     work = WorkQueue(1, 1)
     for _ in range(20):
         await work.run(lambda: time.sleep(0.001))
@@ -106,7 +106,7 @@ def held(client: httpx.Client, count: int) -> Iterator[list[httpx.Response]]:
         answers += [one.result() for one in sent]
 
 
-def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
+def test_a_full_queue_refuses_uploads_and_accepts_heartbeats(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     gate = threading.Event()
@@ -154,7 +154,7 @@ def test_a_full_queue_refuses_uploads_and_a_heartbeat_passes_by(
     assert client.post("/api/gateway/finish", json=done).status_code == 200
 
 
-def test_gateways_have_threads_that_nothing_else_takes(
+def test_gateways_have_threads_of_their_own(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     job = order_job(client, upload_drawing(client, square())["id"], release=True)

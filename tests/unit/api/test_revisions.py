@@ -55,7 +55,7 @@ def test_a_drawing_has_a_revision_that_counts_its_changes(client: httpx.Client) 
 
 
 @pytest.mark.parametrize("where", ["", "/edges", "/edges?format=columns"])
-def test_what_the_client_has_already_is_not_sent_again(client: httpx.Client, where: str) -> None:
+def test_an_unchanged_drawing_is_not_sent_again(client: httpx.Client, where: str) -> None:
     id = upload_drawing(client, square())["id"]
     path = f"/api/drawings/{id}{where}"
     tag = client.get(path).headers["etag"]
@@ -121,13 +121,13 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
 
 
 @pytest.mark.parametrize("wrong", [0, -1, "x", 1.5, 2**40, [1]])
-def test_what_is_no_revision_is_refused(client: httpx.Client, wrong: object) -> None:
+def test_invalid_revisions_are_refused(client: httpx.Client, wrong: object) -> None:
     id = upload_drawing(client, square())["id"]
     order = {"drawing": id, "board": "e-flute", "revision": wrong}
     assert client.post("/api/jobs", json=order).status_code == 422
 
 
-def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
+def test_a_job_uses_the_ordered_revision_and_no_later_one(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     id = upload_drawing(client, square())["id"]
@@ -154,7 +154,7 @@ def test_a_job_is_made_of_the_revision_that_was_ordered_and_of_no_later_one(
     assert program["seconds"] > 0
 
 
-def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
+def test_of_two_simultaneous_changes_both_are_made_or_one_is_refused(
     client: LocalClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     id = upload_drawing(client, square())["id"]
@@ -184,7 +184,7 @@ def test_two_changes_at_the_same_moment_are_both_made_or_one_is_told(
     assert "Try again" in again.json()["hint"]
 
 
-def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Client) -> None:
+def test_events_of_changes_have_the_revision(client: httpx.Client) -> None:
     id = upload_drawing(client, square())["id"]
     deadline = time.monotonic() + 10.0
     with client.stream("GET", "/api/events") as stream:
@@ -210,5 +210,5 @@ def test_a_change_is_told_to_those_who_listen_with_its_revision(client: httpx.Cl
         ('"1"', '"1-changed"', False),
     ],
 )
-def test_tags_are_compared_whole(tag: str, known: str | None, expected: bool) -> None:
+def test_entity_tags_are_compared_completely(tag: str, known: str | None, expected: bool) -> None:
     assert revisions.is_known(tag, known) is expected

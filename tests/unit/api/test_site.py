@@ -12,7 +12,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 
 @pytest.mark.parametrize("path", ["/", "/jobs/abc", "/index.html"])
-def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(
+def test_the_page_is_served_at_its_own_routes_and_revalidated(
     client: httpx.Client, path: str
 ) -> None:
     answer = client.get(path)
@@ -27,7 +27,7 @@ def test_the_page_is_served_at_its_own_routes_and_asked_for_anew(
     assert "content-security-policy" not in again.headers
 
 
-def test_what_was_built_is_kept_for_ever(client: httpx.Client) -> None:
+def test_built_files_are_cached_for_ever(client: httpx.Client) -> None:
     answer = client.get("/assets/main-4f2a.js")
     assert answer.text == "export const knife = 1\n"
     assert "immutable" in answer.headers["cache-control"]
@@ -43,7 +43,7 @@ def test_nothing_beside_the_page_is_served(client: httpx.Client, path: str) -> N
     assert "not for you" not in answer.text
 
 
-def test_without_a_built_page_it_is_said_how_to_build_it(tmp_path: Path) -> None:
+def test_without_a_built_page_the_response_explains_how_to_build_it(tmp_path: Path) -> None:
     scope = {"type": "http", "method": "GET", "path": "/", "headers": []}
     answer = asyncio.run(Site(tmp_path / "page").get_response(".", scope))
     assert answer.status_code == 200

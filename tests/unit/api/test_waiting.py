@@ -93,7 +93,7 @@ def waits(store: Store, job: Job) -> Waiting:
     return found
 
 
-def test_the_operator_is_told_board_tools_and_stations(store: Store) -> None:
+def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store: Store) -> None:
     job = queued(store)
     claimed(store)
     assert shown(store, job) == (

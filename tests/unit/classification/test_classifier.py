@@ -102,7 +102,7 @@ def test_a_cut_outside_every_blank_that_closes_nothing_is_asked() -> None:
     assert dieline.alternatives[dieline.rule[4]][-1] == LineType.IGNORED
 
 
-def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_believed() -> (
+def test_an_ignored_colour_that_closes_the_outline_is_asked_and_an_ignored_layer_is_ignored() -> (
     None
 ):
     """In the profile red-cut-blue-crease yellow is the colour of dimensions."""

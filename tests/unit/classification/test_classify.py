@@ -196,7 +196,7 @@ def test_without_a_unit_lengths_are_in_units_of_the_file() -> None:
     assert "total length 10.0 units of the file" in asked(("b", 2, "C"), unit="")[0]
 
 
-def test_true_colours_are_asked_apart_and_named() -> None:
+def test_true_colours_are_asked_separately_and_named() -> None:
     texts = asked(("b", 7, "C"), ("b", 7, "C"), true_colour=[0xFF8000, 0x0080FF])
     assert len(texts) == 2
     assert "colour #ff8000" in texts[0]
@@ -340,7 +340,9 @@ def test_the_default_asks_about_this_name(name: str) -> None:
         ("20", 7, "unclassified"),
     ],
 )
-def test_the_default_knows_pairs_of_layer_and_colour(layer: str, colour: int, kind: str) -> None:
+def test_the_default_has_rules_for_pairs_of_layer_and_colour(
+    layer: str, colour: int, kind: str
+) -> None:
     dieline = classify(side_by_side([(layer, colour, "CONTINUOUS")]), load.profile("default"))
     assert words(dieline) == [kind]
     assert dieline.confidence[0] == (0.0 if kind == "unclassified" else 1.0)
@@ -429,7 +431,7 @@ def test_in_every_profile_a_meaningful_layer_name_outweighs_its_colour(
     assert under(profile, *rows) == ["crease", "crease", "cut", "ignored"]
 
 
-def test_layers_named_after_their_colour_need_the_profile_that_knows_them() -> None:
+def test_layers_named_after_their_colour_need_a_profile_with_their_names() -> None:
     rows = [("C00-00-00-BLACK", 7, S), ("CFF-00-00", 1, S), ("10", 3, S), ("20", 3, S)]
     assert under("default", *rows) == ["unclassified"] * 4
     assert under("red-crease-black-cut", *rows) == ["cut", "crease", "cut", "crease"]

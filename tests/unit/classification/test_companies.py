@@ -18,7 +18,7 @@ _UNKNOWABLE = ("One layer, all black, six-up",)
 
 
 @pytest.mark.parametrize("company", COMPANIES, ids=lambda company: company.name)
-def test_a_house_is_right_or_asked_about_and_its_unit_too(company: Company) -> None:
+def test_edges_and_units_of_a_company_are_right_or_asked(company: Company) -> None:
     rules = load.profile("default")
     edges = wrong = asked = 0
     first = COMPANIES.index(company)
@@ -42,6 +42,6 @@ def test_a_house_is_right_or_asked_about_and_its_unit_too(company: Company) -> N
     assert edges > asked
 
 
-def test_every_kind_of_carton_is_drawn_by_somebody() -> None:
+def test_every_kind_of_carton_is_drawn_by_some_company() -> None:
     assert len(COMPANIES) + 3 > len(KINDS)
     assert len({company.name for company in COMPANIES}) == len(COMPANIES) >= 75

@@ -52,7 +52,7 @@ def types_on(path: Path, profile: str) -> dict[tuple[str, int], set[str]]:
         ),
     ],
 )
-def test_layers_that_say_what_they_are_need_no_question(
+def test_layers_with_meaningful_names_need_no_question(
     corpus: Path, name: str, expected: dict[str, str]
 ) -> None:
     found = types_on(corpus / name, "default")
@@ -62,7 +62,9 @@ def test_layers_that_say_what_they_are_need_no_question(
 
 
 @pytest.mark.parametrize("name", ["f0201_B_400x300x250", "f0203_B_350x250x100"])
-def test_one_layer_called_design_is_told_apart_by_colour(corpus: Path, name: str) -> None:
+def test_lines_on_one_layer_called_design_are_distinguished_by_colour(
+    corpus: Path, name: str
+) -> None:
     found = types_on(corpus / RSC / f"{name}.dxf", "default")
     assert found == {("Design", 1): {"cut"}, ("Design", 2): {"crease"}}
 
@@ -95,7 +97,7 @@ def test_layers_named_after_colours_are_right_or_asked_about(corpus: Path) -> No
 
 
 @pytest.mark.parametrize("known", KNOWN, ids=lambda known: Path(known.path).name)
-def test_what_is_known_is_right_or_asked_about_and_never_silently_wrong(
+def test_known_drawings_are_right_or_asked_and_never_silently_wrong(
     corpus: Path, known: Known
 ) -> None:
     drawing = pipeline.read((corpus / known.path).read_bytes())

@@ -34,7 +34,7 @@ def worked(made: Cleaned) -> list[tuple[str, list[list[float]]]]:
     ]
 
 
-def whys(made: Cleaned) -> list[str]:
+def reasons(made: Cleaned) -> list[str]:
     return [CleaningReason(code).name for code in made.reason]
 
 
@@ -43,7 +43,7 @@ def test_a_clean_drawing_stays_bit_for_bit() -> None:
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
     np.testing.assert_array_equal(made.dieline.line_type, line.line_type)
-    assert whys(made) == ["AS_DRAWN"] * 3
+    assert reasons(made) == ["AS_DRAWN"] * 3
     assert not made.changed.any()
 
 
@@ -55,7 +55,7 @@ def test_an_empty_drawing_is_clean() -> None:
 def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 100, 0, 0, 0), (CUT, 0, 0, 100, 0)))
     assert worked(made) == [("cut", [[0, 0], [100, 0]])]
-    assert whys(made) == ["AS_DRAWN", "TWICE", "TWICE"]
+    assert reasons(made) == ["AS_DRAWN", "TWICE", "TWICE"]
     assert made.kept.tolist() == [100, 0, 0]
     assert made.merged.tolist() == [0, 100, 100]
     assert [made.into(row) for row in range(3)] == [0, 0, 0]
@@ -67,7 +67,7 @@ def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty
     assert worked(made) == [("cut", [[0, 0], [150, 0]])]
     assert made.kept.tolist() == [100, 50]
     assert made.merged.tolist() == [0, 40]
-    assert whys(made) == ["LONGER", "JOINED"]
+    assert reasons(made) == ["LONGER", "JOINED"]
 
 
 def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased() -> None:
@@ -79,7 +79,7 @@ def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased() -> None:
     ]
     np.testing.assert_allclose(made.kept, [90, 10])
     np.testing.assert_allclose(made.merged, [10, 0], atol=1e-9)
-    assert whys(made) == ["SHORTENED", "AS_DRAWN"]
+    assert reasons(made) == ["SHORTENED", "AS_DRAWN"]
     # Additional pieces of an edge follow at the end, with the row of their source.
     assert made.dieline.source.tolist() == [0, 1, 0]
 
@@ -100,7 +100,7 @@ def test_a_cut_on_a_crease_cuts_and_the_rest_is_creased() -> None:
         (UNCLASSIFIED, CUT, ["cut"]),
     ],
 )
-def test_the_work_that_takes_more_of_the_board_apart_stays(
+def test_of_coincident_edges_the_operation_that_separates_more_is_kept(
     one: LineType, other: LineType, left: list[str]
 ) -> None:
     for first, second in ((one, other), (other, one)):
@@ -112,16 +112,16 @@ def test_ignored_edges_are_left_alone_and_hide_nothing() -> None:
     line = lines((IGNORED, 0, 0, 100, 0), (IGNORED, 0, 0, 100, 0), (IGNORED, 5, 5, 5.01, 5))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
-    assert whys(made) == ["NO_WORK"] * 3
+    assert reasons(made) == ["NO_WORK"] * 3
     assert made.kept.sum() == pytest.approx(200.01)
 
 
-def test_an_unclassified_edge_stays_one_that_nobody_has_decided() -> None:
+def test_an_unclassified_edge_remains_unclassified() -> None:
     made = clean(lines((UNCLASSIFIED, 0, 0, 100, 0), (CUT, 0, 0, 100, 0)))
     assert made.dieline.line_type.tolist() == [UNCLASSIFIED, CUT]
 
 
-def test_lines_a_hundredth_apart_are_one_and_two_hundredths_apart_are_two() -> None:
+def test_lines_0_01_mm_apart_are_merged_and_lines_0_02_mm_apart_are_not() -> None:
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.009, 90, 0.009))))) == 1
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.02, 90, 0.02))))) == 2
 
@@ -148,7 +148,7 @@ def test_arcs_of_one_circle_that_overlap_become_one() -> None:
         bulge={0: np.tan(np.radians(30)), 1: -np.tan(np.radians(22.5))},
     )
     made = clean(line)
-    assert whys(made) == ["LONGER", "JOINED"]
+    assert reasons(made) == ["LONGER", "JOINED"]
     np.testing.assert_allclose(made.dieline.ends[0], points[[0, 3]], atol=1e-9)
     assert made.dieline.bulge[0] == pytest.approx(np.tan(np.radians(42.5)))
     np.testing.assert_allclose(made.merged, [0, 10 * np.radians(40)], atol=1e-9)
@@ -158,7 +158,7 @@ def test_the_two_halves_of_a_circle_are_two_edges() -> None:
     made = clean(
         dieline((CUT, edges(((10, 0), (-10, 0)), ((-10, 0), (10, 0)))), bulge={0: 1.0, 1: 1.0})
     )
-    assert whys(made) == ["AS_DRAWN", "AS_DRAWN"]
+    assert reasons(made) == ["AS_DRAWN", "AS_DRAWN"]
 
 
 def test_a_circle_drawn_twice_with_its_seam_elsewhere_is_cut_once() -> None:
@@ -173,7 +173,7 @@ def test_a_corner_left_open_is_closed_where_the_lines_cross() -> None:
     assert worked(made) == [("cut", [[0, 0], [100, 0]]), ("cut", [[100, 0], [100, 50]])]
     np.testing.assert_allclose(made.moved, [0.03, 0.02], atol=1e-9)
     np.testing.assert_allclose(made.added, [0.03, 0.02], atol=1e-9)
-    assert whys(made) == ["MOVED", "MOVED"]
+    assert reasons(made) == ["MOVED", "MOVED"]
 
 
 def test_lines_that_cross_just_past_each_other_are_cut_back() -> None:
@@ -182,7 +182,7 @@ def test_lines_that_cross_just_past_each_other_are_cut_back() -> None:
     np.testing.assert_allclose(made.added, [-0.03, -0.02], atol=1e-9)
 
 
-def test_a_line_with_a_gap_becomes_one_and_the_gap_is_told_apart() -> None:
+def test_a_line_with_a_gap_becomes_one_and_the_gap_is_recorded() -> None:
     made = clean(lines((CREASE, 0, 0, 99.97, 0), (CREASE, 100, 0, 200, 0)))
     assert worked(made) == [("crease", [[0, 0], [200, 0]])]
     assert made.kept.sum() == pytest.approx(199.97)
@@ -191,10 +191,10 @@ def test_a_line_with_a_gap_becomes_one_and_the_gap_is_told_apart() -> None:
 
 def test_a_gap_wider_than_the_tolerance_stays() -> None:
     made = clean(lines((CUT, 0, 0, 99.94, 0), (CUT, 100, 0, 200, 0)))
-    assert whys(made) == ["AS_DRAWN", "AS_DRAWN"]
+    assert reasons(made) == ["AS_DRAWN", "AS_DRAWN"]
 
 
-def test_a_loose_end_goes_to_the_place_where_others_meet_and_those_stay() -> None:
+def test_a_loose_end_moves_to_the_vertex_of_other_ends() -> None:
     line = lines((CUT, 0, 0, 100, 0), (CUT, 100, 0, 200, 30), (CUT, 100, 50, 100, 0.04))
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends[:2], line.ends[:2])
@@ -234,18 +234,18 @@ def test_a_cut_is_not_moved_to_meet_a_crease() -> None:
 def test_pieces_of_one_line_become_one_in_the_direction_of_the_first() -> None:
     made = clean(lines((CUT, 60, 0, 30, 0), (CUT, 0, 0, 30, 0), (CUT, 60, 0, 100, 0)))
     assert worked(made) == [("cut", [[100, 0], [0, 0]])]
-    assert whys(made) == ["LONGER", "JOINED", "JOINED"]
+    assert reasons(made) == ["LONGER", "JOINED", "JOINED"]
     assert made.kept.sum() == 100
 
 
 def test_pieces_stay_apart_where_a_third_edge_ends() -> None:
     made = clean(lines((CUT, 0, 0, 50, 0), (CUT, 50, 0, 100, 0), (CREASE, 50, 0, 50, 40)))
-    assert whys(made) == ["AS_DRAWN"] * 3
+    assert reasons(made) == ["AS_DRAWN"] * 3
 
 
 def test_pieces_of_two_types_stay_two() -> None:
     made = clean(lines((CUT, 0, 0, 50, 0), (CREASE, 50, 0, 100, 0)))
-    assert whys(made) == ["AS_DRAWN"] * 2
+    assert reasons(made) == ["AS_DRAWN"] * 2
 
 
 def test_a_square_of_split_sides_is_four_edges_wherever_it_is_begun() -> None:
@@ -258,9 +258,9 @@ def test_a_square_of_split_sides_is_four_edges_wherever_it_is_begun() -> None:
         assert made.kept.sum() == 400
 
 
-def test_specks_are_dropped_with_their_measure() -> None:
+def test_debris_is_dropped_with_its_length() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 40, 20, 40.03, 20), (CREASE, 50, 0, 50, 0.04)))
-    assert whys(made) == ["AS_DRAWN", "SPECK", "SPECK"]
+    assert reasons(made) == ["AS_DRAWN", "SPECK", "SPECK"]
     np.testing.assert_allclose(made.dropped, [0, 0.03, 0.04])
     assert made.of.tolist() == [0, -1, -1]
     assert (
@@ -269,14 +269,14 @@ def test_specks_are_dropped_with_their_measure() -> None:
     )
 
 
-def test_an_edge_without_length_is_a_speck() -> None:
+def test_an_edge_without_length_is_debris() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 7, 7, 7, 7)))
-    assert whys(made) == ["AS_DRAWN", "SPECK"]
+    assert reasons(made) == ["AS_DRAWN", "SPECK"]
 
 
-def test_a_drawing_of_nothing_but_specks_has_no_work() -> None:
+def test_a_drawing_of_debris_only_has_no_edges_to_machine() -> None:
     made = clean(lines((CUT, 7, 7, 7, 7), (CUT, 9, 9, 9.01, 9)))
-    assert whys(made) == ["SPECK", "SPECK"]
+    assert reasons(made) == ["SPECK", "SPECK"]
     assert worked(made) == []
 
 
@@ -294,15 +294,15 @@ def test_a_chamfer_below_the_tolerance_becomes_the_corner_and_a_larger_one_stays
             (CUT, 0, 0, 100, 0), (CUT, 100, 0, 100.006, 0.006), (CUT, 100.006, 0.006, 100.006, 50)
         )
     )
-    assert whys(small) == ["MOVED", "SPECK", "MOVED"]
+    assert reasons(small) == ["MOVED", "SPECK", "MOVED"]
     assert worked(small)[0] == ("cut", [[0, 0], [100.006, 0]])
     large = clean(
         lines((CUT, 0, 0, 100, 0), (CUT, 100, 0, 100.03, 0.03), (CUT, 100.03, 0.03, 100.03, 50))
     )
-    assert whys(large) == ["AS_DRAWN"] * 3
+    assert reasons(large) == ["AS_DRAWN"] * 3
 
 
-def test_a_speck_that_bridges_a_wide_gap_stays_and_the_gaps_beside_it_are_closed() -> None:
+def test_debris_that_bridges_a_wide_gap_is_kept_and_its_gaps_are_closed() -> None:
     made = clean(lines((CUT, 0, 0, 10, 0), (CUT, 10.03, 0, 10.07, 0), (CUT, 10.1, 0, 20, 0)))
     assert worked(made) == [("cut", [[0, 0], [20, 0]])]
 
@@ -318,7 +318,7 @@ def test_three_quarters_of_a_circle_in_fifteen_hundred_segments_are_two_arcs() -
     )
     np.testing.assert_allclose(radius, 10, atol=0.001)
     assert made.off.max() < 0.005
-    assert whys(made)[2] == "FITTED"
+    assert reasons(made)[2] == "FITTED"
     assert made.count(ImportOutcome.KEPT) == 2
     assert made.kept.sum() == pytest.approx(15 * np.pi, abs=0.001)
 
@@ -340,12 +340,12 @@ def test_a_corner_in_a_flattened_curve_stays_a_corner() -> None:
     assert worked(made) == [("cut", [[0, 0], [4, 0]]), ("cut", [[4, 0], [4, 4]])]
 
 
-def test_a_coordinate_that_is_no_number_is_refused() -> None:
+def test_a_coordinate_that_is_not_finite_is_refused() -> None:
     with pytest.raises(GeometryError, match="Edge 1 has a coordinate that is not a number"):
         clean(lines((CUT, 0, 0, 1, 0), (CUT, 0, 0, np.nan, 0)))
 
 
-def test_what_lies_absurdly_far_away_is_refused() -> None:
+def test_coordinates_absurdly_far_away_are_refused() -> None:
     with pytest.raises(
         GeometryError,
         match=r"Edge 1 lies 1e\+150 mm away from the origin of the drawing, which is too far",
@@ -353,7 +353,7 @@ def test_what_lies_absurdly_far_away_is_refused() -> None:
         clean(lines((CUT, 0, 0, 1, 0), (CUT, 0, 0, 1e150, 0)))
 
 
-def test_a_crowd_of_specks_in_one_spot_is_cleaned_without_end_or_error() -> None:
+def test_a_cluster_of_debris_is_cleaned() -> None:
     random = np.random.default_rng(3)
     line = dieline((CUT, random.uniform(0, 0.05, (5000, 2, 2))))
     made = clean(line)

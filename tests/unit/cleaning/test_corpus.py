@@ -62,7 +62,7 @@ def figures(made: Cleaned) -> tuple[int, int, int]:
         ("mozman__ezdxf/examples/edgeminer/5_us_states.dxf", (2213, 2423, 18), 9.47, 0.0467),
     ],
 )
-def test_what_becomes_of_a_drawing(
+def test_numbers_of_kept_merged_and_dropped_edges(
     corpus: Path, name: str, expected: tuple[int, int, int], merged: float, dropped: float
 ) -> None:
     made = clean(all_work(read((corpus / name).read_bytes(), "mm")))

@@ -45,33 +45,33 @@ def verdict(count: int) -> Verdict:
     )
 
 
-def test_a_length_is_shared_out_and_a_worst_is_everybodys() -> None:
+def test_lengths_are_divided_and_maxima_are_repeated() -> None:
     made = clean(LINE)
     assert made.dieline.source.tolist() == [0, 1, 2, 3, 4, 3]
-    told = map_to_drawn(verdict(6), made, LINE)
-    np.testing.assert_allclose(told.uncut, [3, 7, 0, 4, 0])
-    np.testing.assert_allclose(told.deviation, [0, 0, 0, 0.005, 0.004])
-    assert len(told.tidied) == len(LINE)
+    mapped = map_to_drawn(verdict(6), made, LINE)
+    np.testing.assert_allclose(mapped.uncut, [3, 7, 0, 4, 0])
+    np.testing.assert_allclose(mapped.deviation, [0, 0, 0, 0.005, 0.004])
+    assert len(mapped.tidied) == len(LINE)
 
 
 def test_findings_name_the_edge_that_was_drawn() -> None:
-    told = map_to_drawn(verdict(6), clean(LINE), LINE)
-    assert [finding.edge for finding in told.findings] == [3, -1]
+    mapped = map_to_drawn(verdict(6), clean(LINE), LINE)
+    assert [finding.edge for finding in mapped.findings] == [3, -1]
 
 
-def test_samples_go_to_the_place_where_they_are_on_the_drawn_edge() -> None:
-    told = map_to_drawn(verdict(6), clean(LINE), LINE).samples
+def test_samples_have_their_position_on_the_drawn_edge() -> None:
+    mapped = map_to_drawn(verdict(6), clean(LINE), LINE).samples
     # 15 of 100 mm is the middle of the first 30; 65 mm is the middle of the second piece; its left
     # is the other side, because it is reversed; 100 mm is its start.
-    assert told.edge.tolist() == [0, 1, 1, 3, 3]
-    np.testing.assert_allclose(told.place, [0.5, 0.0, 0.5, 0.25, 0.8])
-    np.testing.assert_allclose(told.deviation, [0.1, -0.3, -0.2, 0.4, 0.5])
+    assert mapped.edge.tolist() == [0, 1, 1, 3, 3]
+    np.testing.assert_allclose(mapped.place, [0.5, 0.0, 0.5, 0.25, 0.8])
+    np.testing.assert_allclose(mapped.deviation, [0.1, -0.3, -0.2, 0.4, 0.5])
 
 
 def test_a_verdict_on_a_clean_drawing_is_the_same() -> None:
     line = dieline((CUT, edges(((0, 0), (100, 0)), ((100, 0), (100, 100)))))
-    given = replace(verdict(2), findings=(Finding("uncut", FAULT, 4.0, edge=1),))
-    told = map_to_drawn(given, clean(line), line)
-    np.testing.assert_array_equal(told.deviation, given.deviation)
-    assert told.uncut.sum() == pytest.approx(given.uncut.sum())
-    assert told.findings == given.findings
+    original = replace(verdict(2), findings=(Finding("uncut", FAULT, 4.0, edge=1),))
+    mapped = map_to_drawn(original, clean(line), line)
+    np.testing.assert_array_equal(mapped.deviation, original.deviation)
+    assert mapped.uncut.sum() == pytest.approx(original.uncut.sum())
+    assert mapped.findings == original.findings

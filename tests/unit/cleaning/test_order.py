@@ -35,12 +35,12 @@ def worked(dieline: Dieline) -> dict[LineType, tuple[int, float]]:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_a_shuffled_drawing_is_put_in_the_same_order(seed: int) -> None:
+def test_a_shuffled_drawing_is_cleaned_with_the_same_result(seed: int) -> None:
     dieline = pipeline.classify(random_drawings.random_drawing(seed)[0], load.profile("default"))
-    said = worked(dieline)
+    expected = worked(dieline)
     for other in range(2):
         found = worked(shuffled(dieline, other))
-        for kind, (edges, length) in said.items():
+        for kind, (edges, length) in expected.items():
             # Of two coincident lines the first is kept; they differ slightly.
             assert found[kind][0] == edges
             assert found[kind][1] == pytest.approx(length, abs=0.01)

@@ -41,7 +41,7 @@ def test_line_ends_at_the_next_lf_or_cr(text: bytes, first: int) -> None:
         ),
     )
 )
-def test_group_code_stands_alone_on_its_line(text: bytes) -> None:
+def test_a_group_code_is_the_only_number_on_its_line(text: bytes) -> None:
     code, after = code_at(_column(text), np.uint64(0), np.uint64(len(text)))
     found = re.compile(rb" *(\d{1,4}) *\r?\n").match(text)
     if found:
@@ -57,7 +57,7 @@ def test_other_lines_are_no_group_codes(text: bytes) -> None:
 
 
 @given(_TEXTS, _TEXTS, st.sampled_from([b"", b"CUT", b"behind the word"]))
-def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: bytes) -> None:
+def test_words_are_recognised_at_any_position(one: bytes, other: bytes, rest: bytes) -> None:
     first, second = _column(b"before " + one + rest), _column(other)
     size = len(other)
     there = first[7 : 7 + size].tobytes()
@@ -68,7 +68,7 @@ def test_words_are_the_same_wherever_they_stand(one: bytes, other: bytes, rest: 
     assert hash_bytes(first, 7, 7 + len(one)) == hash_bytes(end, len(rest), len(rest) + len(one))
 
 
-def test_few_names_share_a_number() -> None:
+def test_few_names_have_the_same_hash() -> None:
     names = [f"LAYER_{number}".encode() for number in range(2000)]
     numbers = {int(hash_bytes(_column(name), 0, len(name))) & 0xFFFF for name in names}
     # Expected number of distinct random hashes: 65,536 · (1 - e^(-2000 / 65,536)).

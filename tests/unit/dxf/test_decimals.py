@@ -48,9 +48,7 @@ def test_nineteen_digits_with_any_exponent_are_read_as_float_reads_them(
 
 
 @given(st.floats(-5000.0, 5000.0), st.integers(0, 17))
-def test_coordinates_with_a_fixed_number_of_places_are_always_sure(
-    value: float, places: int
-) -> None:
+def test_coordinates_with_a_fixed_number_of_decimals_are_exact(value: float, places: int) -> None:
     text = f"{value:.{places}f}"
     read, _, sure = _read(text)
     if len(text.strip("-0.").replace(".", "")) <= 15:
@@ -87,12 +85,12 @@ def test_usual_spellings_are_exact(text: str, value: float) -> None:
 @pytest.mark.parametrize(
     "text", ["", " ", "-", ".", "nan", "inf", "1_000", "0x10", "1.5D3", "1 2", "1e", "1e+", "12,5"]
 )
-def test_other_writing_is_no_number(text: str) -> None:
+def test_other_spellings_are_no_numbers(text: str) -> None:
     assert _read(text)[2] == WRONG
 
 
 @pytest.mark.parametrize("text", ["1e400", "1e-400", "5e-324", "9007199254740993.0000000000"])
-def test_what_is_too_large_small_or_long_is_left_to_float(text: str) -> None:
+def test_numbers_too_large_small_or_long_are_left_to_float(text: str) -> None:
     assert _read(text)[2] == UNSURE
 
 

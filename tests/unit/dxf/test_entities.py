@@ -93,7 +93,7 @@ def test_line_is_one_row_from_start_to_end() -> None:
     assert drawing.import_report.length[0] == 5.0
 
 
-def test_line_above_the_sheet_is_laid_flat_and_says_so() -> None:
+def test_line_above_the_sheet_is_flattened_with_a_note() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
     assert only(drawing) == "kept: the object was moved from the height z = 7 to z = 0"
@@ -207,7 +207,7 @@ def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     assert only(drawing) == "kept: the object was moved from the height z = 4 to z = 0"
 
 
-def test_vertices_in_one_place_give_no_row_and_are_counted() -> None:
+def test_coincident_vertices_give_no_row_and_are_counted() -> None:
     text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
@@ -240,7 +240,7 @@ def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     assert only(drawing) == "kept: the object was moved from the height z = 3 to z = 0"
 
 
-def test_ellipse_is_fitted_within_a_hundredth_and_says_so() -> None:
+def test_ellipse_is_fitted_within_a_hundredth_with_a_note() -> None:
     text = entity("ELLIPSE", (10, 0), (20, 0), (11, 50), (21, 0), (31, 0), (40, 0.5))
     drawing = read(dxf(text + "41\n0\n42\n6.283185307179586\n"))
     walk = np.concatenate(
@@ -327,9 +327,7 @@ def test_spline_with_too_few_knots_is_dropped() -> None:
     ],
     ids=["end", "centre", "radius", "angle", "vertex", "bulge", "axis", "ratio", "height"],
 )
-def test_numbers_that_are_none_drop_the_entity_and_leave_the_rest(
-    make: Callable[..., Any], bad: str
-) -> None:
+def test_invalid_numbers_drop_only_their_entity(make: Callable[..., Any], bad: str) -> None:
     drawing = read(dxf(make(bad), line(0, 0, 10, 0)))
     assert drawing.import_report.outcome[-1] == ImportOutcome.KEPT
     assert np.isfinite(drawing.ends).all()
@@ -360,14 +358,14 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> Non
         ("NONSENSE", "objects of type NONSENSE cannot be read"),
     ],
 )
-def test_what_is_no_line_is_dropped_with_the_reason(kind: str, reason: str) -> None:
+def test_entities_without_lines_are_dropped_with_the_reason(kind: str, reason: str) -> None:
     text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
     drawing = read(dxf(text, line(0, 0, 1, 0)))
     assert drawing.import_report.kind == (kind, "LINE")
     assert report_reasons(drawing) == (reason, "kept")
 
 
-def test_every_kind_agrees_with_ezdxf_on_where_it_lies() -> None:
+def test_the_position_of_every_kind_equals_that_of_ezdxf() -> None:
     document = ezdxf.new("R2010")
     space = document.modelspace()
     block = document.blocks.new("PART", base_point=(3, 4))

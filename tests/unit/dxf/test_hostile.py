@@ -43,8 +43,8 @@ def _spline(knots: Sequence[object], degree: int = 3, points: int = 4) -> bytes:
 def test_nested_bomb_is_counted_and_not_expanded() -> None:
     rows = [insert(f"B{n + 1}") * 10 for n in range(9)]
     blocks = [block(f"B{n}", row) for n, row in enumerate(rows)] + [block("B9", _LINE)]
-    said = _within(1.0, dxf(insert("B0"), blocks=tuple(blocks)))
-    assert "2,111,111,110 entities; the limit is 1,000,000" in said
+    error = _within(1.0, dxf(insert("B0"), blocks=tuple(blocks)))
+    assert "2,111,111,110 entities; the limit is 1,000,000" in error
 
 
 def test_array_of_a_thousand_million_is_counted_and_not_expanded() -> None:
@@ -131,7 +131,7 @@ def test_file_cut_at_every_byte_is_read_whole_or_refused() -> None:
         (b"{" * 100_000, "a JSON file"),
     ],
 )
-def test_what_is_no_dxf_is_refused(data: bytes, word: str) -> None:
+def test_files_that_are_no_dxf_are_refused(data: bytes, word: str) -> None:
     with pytest.raises(NotADrawing, match=word):
         read(data)
 
@@ -200,7 +200,7 @@ def test_file_in_which_every_part_has_a_handle_is_plain() -> None:
 
 
 @pytest.mark.parametrize(("last", "plain"), [("A", False), ("B", True)])
-def test_handles_far_apart_are_told_apart(last: str, plain: bool) -> None:
+def test_handles_with_distant_values_are_distinguished(last: str, plain: bool) -> None:
     handles = ("FFFFFFFFA", "2", "5000", f"FFFFFFFF{last}")
     data = dxf(*(line(x, 0, x, 5, (5, handle)) for x, handle in enumerate(handles)))
     assert fast_reader_accepts(data) == plain
@@ -209,7 +209,7 @@ def test_handles_far_apart_are_told_apart(last: str, plain: bool) -> None:
 
 @pytest.mark.parametrize("number", range(0x10, 0x1E), ids="{:X}".format)
 @pytest.mark.parametrize("other", ["10C&", "0", "19", "12345678901234567890", ""])
-def test_handle_that_is_none_or_is_there_twice_is_left_to_ezdxf(number: int, other: str) -> None:
+def test_invalid_and_repeated_handles_are_left_to_ezdxf(number: int, other: str) -> None:
     handle = f"{number:X}"
     if handle == other:
         return

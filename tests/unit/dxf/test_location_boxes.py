@@ -35,7 +35,7 @@ def marked(*entities: str) -> bytes:
     return dxf(line(0.0, 0.0, 500.0, 0.0, *head), *entities, version="AC1015")
 
 
-def stands(drawing: Drawing) -> dict[str, list[float]]:
+def boxes_by_kind(drawing: Drawing) -> dict[str, list[float]]:
     """Return the location boxes by entity type; types of entities in blocks start with "/"."""
     rows, boxes = drawing.import_report.location_boxes
     names = [
@@ -72,35 +72,35 @@ def stands(drawing: Drawing) -> dict[str, list[float]]:
         ),
     ],
 )
-def test_each_kind_stands_where_its_points_are(
+def test_the_box_of_each_kind_contains_its_points(
     kind: str, marker: str, tags: tuple[Tag, ...], box: list[float]
 ) -> None:
     codes, values = zip(*tags, strict=True)
     assert box_of_tags(kind, codes, values).tolist() == box
     data = marked(entity(kind, (100, "AcDbEntity"), (8, "0"), (100, marker), *tags))
     assert fast_reader_accepts(data)
-    assert stands(read(data)) == {kind: box}
+    assert boxes_by_kind(read(data)) == {kind: box}
     assert difference(*read_by_both(data)) == ""
 
 
-def test_under_an_extrusion_downwards_x_counts_to_the_left_in_planes_of_their_own() -> None:
+def test_a_downward_extrusion_mirrors_x() -> None:
     down: tuple[Tag, ...] = ((230, -1),)
     drawing = read(dxf(CUT, entity("SOLID", *SOLID, *down), entity("3DFACE", *SOLID, *down)))
-    assert stands(drawing) == {"SOLID": [-5, 2, -1, 9], "3DFACE": [1, 2, 5, 9]}
+    assert boxes_by_kind(drawing) == {"SOLID": [-5, 2, -1, 9], "3DFACE": [1, 2, 5, 9]}
 
 
 @pytest.mark.parametrize("cells", [(), ((70, 2), (44, 100))])
-def test_what_a_block_holds_stands_wherever_it_is_placed(cells: tuple[Tag, ...]) -> None:
+def test_entities_of_a_block_are_transformed_by_its_insert(cells: tuple[Tag, ...]) -> None:
     held = block("B", line(0, 0, 1, 0), entity("SOLID", *SOLID), base=(1.0, 2.0))
     # Turned by 90° about its base point, twice as large: x′ = 100 − 2 (y − 2), y′ = 50 + 2 (x − 1).
     placed = insert("B", 100.0, 50.0, (41, 2), (42, 2), (50, 90), *cells)
     data = dxf(CUT, placed, blocks=(held,))
     high = 158.0 if cells else 58.0
-    assert_allclose(stands(read(data))["/SOLID"], [86, 50, 100, high], atol=1e-12)
+    assert_allclose(boxes_by_kind(read(data))["/SOLID"], [86, 50, 100, high], atol=1e-12)
     assert difference(*read_by_both(data)) == ""
 
 
-def test_each_placement_has_a_row_and_a_place_of_its_own() -> None:
+def test_each_insert_has_a_row_and_a_box() -> None:
     held = block("B", entity("SOLID", *SOLID), line(0, 0, 1, 0), entity("POINT", (10, 9), (20, 9)))
     data = dxf(*(insert("B", x, 0.0) for x in (0.0, 100.0, 200.0)), blocks=(held,))
     rows, boxes = read(data).import_report.location_boxes
@@ -110,31 +110,34 @@ def test_each_placement_has_a_row_and_a_place_of_its_own() -> None:
     assert difference(*read_by_both(data)) == ""
 
 
-def test_the_vertices_of_a_polyline_say_where_it_is() -> None:
+def test_the_box_of_a_polyline_contains_its_vertices() -> None:
     vertices = (entity("VERTEX", (10, x), (20, 5)) for x in (7, 30))
     tilted = entity("POLYLINE", (66, 1), (10, 0), (20, 0), (210, 1), (220, 0), (230, 0))
     data = dxf(CUT, tilted, *vertices, entity("SEQEND"))
-    assert stands(read(data)) == {"POLYLINE": [7, 5, 30, 5]}
+    assert boxes_by_kind(read(data)) == {"POLYLINE": [7, 5, 30, 5]}
     assert difference(*read_by_both(data)) == ""
 
 
-def test_a_line_without_length_stands_at_its_ends() -> None:
-    assert stands(read(dxf(CUT, line(7.0, 8.0, 7.0, 8.0)))) == {"LINE": [7, 8, 7, 8]}
+def test_the_box_of_a_line_without_length_is_its_point() -> None:
+    assert boxes_by_kind(read(dxf(CUT, line(7.0, 8.0, 7.0, 8.0)))) == {"LINE": [7, 8, 7, 8]}
 
 
-def test_places_are_in_the_unit_of_the_drawing() -> None:
+def test_boxes_are_in_the_unit_of_the_drawing() -> None:
     data = dxf(CUT, entity("POINT", (10, 2), (20, 3)), units=1)
-    assert_allclose(stands(read(data))["POINT"], [50.8, 76.2, 50.8, 76.2])
-    assert stands(read(dxf(CUT, entity("POINT", (10, 2), (20, 3)), units=None)))["POINT"][0] == 2.0
+    assert_allclose(boxes_by_kind(read(data))["POINT"], [50.8, 76.2, 50.8, 76.2])
+    assert (
+        boxes_by_kind(read(dxf(CUT, entity("POINT", (10, 2), (20, 3)), units=None)))["POINT"][0]
+        == 2.0
+    )
 
 
 @pytest.mark.parametrize("x", ["nan", "inf", "1e308", "1e12"])
-def test_what_is_nowhere_on_a_table_has_no_place(x: str) -> None:
-    assert stands(read(dxf(CUT, entity("POINT", (10, x), (20, 3))))) == {}
+def test_absurd_coordinates_have_no_box(x: str) -> None:
+    assert boxes_by_kind(read(dxf(CUT, entity("POINT", (10, x), (20, 3))))) == {}
 
 
-def test_the_sheet_knows_no_place_on_paper() -> None:
-    assert stands(read(dxf(CUT, entity("POINT", (67, 1), (10, 2), (20, 3))))) == {}
+def test_entities_in_paper_space_have_no_box() -> None:
+    assert boxes_by_kind(read(dxf(CUT, entity("POINT", (67, 1), (10, 2), (20, 3))))) == {}
 
 
 def test_numbers_of_many_digits_are_read_as_python_reads_them() -> None:

@@ -82,9 +82,9 @@ def test_several_parts_give_the_result_of_one(set_parts: SetParts, number: int) 
     np.testing.assert_array_equal(one.entity[:, others], many.entity[:, others])
     for column in named:
         numbers = many.entity[:, column]
-        said = [many.names[row] if row >= 0 else b"" for row in numbers]
+        names = [many.names[row] if row >= 0 else b"" for row in numbers]
         numbers = one.entity[:, column]
-        assert said == [one.names[row] if row >= 0 else b"" for row in numbers]
+        assert names == [one.names[row] if row >= 0 else b"" for row in numbers]
     assert difference(before, _drawing(_WHOLE)) == ""
 
 
@@ -125,7 +125,7 @@ def test_structure_left_open_at_the_end_of_a_part_is_refused(
     assert difference(before, _drawing(data)) == ""
 
 
-def test_a_second_sheet_behind_the_first_is_seen(set_parts: SetParts) -> None:
+def test_a_second_section_after_the_first_is_detected(set_parts: SetParts) -> None:
     data = dxf(*[line(x, 0, x, 9) for x in range(60)])
     second = b"0\nSECTION\n2\nTABLES\n0\nENDSEC\n0\nEOF\n"
     data = data.replace(b"0\nEOF\n", second)

@@ -49,7 +49,7 @@ def counted(data: bytes) -> Counter[str]:
 
 
 @pytest.mark.corpus
-def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path) -> None:
+def test_every_drawing_by_other_authors_is_read_or_refused_as_listed(corpus: Path) -> None:
     files = sorted(path for path in corpus.rglob("*") if path.suffix.lower() == ".dxf")
     assert len(files) >= 99
     refused, mends = {}, []
@@ -79,8 +79,8 @@ def test_every_drawing_by_other_hands_is_read_or_refused_as_listed(corpus: Path)
                 for kind, handle in zip(import_report.kind, import_report.handle, strict=True)
                 if "/" not in handle and kind != "BLOCK"
             )
-            if wanted := counted(data):
-                assert rows >= wanted, name
+            if expected := counted(data):
+                assert rows >= expected, name
     assert refused == REFUSED
     assert all(mends)
 
@@ -181,7 +181,7 @@ def test_same_arc_drawn_back_to_front_is_merged() -> None:
     assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.MERGED]
 
 
-def test_polyline_that_shares_a_side_is_kept_and_says_what_was_merged() -> None:
+def test_polyline_with_a_repeated_side_is_kept_with_a_note() -> None:
     square = (
         entity("POLYLINE", (5, "A1"), (66, 1), (70, 0))
         + "".join(entity("VERTEX", (10, x), (20, y)) for x, y in [(0, 0), (10, 0), (10, 10)])
@@ -254,7 +254,7 @@ def test_true_colour_is_read_beside_the_index() -> None:
     assert drawing.true_colour.tolist() == [0xFF8000]
 
 
-def test_layer_that_is_off_or_frozen_is_read_and_says_so() -> None:
+def test_layer_that_is_off_or_frozen_is_read_with_a_note() -> None:
     drawing = read(
         dxf(
             line(0, 0, 1, 0, (8, "OFF")),
@@ -394,7 +394,7 @@ def test_insert_that_cannot_be_placed_is_dropped(text: str, reason: str) -> None
         (b"AutoCAD Binary DXF\r\n\x1a\x00" + bytes(range(256)), "not a DXF"),
     ],
 )
-def test_what_is_no_dxf_is_refused_with_what_it_is(data: bytes, word: str) -> None:
+def test_other_files_are_refused_with_their_format(data: bytes, word: str) -> None:
     with pytest.raises(NotADrawing, match=word) as caught:
         read(data)
     assert caught.value.hint

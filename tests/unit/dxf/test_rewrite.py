@@ -41,9 +41,11 @@ def read_alike(data: bytes) -> Drawing:
     return ours
 
 
-def marked(entity: str, marker: str, marks: bool, **said: int) -> str:
+def entity_text(entity: str, marker: str, marks: bool, **values: int) -> str:
     return entity.format(
-        entity="100\nAcDbEntity\n" if marks else "", own=f"100\n{marker}\n" if marks else "", **said
+        entity="100\nAcDbEntity\n" if marks else "",
+        own=f"100\n{marker}\n" if marks else "",
+        **values,
     )
 
 
@@ -52,7 +54,7 @@ def marked(entity: str, marker: str, marks: bool, **said: int) -> str:
 def test_a_closed_lwpolyline_of_any_version_is_closed_and_on_its_layer(
     version: str, marks: bool
 ) -> None:
-    found = read_alike(drawing(version, marked(LWPOLYLINE, "AcDbPolyline", marks)))
+    found = read_alike(drawing(version, entity_text(LWPOLYLINE, "AcDbPolyline", marks)))
     assert found.ends[:, 0].tolist() == [[0, 0], [5, 0], [5, 7]]
     assert found.layers == ("CUT",)
     assert found.colour.tolist() == [3, 3, 3]
@@ -61,7 +63,7 @@ def test_a_closed_lwpolyline_of_any_version_is_closed_and_on_its_layer(
 @pytest.mark.parametrize("marks", [True, False])
 @pytest.mark.parametrize("version", ["AC1009", "AC1015"])
 def test_a_spline_of_any_version_has_its_degree_and_its_layer(version: str, marks: bool) -> None:
-    found = read_alike(drawing(version, marked(SPLINE, "AcDbSpline", marks, paper=0)))
+    found = read_alike(drawing(version, entity_text(SPLINE, "AcDbSpline", marks, paper=0)))
     # Every point of this parabola is (10 t - 5 t², 7 t²).
     x, y = found.ends[:, 1].T
     t = np.sqrt(y / 7.0)
@@ -71,12 +73,12 @@ def test_a_spline_of_any_version_has_its_degree_and_its_layer(version: str, mark
 
 @pytest.mark.parametrize("marks", [True, False])
 def test_a_spline_of_r12_in_paper_space_stays_there(marks: bool) -> None:
-    found = read_alike(drawing("AC1009", marked(SPLINE, "AcDbSpline", marks, paper=1)))
+    found = read_alike(drawing("AC1009", entity_text(SPLINE, "AcDbSpline", marks, paper=1)))
     assert len(found) == 0
     assert report_reasons(found) == ("the object is in a layout (paper space), not in the model",)
 
 
-def test_markers_stand_before_what_other_programs_added() -> None:
+def test_markers_come_before_data_of_other_programs() -> None:
     lines = b"0\nSPLINE\n8\nCUT\n102\n{X\n70\n5\n102\n}\n70\n8\n1001\nX\n1070\n1\n0\nEOF\n"
     assert (
         with_markers(lines).split()
@@ -105,7 +107,7 @@ def unreadable(kind: str) -> str:
 
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015"])
 @pytest.mark.parametrize("kind", UNREADABLE)
-def test_one_entity_that_is_no_line_costs_no_line_of_the_drawing(kind: str, version: str) -> None:
+def test_an_unreadable_entity_does_not_affect_lines(kind: str, version: str) -> None:
     data = drawing(version, LINE + unreadable(kind))
     with pytest.raises((DXFError, LookupError, AttributeError)):
         ezdxf.read(io.StringIO(data.decode()))  # otherwise the test would prove nothing
@@ -116,7 +118,7 @@ def test_one_entity_that_is_no_line_costs_no_line_of_the_drawing(kind: str, vers
 
 
 @pytest.mark.parametrize("kind", UNREADABLE)
-def test_nor_does_it_inside_a_block(kind: str) -> None:
+def test_an_unreadable_entity_in_a_block_does_not_affect_lines(kind: str) -> None:
     block = f"0\nBLOCK\n8\n0\n2\nB\n70\n0\n10\n0\n20\n0\n{LINE}{unreadable(kind)}0\nENDBLK\n8\n0\n"
     insert = "0\nINSERT\n8\nCUT\n2\nB\n10\n7\n20\n0\n"
     blocks = f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDSEC\n"
@@ -125,7 +127,7 @@ def test_nor_does_it_inside_a_block(kind: str) -> None:
     assert found.import_report.kind == ("INSERT", "LINE", kind)
 
 
-def test_a_binary_drawing_loses_no_line_either() -> None:
+def test_an_unreadable_entity_in_a_binary_drawing_does_not_affect_lines() -> None:
     document = ezdxf.new("R2000")
     document.modelspace().add_line((0, 0), (5, 0))
     document.modelspace().add_point((1, 1))
@@ -137,13 +139,13 @@ def test_a_binary_drawing_loses_no_line_either() -> None:
     assert found.import_report.kind == ("LINE", "IMAGE")
 
 
-def test_a_polyline_that_has_but_the_first_of_its_markers_is_read() -> None:
+def test_a_polyline_with_only_its_first_marker_is_read() -> None:
     found = read_alike(drawing("AC1015", LWPOLYLINE.format(entity="100\nAcDbEntity\n", own="")))
     assert found.ends[:, 0].tolist() == [[0, 0], [5, 0], [5, 7]]
 
 
 @pytest.mark.parametrize("ratio", ["0", "1e-9", "-1e-9", "0.5", "2", "1000000"])
-def test_an_ellipse_that_ezdxf_mends_when_it_recovers_is_read_as_it_reads_it(ratio: str) -> None:
+def test_an_ellipse_corrected_by_ezdxf_is_read_alike(ratio: str) -> None:
     ellipse = (
         "0\nELLIPSE\n5\nC1\n100\nAcDbEntity\n8\nCUT\n100\nAcDbEllipse\n10\n0\n20\n0\n"
         f"11\n5\n21\n0\n40\n{ratio}\n41\n0\n42\n6.28\n"
@@ -154,7 +156,7 @@ def test_an_ellipse_that_ezdxf_mends_when_it_recovers_is_read_as_it_reads_it(rat
     assert len(read_alike(data.encode()).ends) > 1
 
 
-def test_what_is_no_entity_stays() -> None:
+def test_other_records_are_not_changed() -> None:
     tables = "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nCUT\n0\nENDTAB\n0\nENDSEC\n"
     data = tables.encode() + drawing("AC1015", LINE)
     assert lines_only(data) == data

@@ -144,24 +144,24 @@ def test_round_corners_are_smooth_where_they_join_a_side() -> None:
 # ── each closes ──────────────────────────────────────────────────────────────────────────────────
 
 
-def upright(lines: F64) -> F64:
+def vertical_positions(lines: F64) -> F64:
     """Return the x of all vertical lines, ascending."""
     return np.unique(lines[np.ptp(lines[:, :, 0], axis=1) < 1e-9][:, 0, 0])
 
 
-def level(lines: F64) -> F64:
+def horizontal_positions(lines: F64) -> F64:
     return np.unique(lines[np.ptp(lines[:, :, 1], axis=1) < 1e-9][:, 0, 1])
 
 
 def test_the_tuck_end_carton_has_four_panels_and_the_last_is_narrower() -> None:
     sheet = tuck_end_carton(90.0, 45.0, 130.0)
-    stands = upright(lines_of(sheet, CREASE))
+    positions = vertical_positions(lines_of(sheet, CREASE))
     edge = outline(sheet).bounds[2]
-    np.testing.assert_allclose(np.diff([0.0, *stands, edge]), [15.0, 90.0, 45.0, 90.0, 44.5])
+    np.testing.assert_allclose(np.diff([0.0, *positions, edge]), [15.0, 90.0, 45.0, 90.0, 44.5])
 
 
 def test_the_tuck_end_cartons_dust_flaps_fold_half_a_millimetre_below_its_lids() -> None:
-    lies = level(lines_of(tuck_end_carton(90.0, 45.0, 130.0), CREASE))
+    lies = horizontal_positions(lines_of(tuck_end_carton(90.0, 45.0, 130.0), CREASE))
     # Lower tuck, lower lid, lower dust flaps, upper dust flaps, upper lid, upper tuck.
     np.testing.assert_allclose(np.diff(lies), [44.5, 0.5, 129.0, 0.5, 44.5])
 
@@ -194,10 +194,12 @@ def test_the_slits_lie_on_the_line_of_the_tuck_crease_and_reach_six_millimetres_
 
 def test_the_trays_walls_leave_room_for_each_other() -> None:
     t = 3.0
-    stands = upright(lines_of(corrugated_tray(280.0, 200.0, 80.0, t), CREASE))
+    positions = vertical_positions(lines_of(corrugated_tray(280.0, 200.0, 80.0, t), CREASE))
     # Inner wall's ridge, outer wall's ridge, base, corner flap; and the same on the right.
-    np.testing.assert_allclose(np.diff(stands), [2 * t, 80.0, t, 280.0 + 3 * t, t, 80.0, 2 * t])
-    np.testing.assert_allclose(np.diff(level(lines_of(corrugated_tray(), CREASE))), [200.0 + t])
+    np.testing.assert_allclose(np.diff(positions), [2 * t, 80.0, t, 280.0 + 3 * t, t, 80.0, 2 * t])
+    np.testing.assert_allclose(
+        np.diff(horizontal_positions(lines_of(corrugated_tray(), CREASE))), [200.0 + t]
+    )
 
 
 def test_the_trays_tabs_fit_their_slots() -> None:
@@ -211,18 +213,18 @@ def test_the_trays_tabs_fit_their_slots() -> None:
     for low_x, low_y, high_x, high_y in slots:
         assert high_x - low_x == pytest.approx(3.5)  # caliper and half a millimetre
         assert high_y - low_y == pytest.approx(38.0)  # tab of 36 and a millimetre on either side
-    stands = upright(lines_of(sheet, CREASE))
+    positions = vertical_positions(lines_of(sheet, CREASE))
     inside = max(slots)[0] - min(slots)[2]
     assert inside == pytest.approx(280.0 - 0.5)  # the inner walls are 280 mm apart
     # Folded in, the inner wall reaches from its ridge to the base's top face, and its tab through.
-    free = outline(sheet).bounds[2] - stands[-1]
+    free = outline(sheet).bounds[2] - positions[-1]
     assert free == pytest.approx(80.0 - 1.5 - 0.5 + 3.5)
 
 
 def test_the_trays_hand_holes_lie_on_each_other_when_it_is_rolled_over() -> None:
     sheet = corrugated_tray()
-    stands = upright(lines_of(sheet, CREASE))
-    ridge, fold = stands[-2], stands[-1]
+    positions = vertical_positions(lines_of(sheet, CREASE))
+    ridge, fold = positions[-2], positions[-1]
     holes = [
         shapely.MultiPoint(paths.start).centroid
         for _, paths in sheet[1:]

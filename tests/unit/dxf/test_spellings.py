@@ -59,7 +59,7 @@ SPELLINGS = {
 
 
 @pytest.mark.parametrize("spelling", SPELLINGS)
-def test_however_the_lines_are_written(spelling: str) -> None:
+def test_both_readers_agree_on_any_spelling_of_lines(spelling: str) -> None:
     data = SPELLINGS[spelling].encode()
     assert difference(*read_by_both(data)) == ""
 
@@ -67,7 +67,7 @@ def test_however_the_lines_are_written(spelling: str) -> None:
 @pytest.mark.parametrize(
     "spelling", ["lines end in CR LF", "three columns", "leading zeros", "comments within"]
 )
-def test_what_is_usual_is_read_by_our_own_reader(spelling: str) -> None:
+def test_usual_spellings_are_read_by_the_fast_reader(spelling: str) -> None:
     assert fast_reader_accepts(SPELLINGS[spelling].encode())
 
 
@@ -86,7 +86,7 @@ def test_what_is_usual_is_read_by_our_own_reader(spelling: str) -> None:
         ),
     ],
 )
-def test_however_a_number_is_written(number: str) -> None:
+def test_both_readers_agree_on_any_spelling_of_numbers(number: str) -> None:
     assert difference(*read_by_both(dxf(line(x=number), OTHER, version=MARKED))) == ""
 
 
@@ -101,12 +101,12 @@ def test_however_a_number_is_written(number: str) -> None:
         [(999, "")], [(430, "A$B")], [(1001, "X")], [(330, "1F"), (330, "1E")],
     ],
 )  # fmt: skip
-def test_whatever_an_entity_says_besides(tags: list[tuple[int, object]]) -> None:
+def test_both_readers_agree_on_additional_groups(tags: list[tuple[int, object]]) -> None:
     assert difference(*read_by_both(dxf(line(*tags), OTHER, version=MARKED))) == ""
 
 
 @pytest.mark.parametrize("handle", ["ab1", "0", "A2", "XYZ", "", " A1 ", "1234567890ABCDEF0"])
-def test_whatever_a_handle_is(handle: str) -> None:
+def test_both_readers_agree_on_any_handle(handle: str) -> None:
     assert difference(*read_by_both(dxf(line(handle=handle), OTHER, version=MARKED))) == ""
 
 
@@ -125,7 +125,7 @@ def test_whatever_a_handle_is(handle: str) -> None:
         ("ANSI_1252", "ascii", "\\U+5200\\U+7EBF"),
     ],
 )
-def test_whatever_code_page_layers_are_written_in(page: str, encoding: str, layer: str) -> None:
+def test_both_readers_agree_on_any_code_page(page: str, encoding: str, layer: str) -> None:
     header = f"9\n$DWGCODEPAGE\n3\n{page}\n0\nENDSEC\n"
     text = PLAIN.replace("0\nENDSEC\n", header, 1).replace("\nCUT\n", f"\n{layer}\n", 1)
     ours, reference = read_by_both(text.encode(encoding))

@@ -25,7 +25,7 @@ def test_header_gives_the_unit(code: int, unit: str, millimetres: float) -> None
 
 
 @pytest.mark.parametrize("version", ["AC1006", "AC1009", "AC1015", "AC1027"])
-def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
+def test_header_without_a_unit_gives_no_unit_in_any_version(version: str) -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=None, version=version))
     assert (drawing.unit, drawing.evidence.code) == ("", "unit.header-missing")
     assert_array_equal(drawing.ends[0], [[0, 0], [2, 0]])
@@ -42,14 +42,12 @@ def test_silent_header_gives_no_unit_whatever_the_version(version: str) -> None:
         ("1E999", "the header states no valid unit: $INSUNITS = '1E999' is not a number"),
     ],
 )
-def test_header_that_says_nothing_useful_gives_no_unit_and_the_reason(
-    written: str, evidence: str
-) -> None:
+def test_header_with_an_unusable_unit_gives_the_reason(written: str, evidence: str) -> None:
     unit, message = header_unit({"$INSUNITS": written})
     assert (unit, str(message)) == ("", evidence)
 
 
-def test_unit_of_the_caller_stands_above_the_header_which_is_kept() -> None:
+def test_unit_of_the_caller_overrides_the_header() -> None:
     drawing = read(dxf(line(0, 0, 2, 0), units=4), "in")
     assert (drawing.unit, drawing.evidence.code, drawing.stated) == ("in", "unit.given", "mm")
     assert_array_equal(drawing.ends[0], [[0, 0], [50.8, 0]])
@@ -61,7 +59,7 @@ def test_unknown_unit_is_refused_with_the_known_ones() -> None:
 
 
 @pytest.mark.parametrize(
-    ("variables", "says"),
+    ("variables", "expected"),
     [
         ({"$MEASUREMENT": "1"}, ["metric"]),
         ({"$MEASUREMENT": "0"}, ["imperial"]),
@@ -74,5 +72,5 @@ def test_unknown_unit_is_refused_with_the_known_ones() -> None:
         ({"$DIMLFAC": "ten", "$MEASUREMENT": "7", "$LUNITS": ""}, []),
     ],
 )
-def test_other_variables_are_hints(variables: dict[str, str], says: list[str]) -> None:
-    assert [hint.kind for hint in hints(variables)] == says
+def test_other_variables_are_hints(variables: dict[str, str], expected: list[str]) -> None:
+    assert [hint.kind for hint in hints(variables)] == expected

@@ -49,9 +49,9 @@ def test_a_drawing_whose_corner_is_the_origin_says_so() -> None:
 def test_layers_keep_their_name_colour_and_linetype() -> None:
     data = write_dxf([(CUT, one((0, 0), (1, 0))), (FOLD, one((0, 1), (1, 1)))])
     document = ezdxf.read(io.StringIO(data.decode("utf-8")))
-    told = {layer.dxf.name: (layer.dxf.color, layer.dxf.linetype) for layer in document.layers}
-    assert told["CUT"] == (1, "Continuous")
-    assert told["FALZ ü 刀"] == (5, "DASHED")
+    layers = {layer.dxf.name: (layer.dxf.color, layer.dxf.linetype) for layer in document.layers}
+    assert layers["CUT"] == (1, "Continuous")
+    assert layers["FALZ ü 刀"] == (5, "DASHED")
     line = list(document.modelspace())[1]
     assert (line.dxf.layer, line.dxf.color) == ("FALZ ü 刀", 256)
     dashes = document.linetypes.get("DASHED")
@@ -118,6 +118,6 @@ def test_no_paths_are_an_empty_drawing() -> None:
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_a_coordinate_that_is_no_number_is_refused(bad: float) -> None:
+def test_a_coordinate_that_is_not_finite_is_refused(bad: float) -> None:
     with pytest.raises(GeometryError, match="A coordinate on the layer CUT is not a number"):
         write_dxf([(CUT, one((0.0, 0.0), (bad, 1.0)))])

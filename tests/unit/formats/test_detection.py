@@ -60,7 +60,7 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
         (b"\x1f\x8b", "a gzip archive"),
     ],
 )
-def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str) -> None:
+def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: str) -> None:
     with pytest.raises(NotADrawing) as caught:
         format_of(data)
     assert what in caught.value.text
@@ -69,10 +69,10 @@ def test_a_stranger_is_named_and_told_what_to_send(data: bytes, what: str) -> No
 
 
 @pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG), PDF])
-def test_the_pipeline_reads_them_all(data: bytes) -> None:
+def test_the_pipeline_reads_all_formats(data: bytes) -> None:
     assert len(read(data)) > 0
 
 
 @pytest.mark.parametrize("data", [CF2, SVG, PDF])
-def test_the_unit_of_the_user_stands_above_that_of_the_file(data: bytes) -> None:
+def test_the_unit_of_the_user_overrides_that_of_the_file(data: bytes) -> None:
     assert (read(data, "in").unit, read(data, "in").evidence.code) == ("in", "unit.given")

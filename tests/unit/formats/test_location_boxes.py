@@ -19,11 +19,11 @@ from tests.support.writers.svg_text import svg
 POINT = 25.4 / 72.0
 
 
-def stands(drawing: Drawing) -> dict[str, list[float]]:
+def boxes_by_handle(drawing: Drawing) -> dict[str, list[float]]:
     """Return the location boxes (mm) by the handles of the entities."""
-    rows, found = drawing.import_report.location_boxes
+    rows, measured = drawing.import_report.location_boxes
     handles = list(drawing.import_report.handle)
-    return {handles[row]: box for row, box in zip(rows.tolist(), found.tolist(), strict=True)}
+    return {handles[row]: box for row, box in zip(rows.tolist(), measured.tolist(), strict=True)}
 
 
 @pytest.mark.parametrize(
@@ -40,13 +40,13 @@ def stands(drawing: Drawing) -> dict[str, list[float]]:
         ('<path id="a" d=""/>', None),
     ],
 )
-def test_of_an_svg(inside: str, box: list[float] | str | None) -> None:
+def test_boxes_of_svg_objects(inside: str, box: list[float] | str | None) -> None:
     drawing = read_svg(svg('<path d="M0 0H90"/>', inside))
     expected = [20, 70, 50, 80] if box == "fill" else box
-    assert stands(drawing) == ({} if expected is None else {"a": pytest.approx(expected)})
+    assert boxes_by_handle(drawing) == ({} if expected is None else {"a": pytest.approx(expected)})
 
 
-def test_of_a_pdf() -> None:
+def test_boxes_of_pdf_objects() -> None:
     drawing = read_pdf(
         pdf(
             "0 0 m 90 0 l S 20 30 10 5 re f 1 0 0 1 5 5 cm 20 30 10 5 re W n",
@@ -57,35 +57,37 @@ def test_of_a_pdf() -> None:
             size=(100.0, 100.0),
         )
     )
-    found = {handle: np.array(box) / POINT for handle, box in stands(drawing).items()}
-    assert_allclose(found["#2"], [20, 30, 30, 35], atol=1e-9)  # a filled area
-    assert_allclose(found["#3"], [25, 35, 35, 40], atol=1e-9)  # a clipping path
-    assert_allclose(found["#4"], [12, 13, 52, 33], atol=1e-9)  # an image
-    assert_allclose(found["#5"], [8, 9, 8, 9], atol=1e-9)  # a text
-    assert_allclose(found["#6"], [505, 505, 605, 505], atol=1e-9)  # a line outside the page
-    assert_allclose(found["#7"], [25, 35, 35, 40], atol=1e-9)  # a shading inside the clipping path
-    assert len(found) == 6
+    measured = {handle: np.array(box) / POINT for handle, box in boxes_by_handle(drawing).items()}
+    assert_allclose(measured["#2"], [20, 30, 30, 35], atol=1e-9)  # a filled area
+    assert_allclose(measured["#3"], [25, 35, 35, 40], atol=1e-9)  # a clipping path
+    assert_allclose(measured["#4"], [12, 13, 52, 33], atol=1e-9)  # an image
+    assert_allclose(measured["#5"], [8, 9, 8, 9], atol=1e-9)  # a text
+    assert_allclose(measured["#6"], [505, 505, 605, 505], atol=1e-9)  # a line outside the page
+    assert_allclose(
+        measured["#7"], [25, 35, 35, 40], atol=1e-9
+    )  # a shading inside the clipping path
+    assert len(measured) == 6
 
 
-def test_of_a_pdf_what_fills_the_page_without_bounds_has_no_place() -> None:
+def test_a_pdf_shading_without_a_clipping_path_has_the_box_of_the_page() -> None:
     drawing = read_pdf(pdf("0 0 m 9 0 l S /Sh0 sh", size=(90.0 * MM, 90.0 * MM)))
-    assert stands(drawing) == {"#2": pytest.approx([0.0, 0.0, 90.0, 90.0])}
+    assert boxes_by_handle(drawing) == {"#2": pytest.approx([0.0, 0.0, 90.0, 90.0])}
 
 
-def test_of_a_cf2() -> None:
+def test_boxes_of_cf2_records() -> None:
     carton = sub("LID", cf2_text.line(0, 0, 90, 0), "T,2,1,0,3,4,0,5,4", "Rev. B")
     drawing = read_cf2(
         cf2("C,LID,100,50,90,1,1", "C,GONE,7,8,0,1,1", head=("UM", "SCALE,1,1"), subs=carton)
     )
-    text, gone = stands(drawing).values()
+    text, gone = boxes_by_handle(drawing).values()
     assert_allclose(text, [96, 53, 96, 53])
     assert gone == [7, 8, 7, 8]
 
 
-def test_a_box_is_around_ends_and_handles_and_of_a_line_no_more() -> None:
+def test_boxes_contain_ends_and_curve_handles_but_no_line_handles() -> None:
     numbers = np.array([[0, 0, 4, 0, 9, 9, 9, 9], [0, 0, 4, 0, 1, 5, 3, -2]], np.float64)
     table = Table(np.array([LINE, CUBIC], np.uint8), numbers, np.array([0, 2]))
     matrix = np.array([[1, 0, 0, 1, 0, 0]] * 2 + [[0, 1, 1, 0, 10, 0]], np.float64)
-    found = boxes(table, matrix)
-    assert found[[0, 2]].tolist() == [[0, 0, 4, 0], [8, 0, 15, 4]]
-    assert np.isnan(found[1]).all()
+    measured = boxes(table, matrix)
+    assert measured[[0, 2]].tolist() == [[0, 0, 4, 0], [8, 0, 15, 4]]
+    assert np.isnan(measured[1]).all()

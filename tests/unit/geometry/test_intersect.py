@@ -77,9 +77,9 @@ def test_common_points_equal_those_computed_by_hand(
     found = shared(one, two)
     assert len(found) == len(points)
     for have, want in zip(found, points, strict=True):
-        for value, wanted in zip(have, want, strict=True):
-            if wanted is not None:
-                assert value == pytest.approx(wanted, abs=1e-7)
+        for value, expected in zip(have, want, strict=True):
+            if expected is not None:
+                assert value == pytest.approx(expected, abs=1e-7)
 
 
 def test_two_arcs_of_one_circle_may_overlap_twice() -> None:

@@ -29,11 +29,11 @@ def some_boxes(random: np.random.Generator, count: int) -> F64:
     return np.hstack([low, low + random.integers(0, 6, (count, 2))]).astype(np.float64)
 
 
-def overlaps(tree_boxes: F64, wanted: F64, after: int) -> list[int]:
+def overlaps(tree_boxes: F64, query_box: F64, after: int) -> list[int]:
     tree, stack = build_tree(tree_boxes), new_stack()
     depth = start_query(tree, stack)
     found: list[int] = []
-    x0, y0, x1, y1 = wanted.tolist()
+    x0, y0, x1, y1 = query_box.tolist()
     while True:
         i, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, after)
         if i < 0:
@@ -48,11 +48,11 @@ def test_a_query_finds_the_boxes_that_shapely_finds_in_ascending_order(
     random = np.random.default_rng(seed)
     boxes = some_boxes(random, count)
     reference = STRtree([box(*row) for row in boxes])
-    for wanted in some_boxes(random, 4):
-        expected = sorted(reference.query(box(*wanted)).tolist())
-        assert overlaps(boxes, wanted, -1) == expected
+    for query_box in some_boxes(random, 4):
+        expected = sorted(reference.query(box(*query_box)).tolist())
+        assert overlaps(boxes, query_box, -1) == expected
         after = int(random.integers(0, count))
-        assert overlaps(boxes, wanted, after) == [i for i in expected if i > after]
+        assert overlaps(boxes, query_box, after) == [i for i in expected if i > after]
 
 
 @given(seed=st.integers(0, 10_000), gap=st.sampled_from([0.0, 1.0, 2.5]))

@@ -104,8 +104,8 @@ def test_a_job_whose_kernels_are_not_compiled_lets_ready_jobs_pass(
         assert (waiting.state, waiting.attempt) == ("received", 1)
         assert waiting.message == Message("job.awaits-kernels", machine="router-table")
         assert (waiting.stage, waiting.progress) == (Stage.PREPARE, 2.0 / 3.0)
-        whys = [event.message for event in store.events.of_job(routed.id)]
-        assert whys.count(waiting.message) == 1
+        messages = [event.message for event in store.events.of_job(routed.id)]
+        assert messages.count(waiting.message) == 1
         warm_up.compiled.add("offsets")
         ended(store, routed.id, "refused")
         assert store.jobs.get(routed.id).message != waiting.message

@@ -31,8 +31,8 @@ def stored(interpretation: Interpretation) -> StoredDrawing:
     return StoredDrawing(CONTENT, reading.edges, kept)
 
 
-def overrides(of: StoredDrawing, **changes: LineType) -> bytes:
-    column = np.frombuffer(of.interpretation.overrides, np.uint8).copy()
+def overrides(stored_drawing: StoredDrawing, **changes: LineType) -> bytes:
+    column = np.frombuffer(stored_drawing.interpretation.overrides, np.uint8).copy()
     for row, kind in changes.items():
         column[int(row.removeprefix("row"))] = kind
     return column.tobytes()
@@ -61,9 +61,9 @@ def unread(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(readings, "read_drawing", refuse)
 
 
-def from_file(wanted: Interpretation) -> tuple[Drawing, Dieline]:
-    drawing = pipeline.read(CONTENT, wanted.unit or None)
-    return drawing, pipeline.interpret(drawing, wanted)
+def from_file(target: Interpretation) -> tuple[Drawing, Dieline]:
+    drawing = pipeline.read(CONTENT, target.unit or None)
+    return drawing, pipeline.interpret(drawing, target)
 
 
 def test_a_reading_has_what_its_file_has(unread: None) -> None:
@@ -73,30 +73,30 @@ def test_a_reading_has_what_its_file_has(unread: None) -> None:
 
 def test_more_overrides_are_laid_over_a_reading(unread: None) -> None:
     kept = stored(Interpretation())
-    wanted = replace(kept.interpretation, overrides=overrides(kept, row3=LineType.IGNORED))
-    same(restore_or_read(kept, wanted), from_file(wanted))
+    target = replace(kept.interpretation, overrides=overrides(kept, row3=LineType.IGNORED))
+    same(restore_or_read(kept, target), from_file(target))
 
 
 @pytest.mark.parametrize(
-    "wanted",
+    "target",
     [
         Interpretation(unit="in"),
         Interpretation(profile="german"),
         Interpretation(rules='title = "Mine"\n[[rule]]\ntype = "half-cut"\ncolour = 1\n'),
     ],
 )
-def test_another_unit_or_profile_reads_the_file_again(wanted: Interpretation) -> None:
+def test_another_unit_or_profile_reads_the_file_again(target: Interpretation) -> None:
     kept = stored(Interpretation())
-    wanted = replace(wanted, overrides=kept.interpretation.overrides)
-    same(restore_or_read(kept, wanted), from_file(wanted))
+    target = replace(target, overrides=kept.interpretation.overrides)
+    same(restore_or_read(kept, target), from_file(target))
 
 
 def test_an_override_that_is_taken_back_is_classified_anew() -> None:
     count = len(pipeline.read(CONTENT))
     kept = stored(Interpretation(overrides=bytes([LineType.HALF_CUT] * count)))
-    wanted = replace(kept.interpretation, overrides=bytes([NO_OVERRIDE] * count))
-    found = restore_or_read(kept, wanted)
-    same(found, from_file(wanted))
+    target = replace(kept.interpretation, overrides=bytes([NO_OVERRIDE] * count))
+    found = restore_or_read(kept, target)
+    same(found, from_file(target))
     assert LineType.HALF_CUT not in found[1].line_type
 
 

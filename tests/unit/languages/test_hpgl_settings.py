@@ -44,7 +44,7 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("old", "new", "expected"),
     [
         (
             'device = "flat-cutter"',
@@ -137,10 +137,10 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
     ],
 )
 def test_an_invalid_file_is_refused_with_the_reason(
-    tmp_path: Path, old: str, new: str, said: str
+    tmp_path: Path, old: str, new: str, expected: str
 ) -> None:
     assert old in TEXT
-    with pytest.raises(LibraryError, match=said):
+    with pytest.raises(LibraryError, match=expected):
         machine(tmp_path, TEXT.replace(old, new, 1))
 
 

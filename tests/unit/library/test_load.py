@@ -124,8 +124,8 @@ def test_the_library_contains_the_files_of_the_first_release() -> None:
 
 
 def test_a_custom_board_is_named_after_its_file(put: Put) -> None:
-    board = load.board(put(BOARD, "house.toml"))
-    assert (board.name, board.caliper, board.perforation) == ("house", 2.0, (3.0, 2.0))
+    board = load.board(put(BOARD, "custom.toml"))
+    assert (board.name, board.caliper, board.perforation) == ("custom", 2.0, (3.0, 2.0))
 
 
 def test_a_custom_machine_has_the_values_of_its_file(put: Put) -> None:

@@ -67,9 +67,9 @@ def test_of_several_failures_the_first_is_raised(monkeypatch: pytest.MonkeyPatch
     for path in (35, 12, 27):
         end[8 * path + 1] = start[8 * path + 1]
         start[8 * path + 2] = start[8 * path + 1]
-    with pytest.raises(ZeroLengthEdge) as told:
+    with pytest.raises(ZeroLengthEdge) as caught:
         offset_on_cores(4, monkeypatch, Paths(start, end, paths.bulge, paths.first), 2.0, -1)
-    assert told.value.source == ("97",) or "97" in str(told.value)
+    assert caught.value.source == ("97",) or "97" in str(caught.value)
 
 
 def test_a_small_batch_uses_one_core(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -40,8 +40,8 @@ def test_a_blank_of_600_mm_is_held_by_four_bridges_of_half_a_millimetre() -> Non
     assert len(operation.paths) == 4
     np.testing.assert_allclose(width, 0.5)
     # 75, 225, 375 and 525 mm along the contour from the first corner.
-    wanted = [[75, 0], [200, 25], [125, 100], [0, 75]]
-    np.testing.assert_allclose(sorted(middle.tolist()), sorted(wanted), atol=1e-9)
+    expected = [[75, 0], [200, 25], [125, 100], [0, 75]]
+    np.testing.assert_allclose(sorted(middle.tolist()), sorted(expected), atol=1e-9)
     assert set(operation.start.tolist() + operation.finish.tolist()) == {End.BRIDGE}
     assert operation.paths.lengths.sum() == pytest.approx(600.0 - 4 * 0.5)
 

@@ -41,8 +41,8 @@ def test_without_a_choice_corners_have_the_type_of_the_operation() -> None:
 
 def test_type_k_and_interference_apply_to_every_milling_operation() -> None:
     operations = plan(LINE, ROUTER, BOARD, Corners("D", 0.3, "refuse"))
-    said = {(one.corner, one.k, one.interference) for one in operations}
-    assert said == {("D", 0.3, "refuse")}
+    settings = {(one.corner, one.k, one.interference) for one in operations}
+    assert settings == {("D", 0.3, "refuse")}
 
 
 def test_a_choice_applies_to_its_corner_only() -> None:
@@ -61,9 +61,11 @@ def test_positions_are_in_drawing_coordinates() -> None:
 
 
 def test_a_position_without_a_corner_is_refused_with_the_nearest_corners() -> None:
-    with pytest.raises(PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away") as said:
+    with pytest.raises(
+        PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away"
+    ) as caught:
         outer(Corners(at=(CornerAt(299, 100, "C"),)))
-    assert "(300.00, 100.00)" in said.value.hint
+    assert "(300.00, 100.00)" in caught.value.hint
 
 
 def test_a_choice_for_an_inner_corner_is_refused() -> None:

@@ -155,7 +155,7 @@ def test_cuts_at_any_angle_split_where_they_cross(places: list[int], slant: floa
     lean = 10.0 * np.tan(np.radians(slant))
     cuts = edges(*[((x - lean, -10.0), (x + lean, 10.0)) for x in places])
     operation = rolled(ACROSS, cuts)
-    wanted = [0, *sorted(places), 100]
-    np.testing.assert_allclose(operation.paths.start[:, 0], wanted[:-1], atol=1e-9)
-    np.testing.assert_allclose(operation.paths.end[:, 0], wanted[1:], atol=1e-9)
+    expected = [0, *sorted(places), 100]
+    np.testing.assert_allclose(operation.paths.start[:, 0], expected[:-1], atol=1e-9)
+    np.testing.assert_allclose(operation.paths.end[:, 0], expected[1:], atol=1e-9)
     assert set(operation.source.tolist()) == {0}

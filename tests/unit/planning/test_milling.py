@@ -229,6 +229,6 @@ def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_a_hint() 
         (0, 0), (200, 0), (200, 150), (104, 150), (104, 20), (96, 20), (96, 150), (0, 150)
     )
     held = replace(BOARD, bridge_width=0.8, bridge_spacing=120.0)
-    with pytest.raises(NoRoomForBridges, match="narrow slots") as told:
+    with pytest.raises(NoRoomForBridges, match="narrow slots") as caught:
         plan(dieline((LineType.CUT, slotted)), ROUTED, held)
-    assert "a larger spacing" in told.value.hint
+    assert "a larger spacing" in caught.value.hint

@@ -130,8 +130,8 @@ def test_only_instructions_that_the_device_supports_are_written() -> None:
     ]  # fmt: skip
     notes = ['a "note"; with\nESC \x1b.R', "placement X20.0000 Y20.0000"]
     assert instructions(toolpath(*SQUARE), notes=notes) == instructions(toolpath(*SQUARE))
-    told = instructions(toolpath(*SQUARE), with_device(comments=True), notes=notes)
-    assert told[:4] == [
+    lines = instructions(toolpath(*SQUARE), with_device(comments=True), notes=notes)
+    assert lines[:4] == [
         "IN;", 'CO"a note with ESC .R";', 'CO"placement X20.0000 Y20.0000";', "PA;",
     ]  # fmt: skip
 

@@ -575,8 +575,8 @@ def test_the_program_for_grbl_matches_the_toolpath_within_half_a_unit(
     for line, row in zip(read, program.source, strict=True):
         if row < 0 or row in program.source[line.number :]:
             continue
-        wanted = path.pose[row + 1] + (60.0, 0.0, -1.5, 0.0)
-        assert np.abs(line.end - wanted).max() <= 0.5e-4 + 1e-9
+        expected = path.pose[row + 1] + (60.0, 0.0, -1.5, 0.0)
+        assert np.abs(line.end - expected).max() <= 0.5e-4 + 1e-9
         if line.centre is not None:
             start, end = path.pose[row : row + 2, :2] + (60.0, 0.0)
             chord = np.hypot(*(end - start))

@@ -272,7 +272,7 @@ def test_a_stroke_has_a_true_colour_and_the_nearest_index(
 def test_rules_of_a_style_sheet_apply_by_specificity() -> None:
     drawing = read(
         svg(
-            "<defs><style><![CDATA[ /* house colours */ path{stroke:#111}",
+            "<defs><style><![CDATA[ /* colours of a company */ path{stroke:#111}",
             ".cut,.x{stroke:#222} path.cut{stroke:#333} #one{stroke:#444}",
             "@media print{.cut{stroke:#555}} line + path{stroke:#666}",
             ".loud{stroke:#777!important} ]]></style></defs>",

@@ -330,11 +330,11 @@ def test_the_samples_have_edge_position_and_deviation() -> None:
         "G0 X0 Y0.006 Z20 C0", "G0 Z4", "G1 Z-0.3 F6000", f"G1 X{50 - LEAD:.4f} Y-0.002 F24000",
         "G1 Z4 F6000",
     )  # fmt: skip
-    told = verdict_of(text.replace(b"P0.0050 Q0.0050", b"P0.0010 Q0.0010"), drawn).samples
-    assert told.edge.tolist() == [0, 0, 0]
+    samples = verdict_of(text.replace(b"P0.0050 Q0.0050", b"P0.0010 Q0.0010"), drawn).samples
+    assert samples.edge.tolist() == [0, 0, 0]
     low = LEAD / 50
-    np.testing.assert_allclose(told.place, [low, (1.0 + low) / 2.0, 1.0], atol=1e-5)
-    np.testing.assert_allclose(told.deviation, [0.002, -0.002, -0.006], atol=1e-6)
+    np.testing.assert_allclose(samples.place, [low, (1.0 + low) / 2.0, 1.0], atol=1e-5)
+    np.testing.assert_allclose(samples.deviation, [0.002, -0.002, -0.006], atol=1e-6)
 
 
 def test_both_faces_of_the_board_have_figures() -> None:

@@ -126,15 +126,15 @@ def test_everything_must_be_off_at_the_end() -> None:
     text = LINUXCNC.decode()
     end = "M65 P0\nM5\nG49\nM2\n"
     assert faults_of(text) == []
-    for gone, said in (
+    for removed, expected in (
         ("M65 P0\n", "rs274.ends-lowered"),
         ("M5\n", "rs274.ends-oscillating"),
         ("G49\n", "rs274.ends-with-offset"),
         ("M2\n", "rs274.no-end"),
     ):
-        faults = faults_of(text.replace(end, end.replace(gone, "")))
+        faults = faults_of(text.replace(end, end.replace(removed, "")))
         assert len(faults) == 1
-        assert said in faults[0]
+        assert expected in faults[0]
 
 
 def test_nothing_moves_after_the_end() -> None:

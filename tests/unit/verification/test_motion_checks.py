@@ -33,7 +33,7 @@ def findings_without_dieline(text: bytes) -> list[Finding]:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "line", "said"),
+    ("old", "new", "line", "expected"),
     [
         ("G1 Y65.6000 F30000", "G1 Y65.6000 F30001", 18, "30001 mm/min instead of 30000"),
         ("G1 Z1.4000 F6000", "G1 Z1.4000 F5999", 17, "5999 mm/min instead of 6000"),
@@ -41,11 +41,11 @@ def findings_without_dieline(text: bytes) -> list[Finding]:
     ],
 )
 def test_a_feed_that_is_not_the_tools_own_is_found(
-    old: str, new: str, line: int, said: str
+    old: str, new: str, line: int, expected: str
 ) -> None:
     found = [finding for finding in findings(changed(LINUXCNC, old, new)) if finding.line == line]
     assert found[0].kind == "feed"
-    assert said in found[0].text
+    assert expected in found[0].text
 
 
 def test_a_timed_arc_that_takes_another_time_is_found() -> None:
@@ -124,7 +124,7 @@ def test_a_wheel_must_not_turn_in_place() -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("old", "new", "expected"),
     [
         ("M64 P1\n", "M64 P2\n", "Station 2 processes the board while its output 1 is off"),
         (
@@ -145,10 +145,10 @@ def test_a_wheel_must_not_turn_in_place() -> None:
         ),
     ],
 )
-def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, said: str) -> None:
+def test_outputs_must_be_those_of_the_station_at_work(old: str, new: str, expected: str) -> None:
     text = LINUXCNC.replace(old.encode(), new.encode(), 1)
     found = [finding for finding in findings(text) if finding.kind == "program"]
-    assert any(said in finding.text for finding in found), found
+    assert any(expected in finding.text for finding in found), found
 
 
 @pytest.mark.parametrize(
@@ -205,11 +205,11 @@ def test_a_blade_turns_by_the_same_angle_as_its_arc(end: str, turns: int) -> Non
     turned = end.replace(word, f"C{float(word[1:]) + turns:.4f}")
     found = findings(changed(LINUXCNC, end, turned))
     line = 1 + LINUXCNC[: LINUXCNC.index(end.encode())].count(b"\n")
-    told = [finding for finding in found if finding.line == line and finding.kind == "heading"]
-    assert told
-    assert told[0].measure == pytest.approx(abs(turns))
+    matching = [finding for finding in found if finding.line == line and finding.kind == "heading"]
+    assert matching
+    assert matching[0].measure == pytest.approx(abs(turns))
     assert f"C turns by {90.0 + turns:.3f}° in the board, although the path turns by 90.000°" in (
-        told[0].text
+        matching[0].text
     )
 
 
@@ -239,9 +239,9 @@ def test_a_tool_does_not_turn_along_a_line(
 
     assert not [finding for finding in along(0.0) if "although the path" in finding.text]
     knife = program is knife_program
-    told = [finding for finding in along(turned) if "although the path" in finding.text]
+    matching = [finding for finding in along(turned) if "although the path" in finding.text]
     # A knife may turn by its swivel angle: what it then cuts is compared with the drawing.
-    assert bool(told) == (not knife or abs(turned) > 15.0)
+    assert bool(matching) == (not knife or abs(turned) > 15.0)
 
 
 @pytest.mark.parametrize(("end", "fine"), [(90.0, True), (-90.0, False), (270.0, False)])

@@ -55,7 +55,7 @@ def test_lines_may_end_with_crlf_and_the_last_one_without_an_end() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "expected"),
     [
         (b"G1 X#1\n", "The character '#'"),
         (b"%\n", "The character '%'"),
@@ -71,9 +71,9 @@ def test_lines_may_end_with_crlf_and_the_last_one_without_an_end() -> None:
         (b"(" + b"a" * 260 + b")", "longer than 255"),
     ],
 )
-def test_a_fault_has_the_number_of_its_line(text: bytes, said: str) -> None:
+def test_a_fault_has_the_number_of_its_line(text: bytes, expected: str) -> None:
     _, faults = interpret(parse_words(b"\n" + text), MACHINE)
-    assert any(line == 2 and said in render(fault) for line, fault in faults), faults
+    assert any(line == 2 and expected in render(fault) for line, fault in faults), faults
 
 
 def test_any_bytes_are_read_without_an_error() -> None:
