@@ -91,7 +91,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
 
 
 class _Reasons:
-    """The distinct reasons for decisions about line types, each with other possible line types."""
+    """The distinct reasons for decisions about line types, each with alternative line types."""
 
     def __init__(self) -> None:
         self.messages: list[Message] = []

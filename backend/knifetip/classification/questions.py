@@ -1,4 +1,4 @@
-"""questions: make questions to the user about edges that are not classified."""
+"""questions: create questions that ask the user for the line types of unclassified edges."""
 
 from __future__ import annotations
 

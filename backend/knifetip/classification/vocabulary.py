@@ -41,7 +41,7 @@ class NameMeaning:
 
 @dataclass(frozen=True, slots=True)
 class _Vocabulary:
-    """The words of names of layers and linetypes and their meanings, from ``vocabulary.toml``."""
+    """The words in names of layers and linetypes with their meanings, from ``vocabulary.toml``."""
 
     meanings: Mapping[str, frozenset[LineType]]  #: line types of each word
     before_cut: Mapping[str, LineType]  #: words that make the cut named after them a partial one

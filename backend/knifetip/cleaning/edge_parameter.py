@@ -16,7 +16,10 @@ from knifetip.kernels import F64_1, F64_2, kernel
 
 @kernel
 def circle_of(rows: F64_2, i: int) -> tuple[float, float, float, float]:
-    """Return centre x and y, radius and signed sweep (radians) of the arc in ``rows[i]``."""
+    """Return centre x and y, radius and signed sweep (radians) of the arc in ``rows[i]``.
+
+    A row is x0, y0, x1, y1, bulge.
+    """
     b = rows[i, 4]
     dx = rows[i, 2] - rows[i, 0]
     dy = rows[i, 3] - rows[i, 1]

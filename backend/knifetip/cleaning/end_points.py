@@ -23,7 +23,10 @@ CROWD: Final = 64
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EndPoints:
-    """The points that the ends of k edges share; edge i has the ends 2i (start) and 2i + 1."""
+    """The points at which ends of k edges meet, and pairs of ends near each other.
+
+    Edge i has the ends 2i (start) and 2i + 1 (end).
+    """
 
     ends: F64  #: (k, 2, 2) ends of the edges (mm)
     place: I64  #: (2k,) point of each end; ends in a chain of distances within ``JOIN`` share one

@@ -43,7 +43,7 @@ _FEW: Final = 3
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Merged:
-    """The m edges after merging k edges, and the merged edge that contains each of the k edges."""
+    """The m edges that result from merging k edges, and which of them contains each of the k."""
 
     ends: F64  #: (m, 2, 2) mm
     bulge: F64  #: (m,)

@@ -194,7 +194,10 @@ def _overlapping(
 
 @kernel
 def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
-    """Return whether the edges ``rows[i]`` and ``rows[j]`` overlap along more than ``same`` mm."""
+    """Return whether the edges ``rows[i]`` and ``rows[j]`` overlap along more than ``same`` mm.
+
+    ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.
+    """
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
     if size_of(rows, i) < size_of(rows, j):

@@ -275,7 +275,7 @@ def _remove(
     -------
     piece, owner
         Pieces that remain (x0, y0, x1, y1, bulge), and the edge of each.
-    edge, begin, end, piece, given
+    edge, begin, end, piece, is_foreign
         For each stretch: its edge, start and end (0 … 1 of the edge), the piece that is coincident
         with it, and whether this piece belongs to another edge.
     """

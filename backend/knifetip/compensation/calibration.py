@@ -12,7 +12,7 @@ from knifetip.compensation import deflection
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """Deflection of a cutter in a board, fitted to a test cut."""
+    """Deflection of a cutter in a board along X and Y, fitted to a test cut, and its error."""
 
     x: float  #: δx, deflection along X (mm)
     y: float  #: δy, deflection along Y (mm)

@@ -211,7 +211,10 @@ class _ShiftedSegments:
         self.high = self.low + along
 
     def point(self, row: I32, t: F64) -> F64:
-        """Return the points of the segments ``row`` (m,) at parameters t (m,), (m, 2) mm."""
+        """Return one point of each of m segments, (m, 2) mm.
+
+        ``row`` (m,) are the indices of the segments, and ``t`` (m,) is the parameter of the point.
+        """
         cos, sin = np.cos(t), np.sin(t)
         turned = self.middle[row] + self.half[row] * np.column_stack([cos, sin])
         straight = self.origin[row] + self.ahead[row] * t[:, None]
@@ -219,7 +222,10 @@ class _ShiftedSegments:
         return result
 
     def slope(self, row: I32, t: F64) -> F64:
-        """Return the derivatives by t of the segments ``row`` (m,) at parameters t (m,), (m, 2)."""
+        """Return the derivative by t at one point of each of m segments, (m, 2).
+
+        ``row`` (m,) are the indices of the segments, and ``t`` (m,) is the parameter of the point.
+        """
         turned = self.half[row] * np.column_stack([-np.sin(t), np.cos(t)])
         result: F64 = np.where(self.curved[row, None], turned, self.ahead[row])
         return result

@@ -41,7 +41,7 @@ _LEAD_FRACTIONS: Final = (1.0, 0.5, 0.0)
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CentrePaths:
-    """Paths of the cutter's centre: q paths with n segments, for an operation of p paths."""
+    """Paths of the cutter's centre: q paths with n segments, from p paths of an operation."""
 
     paths: Paths  #: q paths
     segment: I32  #: (n,) segment of the operation that each segment belongs to

@@ -83,7 +83,7 @@ class Strokes:
             object.__setattr__(self, "motion", np.full(count, Motion.FEED, np.uint8))
 
     def merged_with(self, other: Strokes) -> Strokes:
-        """Return these strokes together with the strokes of ``other``, ordered by track."""
+        """Return these strokes and the strokes of ``other`` in one record, ordered by track."""
         if len(other.track) == 0:
             return self
         order = np.argsort(np.concatenate([self.track, other.track]), kind="stable")

@@ -86,7 +86,7 @@ def sideways_move(start: F64, end: F64, cutter: VCutter, rise: F64) -> F64:
 
 @dataclass(frozen=True, slots=True)
 class GrooveSection:
-    """Cross-section of a V-groove."""
+    """Cross-section of a V-groove: included angle, width and remaining thickness of the board."""
 
     included: float  #: angle between the flanks, which is the largest fold angle (degrees)
     width: float  #: width at the top face of the board (mm)

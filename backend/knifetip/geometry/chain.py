@@ -23,7 +23,10 @@ from knifetip.kernels import F64_2, I64_1, I64_2, OutI64_1, kernel
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Chains:
-    """The p paths that n edges form: order and direction of the edges, and start of each path."""
+    """The p paths into which n edges are connected.
+
+    The record contains the order and direction of the edges, and the first edge of each path.
+    """
 
     order: I32  #: (n,) rows of the edges, path by path
     flipped: Bool  #: (n,) whether each edge in ``order`` is traversed backwards

@@ -26,7 +26,7 @@ TOUCH: Final = 1e-9
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Crossings:
-    """Common points of the two segments of each of n pairs."""
+    """For each of n pairs of segments, the common points of the two segments."""
 
     count: I32  #: (n,) number of points of each pair
     points: F64  #: (n, 4, 2) mm, NaN beyond ``count``

@@ -39,18 +39,18 @@ class Paths:
 
     @property
     def path_of(self) -> I32:
-        """(n,) Number of the path that each segment belongs to."""
+        """Number of the path that each of the n segments belongs to, (n,)."""
         return np.repeat(np.arange(len(self), dtype=np.int32), np.diff(self.first))
 
     @property
     def lengths(self) -> F64:
-        """(p,) Length of each path (mm)."""
+        """Length of each of the p paths, (p,) mm."""
         along = arc.length(self.start, self.end, self.bulge)
         return np.bincount(self.path_of, along, minlength=len(self)).astype(np.float64)
 
     @property
     def areas(self) -> F64:
-        """(p,) Signed area enclosed by each path (mm²), > 0 if counter-clockwise."""
+        """Signed area enclosed by each of the p paths, (p,) mm², > 0 if counter-clockwise."""
         # Relative to the first point of each path, so that no digits are lost far from the origin.
         origin = self.start[self.first[:-1]][self.path_of]
         a, b = self.start - origin, self.end - origin
@@ -63,7 +63,7 @@ class Paths:
 
     @property
     def closed(self) -> Bool:
-        """(p,) Whether each path ends at its start."""
+        """Whether each of the p paths ends at its start, (p,)."""
         gap = self.start[self.first[:-1]] - self.end[self.first[1:] - 1]
         result: Bool = np.hypot(gap[:, 0], gap[:, 1]) < POINT
         return result

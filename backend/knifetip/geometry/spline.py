@@ -17,7 +17,10 @@ from knifetip.geometry.tolerance import CURVE
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Spline:
-    """Rational B-spline curve; a polynomial B-spline has weights of 1."""
+    """Rational B-spline curve in the plane, defined by control points, weights and knots.
+
+    All weights are 1 for a polynomial B-spline.
+    """
 
     control: F64  #: (k, 2) control points (mm)
     weights: F64  #: (k,) weights of the control points, > 0

@@ -1,4 +1,4 @@
-"""tolerance: all geometric tolerances, by name."""
+"""tolerance: named constants for all geometric tolerances."""
 
 from __future__ import annotations
 

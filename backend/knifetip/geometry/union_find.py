@@ -32,7 +32,10 @@ def union(parent: OutI64_1, i: int, j: int) -> None:
 
 @kernel(allocates=False)
 def flatten(parent: OutI64_1) -> None:
-    """Replace the parent of each index by the root of its set."""
+    """Replace the parent of each index by the root of the set that contains the index.
+
+    ``parent`` has the parent of each index.
+    """
     for i in range(len(parent)):
         # The root is the least index of a set, so it is final already.
         parent[i] = parent[parent[i]]

@@ -61,7 +61,7 @@ class _LoadedLibrary(JITCodeLibrary):
 
 
 class _StoredKernel(CompileResultCacheImpl):
-    """Conversion between a compiled kernel and the content of its cache file."""
+    """Converts a compiled kernel to the content of its cache file, and back."""
 
     def rebuild(self, target_context: Any, payload: tuple[Any, ...]) -> CompileResult:
         """Return the compiled kernel that the content of a cache file describes.
@@ -128,7 +128,7 @@ class _KernelFiles(IndexDataCacheFile):
 
 
 class KernelCache(FunctionCache):
-    """The cache files of one kernel, beside its source."""
+    """The cache files of one kernel, in a folder beside its source file."""
 
     _impl_class = _StoredKernel
 

@@ -42,7 +42,7 @@ class Kernel(CPUDispatcher):
 
     @cached_property
     def declared(self) -> dict[str, Any]:
-        """Return the numba types of the arguments, by name."""
+        """Return the numba type of each argument of the kernel, by the argument's name."""
         return argument_types(self.py_func)
 
     @cached_property

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """Annotation of an argument that is one number, given by the name of its NumPy dtype."""
+    """Annotation of an argument that is one number of a given NumPy dtype, such as "int32"."""
 
     dtype: str
 

@@ -24,7 +24,7 @@ from knifetip.kernels import (
 
 
 class Contours(NamedTuple):
-    """Input contours: p paths with n segments."""
+    """Input of the offset engine: p paths with n segments in total, stored in columns."""
 
     start: F64_2  #: (n, 2) mm
     end: F64_2  #: (n, 2) mm
@@ -33,7 +33,10 @@ class Contours(NamedTuple):
 
 
 class CornerTypes(NamedTuple):
-    """Type of the transition at the start of each segment, used if the corner there is convex."""
+    """For each contour segment, the type of the transition at its start.
+
+    A transition is the tool's path round a corner; the type is used only if the corner is convex.
+    """
 
     kind: U8_1  #: (n,) or (1,) ``transition.Corner``
     k: F64_1  #: (n,) or (1,) parameter k of type D: 0 as B, 1 as C
@@ -48,7 +51,7 @@ class MovedSegments(NamedTuple):
 
 
 class MovedPath(NamedTuple):
-    """One path, with the rows of its segments among moved segments."""
+    """One input path, and the rows of its segments in the table of moved segments."""
 
     low: int  #: first contour segment of the path
     high: int  #: contour segment after the last one of the path
@@ -59,7 +62,7 @@ class MovedPath(NamedTuple):
 
 
 class OffsetSegments(NamedTuple):
-    """Output columns with capacity for m segments of offset paths."""
+    """Output columns for the segments of all offset paths, with capacity for m segments."""
 
     start: OutF64_2  #: (m, 2) mm
     end: OutF64_2  #: (m, 2) mm
@@ -81,7 +84,7 @@ def empty_segments(capacity: int) -> OffsetSegments:
 
 
 class RawRows(NamedTuple):
-    """Columns for m moved segments of a region, which are split at their intersections."""
+    """Table of m moved segments of a region, which are later split at their intersections."""
 
     rows: OutF64_2  #: (m, 5) x0, y0, x1, y1, bulge
     #: (m, 4) contour segment, whether inserted, whether the next row continues the row, path
@@ -134,7 +137,10 @@ class OffsetGroups(NamedTuple):
 
 
 class OffsetChains(NamedTuple):
-    """Output columns with capacity for c chains of offset segments, for p input paths."""
+    """Output columns with capacity for c chains of offset segments, one chain per offset path.
+
+    Also contains the areas beside p input paths that the tool cannot reach.
+    """
 
     first: OutI32_1  #: (c,) first row of each chain
     owner: OutI32_1  #: (c,) input path of each chain

@@ -180,7 +180,7 @@ def _swept_area(
     chains: int,
     scratch: Scratch,
 ) -> tuple[float, bool, int, float]:
-    """Return twice the area that is bounded by the edge that a tool leaves, when it follows chains.
+    """Return the area inside the edge that a tool leaves when its centre follows chains.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ BLOCK_ROWS: Final = 4
 
 
 class CheckedSegments(NamedTuple):
-    """The m segments that are searched for common points."""
+    """Columns of m segments that are searched for two segments with a common point."""
 
     start: F64_2  #: (m, 2) mm
     end: F64_2  #: (m, 2) mm

@@ -29,7 +29,7 @@ from knifetip.kernels import F64_1, F64_2, U8_1, OutF64_2, OutI32_1, kernel
 
 
 class Corner(IntEnum):
-    """Type of a transition at a convex corner."""
+    """Type of the tool's path round a convex corner: B, C or D."""
 
     B = 0
     C = 1

@@ -26,7 +26,7 @@ from knifetip.topology.segment import BULGE
 
 
 class LeftNeighbours(NamedTuple):
-    """For each of c components, the first piece of another component to the left of it."""
+    """For each of c components, the nearest piece of another component to its left."""
 
     piece: I32  #: (c,) first piece to the left of each component, -1 for none
     upward: Bool  #: (c,) whether that piece runs upwards where the ray meets it

@@ -63,7 +63,10 @@ def merge_ends(ends: F64, tolerance: float) -> tuple[VertexTable, I32]:
 
 
 def with_capacity(vertices: VertexTable, more: int) -> VertexTable:
-    """Return a copy of a table of vertices with capacity for ``more`` further vertices."""
+    """Return a table with the vertices of another table and capacity for ``more`` further ones.
+
+    The hash buckets, column ``head``, are not copied: adding to the returned table changes both.
+    """
     point, next_vertex = (
         np.empty((vertices.vertex_count + more, 2)),
         np.empty(vertices.vertex_count + more, np.int32),

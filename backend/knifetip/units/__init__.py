@@ -1,1 +1,1 @@
-"""units: find the unit of a drawing from several kinds of evidence, and rescale it to mm."""
+"""units: find the unit of a drawing from several kinds of evidence, and convert it to mm."""

@@ -60,7 +60,7 @@ _UNIT_OF_SIGN: Final = {'"': "in", "inch": "in", "inches": "in", "'": "ft"}
 
 @dataclass(frozen=True, slots=True)
 class TextEvidence:
-    """The evidence for each unit, and the warnings, that result from the texts of a drawing."""
+    """What the texts of a drawing contribute: evidence for units, and warnings."""
 
     evidence: tuple[UnitEvidence, ...]
     warnings: tuple[Message, ...]

@@ -66,7 +66,11 @@ _POSSIBLE_TYPES: Final[dict[Role, tuple[LineType, ...]]] = {
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """The line type of the edges of one style in one role, with confidence and reason."""
+    """The line type decided for the edges of one style in one role, with confidence and reason.
+
+    A style is a combination of layer, colour and linetype; a role is a function in the drawing's
+    shape.
+    """
 
     kind: LineType  #: the best guess
     confidence: float  #: 0 … 1
@@ -99,7 +103,10 @@ class _Guess:
         self.kind, self.confidence = kind, confidence
 
     def weaken(self, limit: float, *others: LineType) -> None:
-        """Reduce the confidence to at most ``limit``, and add line types that are possible."""
+        """Reduce the confidence to at most ``limit``, and add other line types that are possible.
+
+        The arguments after ``limit`` are these line types.
+        """
         self.confidence = min(self.confidence, limit)
         self.others.extend(others)
 
@@ -421,7 +428,7 @@ class Classifier:
 
 
 def _likeliest_type(role: Role) -> LineType:
-    """Return the likeliest line type of edges with a role."""
+    """Return the likeliest line type of edges with the given role in the shape of a drawing."""
     return _POSSIBLE_TYPES[role][0]
 
 

@@ -101,7 +101,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RuleMatches:
-    """For each of c styles, the first rule of a profile that matches it, or that there is none."""
+    """For each of c styles, the first rule of a profile that matches it, if any."""
 
     line_type: U8  #: (c,) LineType; UNCLASSIFIED if no rule matches, or if the rule says so
     rule: I32  #: (c,) index of the rule, -1 for none

@@ -29,7 +29,10 @@ _MOST_BLANKS: Final = 50
 
 
 class _Blanks(NamedTuple):
-    """The ends of n edges, the blank that each edge belongs to, and centre and size of b blanks."""
+    """Edges and blanks of a drawing, for the search of mirror images.
+
+    The record contains the ends and the blank of each of n edges, and centre and size of b blanks.
+    """
 
     ends: F64  #: (n, 2, 2) ends of each edge
     blank: I32  #: (n,) number of the blank, -1 for none

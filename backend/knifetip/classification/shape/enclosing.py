@@ -27,7 +27,10 @@ _MAX_BLEEDS: Final = 300
 
 
 class Enclosures(NamedTuple):
-    """The kinds of the c connected components of a drawing that enclose other components."""
+    """Masks of the components of a drawing that enclose other components, one mask for each kind.
+
+    The kinds are frames, bleeds and outlines of whole cartons.
+    """
 
     panels: I64  #: (c,) number of faces inside the outline
     parent: I32  #: (c,) component with a face that contains this component, -1 for none

@@ -57,7 +57,10 @@ _NARROW: Final = 6.0
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ShapeFeatures:
-    """Shape features of n edges, whose planar graph has f faces."""
+    """Features of the shape of a drawing: role, component, faces and others of each of n edges.
+
+    The planar graph of the edges has f faces.
+    """
 
     role: U8  #: (n,) Role of the greatest part of each edge's length
     role_fraction: F64  #: (n,) fraction of the edge's length that has this role, 0 … 1
@@ -170,7 +173,10 @@ class _Extraction(NamedTuple):
     with_folds: bool
 
     def features(self) -> ShapeFeatures:
-        """Return the features of all edges: arrows are found first, then all other features."""
+        """Return the shape features of all edges.
+
+        Edges of arrows are found first; the other edges are examined without them.
+        """
         count = len(self.bulge)
         graph = self._graph()
         if graph is None:

@@ -58,7 +58,7 @@ class ComponentBoxes(NamedTuple):
 
 
 class Measures(NamedTuple):
-    """Measures of c connected components, in drawing units."""
+    """Areas, lengths, nearby texts and other measures of c components, in drawing units."""
 
     area: F64  #: (c,) area inside the outline
     size: F64  #: (c,) diagonal of the bounding box

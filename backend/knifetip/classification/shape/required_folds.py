@@ -146,7 +146,7 @@ def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
 
 
 class _Borders(NamedTuple):
-    """The borders between k pairs of faces, made of d pieces of a planar graph."""
+    """The borders between k pairs of neighbouring faces, made of d pieces of a graph."""
 
     graph: PlanarGraph
     piece: I64  #: (d,) pieces of the borders
@@ -206,8 +206,9 @@ class _Borders(NamedTuple):
     def longest(self, length: F64, count: int) -> Bool:
         """Return the mask of pieces that belong to the longest edge of their border, (d,).
 
-        For a border with dashes it is the mask of the pieces of the dashes.  Short edges at the
-        ends of a fold are left out, because they may be slits that lock it.
+        A border is the common boundary of two faces.  For a border with dashes it is the mask of
+        the pieces of the dashes.  Short edges at the ends of a fold are left out, because they may
+        be slits that lock it.
 
         Parameters
         ----------

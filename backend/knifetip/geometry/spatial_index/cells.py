@@ -1,4 +1,4 @@
-"""cells: group entries by the cells of a uniform grid."""
+"""cells: group numbered entries, such as edges, by the cells of a uniform grid."""
 
 from __future__ import annotations
 
