@@ -81,7 +81,7 @@ def check_milling(
     assert tool.disc is not None
     planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
     deflection = next(
-        (held for held in context.board.deflection if held.tool == station.name), None
+        (entry for entry in context.board.deflection if entry.tool == station.name), None
     )
     reach = np.array([tool.disc.radius, tool.disc.radius]) - (
         (deflection.x, deflection.y) if deflection else 0.0
@@ -109,26 +109,28 @@ class _MillingCheck:
         self.size = edges.curve[:, 5]
         self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
 
-    def run(self, planned: float) -> None:
-        """Run the check; ``planned`` is the planned depth of the tip below the board's top face
-        (mm).
+    def run(self, planned_depth: float) -> None:
+        """Run the check; ``planned_depth`` is the planned depth of the tip below the board's top
+        face (mm).
         """
         deep = self.context.board.caliper - self.centres.z
-        wrong = deep - planned
+        wrong = deep - planned_depth
         if self.tool.step == 0.0:
             wrong = np.abs(wrong)
         for row in np.flatnonzero(wrong > DEPTH_TOLERANCE)[:MAX_FINDINGS]:
             self._add_finding(
                 "depth",
                 -1,
-                Message("verify.wrong-depth", tool="cutter", depth=deep[row], planned=planned),
+                Message(
+                    "verify.wrong-depth", tool="cutter", depth=deep[row], planned=planned_depth
+                ),
                 float(wrong[row]),
                 row,
             )
         self._check_pass_steps(deep)
-        through = deep >= planned - DEPTH_TOLERANCE
+        is_through = deep >= planned_depth - DEPTH_TOLERANCE
         pieces = cutter_paths(self.bounds, self.reach)
-        gap_edge, begin, end = self._untouched_stretches(pieces, through)
+        gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
         self._record_untouched(pieces, gap_edge, begin, end)
         self._check_parts()
         self._check_open_ends()
@@ -144,10 +146,10 @@ class _MillingCheck:
         """
         if self.tool.step == 0.0:
             return
-        which, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
+        path_rows, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            row = int(which[k])
+            row = int(path_rows[k])
             self._add_finding(
                 "depth",
                 -1,
@@ -165,13 +167,13 @@ class _MillingCheck:
     def _add_finding(
         self, kind: str, edge: int, message: Message, measure: float, row: int = -1
     ) -> None:
-        where = int(self.edges.row[edge]) if edge >= 0 else -1
+        edge_row = int(self.edges.row[edge]) if edge >= 0 else -1
         line = int(self.centres.line[row]) if row >= 0 else -1
-        self.context.findings.add(kind, message, measure, edge=where, line=line)
+        self.context.findings.add(kind, message, measure, edge=edge_row, line=line)
 
     # -- the edges -------------------------------------------------------------------------------
 
-    def _untouched_stretches(self, pieces: CutterPaths, through: Bool) -> tuple[I64, F64, F64]:
+    def _untouched_stretches(self, pieces: CutterPaths, is_through: Bool) -> tuple[I64, F64, F64]:
         """Return the k stretches of edges that the disc has not touched in a cut through the board.
 
         Also records the deviations of the centre from its expected paths.
@@ -180,7 +182,7 @@ class _MillingCheck:
         ----------
         pieces
             Expected paths of the centre.
-        through : (n,)
+        is_through : (n,)
             Mask of the centre's n actual paths that go through the board.
 
         Returns
@@ -188,7 +190,7 @@ class _MillingCheck:
         Three arrays, (k,) each: index of the edge of each stretch, and the start and the end of the
         stretch along that edge (mm).
         """
-        centres = self.centres.select(through)
+        centres = self.centres.select(is_through)
         rounds = centres.blend
         length = pieces.curve[:, 5]
         overlaps = find_overlaps(
@@ -205,12 +207,12 @@ class _MillingCheck:
             pieces.edge_intervals(overlaps.edge, overlaps.place[:, [0, 0]])[0],
             overlaps.place[:, [1, 1]],
         )
-        for side, at in ((0, first), (1, pieces.edge_intervals(overlaps.edge, last)[0])):
-            off = left_distance(
+        for side, position in ((0, first), (1, pieces.edge_intervals(overlaps.edge, last)[0])):
+            offset = left_distance(
                 centres.curve[overlaps.curve], overlaps.along[:, side], pieces.curve[overlaps.edge]
             )
             self.context.samples.append(
-                (self.edges.row[edge[runs]], (at / self.size[edge])[runs], off[runs])
+                (self.edges.row[edge[runs]], (position / self.size[edge])[runs], offset[runs])
             )
         along = np.abs(np.diff(overlaps.place)[:, 0]) > self.tolerance
         for row in np.flatnonzero(runs & along & (figure > self.tolerance + 1e-9))[:MAX_FINDINGS]:
@@ -259,9 +261,9 @@ class _MillingCheck:
         # Length that the disc touches within the tolerance beside a blocked stretch.
         beside = float(np.sqrt(2.0 * self.reach.max() * self.tolerance))
         for k in np.flatnonzero(bare & (missed <= beside)):
-            mine = blocked_edge == left_edge[k]
-            before = (np.abs(high[mine] - left_begin[k]) < EPSILON).any()
-            after = (np.abs(low[mine] - left_end[k]) < EPSILON).any()
+            same_edge = blocked_edge == left_edge[k]
+            before = (np.abs(high[same_edge] - left_begin[k]) < EPSILON).any()
+            after = (np.abs(low[same_edge] - left_end[k]) < EPSILON).any()
             bare[k] = before == after
         reached = ~np.isin(edge, left_edge[bare])
         self.context.unreached.append(
@@ -307,14 +309,16 @@ class _MillingCheck:
         edge, width = edge[is_bridge], width[is_bridge]
         begin, end = begin[is_bridge], end[is_bridge]
 
-        path, place, bare = paths.path[edge], 0.5 * (begin + end), end - begin
-        middle = paths.begin[edge] + np.where(paths.flipped[edge], self.size[edge] - place, place)
+        path, position, bare = paths.path[edge], 0.5 * (begin + end), end - begin
+        middle = paths.begin[edge] + np.where(
+            paths.flipped[edge], self.size[edge] - position, position
+        )
         np.add.at(self.context.figures.setback, self.edges.row[edge], bare)
-        found = order_bridges(path, middle, width, bare, bare, paths.length)
-        for kind, at, message, measure in check_bridges(
-            found, paths, self.edges, rounds, board, self.slack
+        bridges = order_bridges(path, middle, width, bare, bare, paths.length)
+        for kind, edge_row, message, measure in check_bridges(
+            bridges, paths, self.edges, rounds, board, self.slack
         ):
-            self._add_finding(kind, at, message, measure)
+            self._add_finding(kind, edge_row, message, measure)
         return is_bridge
 
     def _blocked_stretches(self, pieces: CutterPaths) -> tuple[I64, F64, F64]:
@@ -347,11 +351,11 @@ class _MillingCheck:
         begin, end = spans_near_points(
             pieces.curve[met.edge], corner[met.curve], near - 0.5 * self.tolerance
         )
-        some = end > begin
+        nonempty = end > begin
         low, high = pieces.edge_intervals(
-            met.edge[some], np.stack([begin[some], end[some]], axis=1)
+            met.edge[nonempty], np.stack([begin[nonempty], end[nonempty]], axis=1)
         )
-        edge.append(pieces.edge[met.edge[some]])
+        edge.append(pieces.edge[met.edge[nonempty]])
         lows.append(low)
         highs.append(high)
         # An edge without an offset cannot be touched.
@@ -376,23 +380,23 @@ class _MillingCheck:
         path, edge = overlaps.curve, overlaps.edge
         # An open cut is followed on its line, so the disc removes board on both sides.
         along = self._open_cut_mask()
-        into = np.zeros(len(path))
+        penetration = np.zeros(len(path))
         sides = np.zeros((2, len(path)))
-        for at in milling_geometry.nearest_candidates(
+        for position in milling_geometry.nearest_candidates(
             self.centres.curve[path], overlaps.along, curve[edge], self._disc_is_round
         ):
-            into = np.maximum(
-                into,
+            penetration = np.maximum(
+                penetration,
                 milling_geometry.disc_penetration(
-                    point_at(self.centres.curve[path], at), curve[edge], self.reach
+                    point_at(self.centres.curve[path], position), curve[edge], self.reach
                 ),
             )
-            off = left_distance(self.centres.curve[path], at, curve[edge])
-            sides = np.stack([np.minimum(sides[0], off), np.maximum(sides[1], off)])
+            offset = left_distance(self.centres.curve[path], position, curve[edge])
+            sides = np.stack([np.minimum(sides[0], offset), np.maximum(sides[1], offset)])
         # A path with points on both sides of an edge crosses the edge.
         crosses = (sides[0] < -EPSILON) & (sides[1] > EPSILON)
-        into = np.where(crosses, np.maximum(into, self.reach.min()), into)
-        self._record_overcut(closing[edge], path, np.where(along[path], 0.0, into))
+        penetration = np.where(crosses, np.maximum(penetration, self.reach.min()), penetration)
+        self._record_overcut(closing[edge], path, np.where(along[path], 0.0, penetration))
 
         corner = self.edges.ends[np.repeat(self.bounds.closing, 2)]
         met = find_overlaps(
@@ -404,17 +408,19 @@ class _MillingCheck:
         )
         touched = met.edge
         near = np.full(len(touched), np.inf)
-        for share in np.linspace(0.0, 1.0, 2 if self._disc_is_round else 33):
-            off = point_at(self.centres.curve[touched], share * self.centres.curve[touched, 5])
-            near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
+        for fraction in np.linspace(0.0, 1.0, 2 if self._disc_is_round else 33):
+            centre = point_at(
+                self.centres.curve[touched], fraction * self.centres.curve[touched, 5]
+            )
+            near = np.minimum(near, np.hypot(*((centre - corner[met.curve]) / self.reach).T))
         foot = milling_geometry.nearest_along(
             self.centres.curve[touched], corner[met.curve], self.reach
         )
-        off = point_at(self.centres.curve[touched], foot)
-        near = np.minimum(near, np.hypot(*((off - corner[met.curve]) / self.reach).T))
-        into = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
+        centre = point_at(self.centres.curve[touched], foot)
+        near = np.minimum(near, np.hypot(*((centre - corner[met.curve]) / self.reach).T))
+        penetration = np.where(along[touched], 0.0, (1.0 - near) * float(self.reach.min()))
         at_corner = np.repeat(closing, 2)[met.curve]
-        self._record_overcut(at_corner, touched, into)
+        self._record_overcut(at_corner, touched, penetration)
 
     def _open_cut_mask(self) -> Bool:
         """Return the mask of the centre's n paths that follow an open cut, shape (n,).
@@ -440,7 +446,7 @@ class _MillingCheck:
         own = self.edges.curve[~self.bounds.closing]
         curve = self.centres.curve[rows]
         near = find_overlaps(curve, own, np.zeros(len(own)), own[:, 5], self.tolerance)
-        which, spans = uncovered_curves(near, curve)
+        path_rows, spans = uncovered_curves(near, curve)
         size = np.diff(spans)[:, 0]
         for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
             self._add_finding(
@@ -448,28 +454,32 @@ class _MillingCheck:
                 -1,
                 Message("verify.past-open-cut", length=size[k]),
                 float(size[k]),
-                int(rows[which[k]]),
+                int(rows[path_rows[k]]),
             )
 
     @property
     def _disc_is_round(self) -> bool:
         return bool(self.reach[0] == self.reach[1])
 
-    def _record_overcut(self, edge: I64, path: I32 | I64, into: F64) -> None:
-        into = np.where(into > EPSILON, into, 0.0)
-        figure = into + np.where(into > 0.0, self.rounds[path], 0.0)
+    def _record_overcut(self, edge: I64, path: I32 | I64, penetration: F64) -> None:
+        penetration = np.where(penetration > EPSILON, penetration, 0.0)
+        figure = penetration + np.where(penetration > 0.0, self.rounds[path], 0.0)
         row = self.edges.row[edge]
-        np.maximum.at(self.context.figures.overcut, row, np.where(into > PRINT_ROUNDING, into, 0.0))
+        np.maximum.at(
+            self.context.figures.overcut,
+            row,
+            np.where(penetration > PRINT_ROUNDING, penetration, 0.0),
+        )
         bad = np.flatnonzero(figure > self.tolerance + PRINT_ROUNDING)
         # Report only the worst place of each pair of edge and path.
-        bad = bad[np.argsort(-into[bad], kind="stable")]
+        bad = bad[np.argsort(-penetration[bad], kind="stable")]
         reported = np.unique(np.stack([edge[bad], path[bad]], axis=1), axis=0, return_index=True)[1]
         for k in bad[np.sort(reported)][:MAX_FINDINGS]:
             self._add_finding(
                 "overcut",
                 int(edge[k]),
-                Message("verify.cuts-part", depth=into[k]),
-                float(into[k]),
+                Message("verify.cuts-part", depth=penetration[k]),
+                float(penetration[k]),
                 int(path[k]),
             )
 
@@ -502,20 +512,20 @@ class _MillingCheck:
             far,
         )
         low, high = spans_near_points(centres.curve[ends.edge], self.edges.ends[ends.curve], far)
-        some = high > low
-        which, begin, end = uncovered_edges(
-            np.concatenate([near.curve, ends.edge[some]]).astype(np.int64),
-            np.concatenate([near.along[:, 0], low[some]]),
-            np.concatenate([near.along[:, 1], high[some]]),
+        nonempty = high > low
+        path_rows, begin, end = uncovered_edges(
+            np.concatenate([near.curve, ends.edge[nonempty]]).astype(np.int64),
+            np.concatenate([near.along[:, 0], low[nonempty]]),
+            np.concatenate([near.along[:, 1], high[nonempty]]),
             centres.curve[:, 5],
         )
         lost = end - begin > self.slack
         for k in np.flatnonzero(lost)[:MAX_FINDINGS]:
-            x, y = point_at(centres.curve[which[k : k + 1]], begin[k : k + 1])[0]
+            x, y = point_at(centres.curve[path_rows[k : k + 1]], begin[k : k + 1])[0]
             self._add_finding(
                 "stray",
                 -1,
                 Message("verify.stray", tool="cutter", length=end[k] - begin[k], x=x, y=y),
                 float(end[k] - begin[k]),
-                int(which[k]),
+                int(path_rows[k]),
             )
