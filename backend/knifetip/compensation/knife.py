@@ -149,19 +149,19 @@ def _adjust_ends(operation: Operation, blade: Knife) -> tuple[Paths, I32, U8]:
 
 
 def _repeated_starts(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return the first ``size`` mm of each of p paths, which a closed path passes twice.
+    """Return the first part of each of p paths, which a closed path passes a second time.
 
-    ``size`` (p,) has one length for each path.  Also returns, for each returned segment, the
-    segment of ``paths`` of which it is a part.
+    ``size`` (p,) is the length of this part for each path (mm).  Also returns, for each returned
+    segment, the segment of ``paths`` of which it is a part.
     """
     return trim_ends(paths, np.zeros(len(paths)), np.maximum(paths.lengths - size, 0.0))
 
 
 def _extensions(paths: Paths, size: F64) -> tuple[Paths, I32]:
-    """Return straight extensions of p paths beyond their ends, each ``size`` mm long.
+    """Return straight extensions of paths beyond their ends.
 
-    ``size`` (p,) has one length for each path, 0 for no extension.  Also returns, for each
-    extension, the segment of ``paths`` that it continues.
+    ``size`` (p,) is the length of the extension of each path (mm), 0 for no extension.  Also
+    returns, for each extension, the segment of ``paths`` that it continues.
     """
     last = (paths.first[1:] - 1)[size > 0.0]
     _, ahead = arc.tangents(paths.start[last], paths.end[last], paths.bulge[last])

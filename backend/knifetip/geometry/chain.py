@@ -33,7 +33,7 @@ class Chains:
     first: I32  #: (p + 1,) start of each path in ``order``; the last entry is n
 
     def paths(self, ends: F64, bulge: F64) -> Paths:
-        """Return the chained edges as paths.
+        """Return the chained edges as a record of paths with coordinates.
 
         Parameters
         ----------
@@ -207,12 +207,13 @@ def _link_ends(
     """Return for each end of n edges the end to which it is connected, (2n,), -1 for none.
 
     The turn between two ends is measured by its cosine, which is minus the scalar product of their
-    outward directions.
+    directions.
 
     Parameters
     ----------
     outward : (2n, 2)
-        Unit directions from the ends into the edges; end 2i is the start of edge i.
+        Unit directions from the vertices into the edges, one per end; end 2i is the start of edge
+        i.
     by_node : (2n,)
         The ends, sorted by vertex.
     bounds : (v + 1,)

@@ -30,16 +30,16 @@ from knifetip.offset.trim import offset_simple
 
 
 @kernel
-def _reserve_segments(out: OffsetSegments, chain_count: int, capacity: int) -> OffsetSegments:
-    """Return ``out``, or a larger copy, with capacity for ``capacity`` rows.
+def _reserve_segments(out: OffsetSegments, row_count: int, capacity: int) -> OffsetSegments:
+    """Return ``out``, or a larger copy of it, with space for ``capacity`` rows.
 
-    The first ``chain_count`` rows are kept.
+    The first ``row_count`` rows are kept.
     """
     if capacity <= len(out.bulge):
         return OffsetSegments(out.start, out.end, out.bulge, out.source, out.inserted)
     larger = empty_segments(2 * capacity)
     # Copied row by row, since an assignment of slices takes seconds to compile.
-    for i in range(chain_count):
+    for i in range(row_count):
         larger.start[i, 0], larger.start[i, 1] = out.start[i, 0], out.start[i, 1]
         larger.end[i, 0], larger.end[i, 1] = out.end[i, 0], out.end[i, 1]
         larger.bulge[i] = out.bulge[i]
@@ -50,7 +50,7 @@ def _reserve_segments(out: OffsetSegments, chain_count: int, capacity: int) -> O
 
 @kernel
 def _reserve_chains(chains: OffsetChains, capacity: int) -> OffsetChains:
-    """Return ``chains``, or a larger copy, with capacity for ``capacity`` chains.
+    """Return ``chains``, or a larger copy of it, with space for ``capacity`` chains.
 
     All rows of ``chains`` are kept.
     """
@@ -194,9 +194,9 @@ def offset_groups(
         depth by which the tool would cut into the contour (mm).
     """
     first, member, members, signed = contours.first, groups.member, groups.bounds, groups.signed
-    chain_count = len(first) - 1
+    path_count = len(first) - 1
     longest = 0
-    for p in range(chain_count):
+    for p in range(path_count):
         longest = max(longest, first[p + 1] - first[p])
     segments = MovedSegments(np.empty((longest, COLUMNS)), np.empty(longest, np.int64))
     boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * longest))
@@ -204,17 +204,17 @@ def offset_groups(
     size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * longest + 256
     out = empty_segments(size)
     result = OffsetChains(
-        np.empty(chain_count + 16, np.int32),
-        np.empty(chain_count + 16, np.int32),
-        np.zeros(chain_count),
+        np.empty(path_count + 16, np.int32),
+        np.empty(path_count + 16, np.int32),
+        np.zeros(path_count),
     )
     failure = (NO_FAILURE, 0, 0, 0.0)
     segment_count = 0
-    chains = 0
+    chain_count = 0
     group = 0
     while True:
-        result = _reserve_chains(result, chains + len(members) - group)
-        group, segment_count, chains = offset_simple(
+        result = _reserve_chains(result, chain_count + len(members) - group)
+        group, segment_count, chain_count = offset_simple(
             contours,
             groups,
             group,
@@ -225,7 +225,7 @@ def offset_groups(
             out,
             segment_count,
             result,
-            chains,
+            chain_count,
         )
         if group == len(members) - 1:
             break
@@ -244,9 +244,9 @@ def offset_groups(
                 group -= 1
                 continue
         if signed[path] == 0.0:
-            result = _reserve_chains(result, chains + len(paths) + 1)
-            segment_count, chains, code, row = _copy_paths(
-                contours, paths, segments, out, segment_count, result, chains
+            result = _reserve_chains(result, chain_count + len(paths) + 1)
+            segment_count, chain_count, code, row = _copy_paths(
+                contours, paths, segments, out, segment_count, result, chain_count
             )
             if code != NO_FAILURE:
                 failure = (code, row, row, 0.0)
@@ -263,18 +263,18 @@ def offset_groups(
         if region.chains == 0:
             continue
         out = _reserve_segments(out, segment_count, segment_count + region.bounds[region.chains])
-        result = _reserve_chains(result, chains + region.chains + 1)
-        segment_count = _copy_region(region, out, segment_count, result, chains)
-        chains += region.chains
-    result.first[chains] = segment_count
+        result = _reserve_chains(result, chain_count + region.chains + 1)
+        segment_count = _copy_region(region, out, segment_count, result, chain_count)
+        chain_count += region.chains
+    result.first[chain_count] = segment_count
     return (
         out.start[:segment_count],
         out.end[:segment_count],
         out.bulge[:segment_count],
         out.source[:segment_count],
         out.inserted[:segment_count],
-        result.first[: chains + 1],
-        result.owner[:chains],
+        result.first[: chain_count + 1],
+        result.owner[:chain_count],
         result.unreached,
         failure,
     )

@@ -195,7 +195,7 @@ def _header_message(stated: str, unit: str, fraction: float) -> Message:
 
 
 def _hint_evidence(drawing: Drawing) -> list[UnitEvidence]:
-    """Return the evidence for units from other settings in the file than the stated unit.
+    """Return the evidence for units from settings in the file other than the stated unit.
 
     An example of such a setting is the choice between metric and imperial measures in a DXF header.
     """

@@ -1,11 +1,11 @@
 """lengths: evidence for the unit from the lengths of a drawing's edges.
 
 The lengths are measured in file units; the result is a weight for each unit.  The weights come from
-the size of the drawing, from its shortest edges, and from the grid: the
-spacing, such as 1 mm or 1/16 in, of which the lengths of edges are multiples.  The grid is the
-strongest evidence.  Designers who draw in millimetres choose panels of whole or half millimetres;
-designers who draw in inches choose sixteenths.  If x is a length in file units and f the number of
-millimetres in one file unit, f x is a round number only with the right f:
+the size of the drawing, from its shortest edges, and from the grid: the spacing, such as 1 mm or
+1/16 in, of which the lengths of edges are multiples.  The grid is the strongest evidence.
+Designers who draw in millimetres choose panels of whole or half millimetres; designers who draw in
+inches choose sixteenths.  If x is a length in file units and f the number of millimetres in one
+file unit, f x is a round number only with the right f:
 
     p(x | unit) ∝ w₀ + (1 - w₀) Σ wᵢ gᵢ / (2 f ε)
 

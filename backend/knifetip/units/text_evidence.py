@@ -1,11 +1,10 @@
 """text_evidence: evidence for the unit from texts and dimensions on the sheet.
 
 The result is a weight for each unit, and warnings about scales.  A number on the sheet that is the
-length of an edge relates the unit of the number to the unit of
-the file: with "350" beside an edge of 13.78, the file is in inches and the text in millimetres.
-Some numbers match a length by chance.  The frequency of such chance matches is measured at scales
-that are not the ratio of any two units.  The weight of a match grows with the ratio of its
-probability to this frequency.
+length of an edge relates the unit of the number to the unit of the file: with "350" beside an edge
+of 13.78, the file is in inches and the text in millimetres.  Some numbers match a length by chance.
+The frequency of such chance matches is measured at scales that are not the ratio of any two units.
+The weight of a match grows with the ratio of its probability to this frequency.
 """
 
 from __future__ import annotations

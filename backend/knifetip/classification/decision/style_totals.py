@@ -124,8 +124,10 @@ def _add(
 
     Parameters
     ----------
-    style, lengths, role, dashed, paired, must_fold : (n,) each
-        Style and length of each edge, and columns of its ``ShapeFeatures``.
+    style, lengths, role : (n,) each
+        Style, length and role of each edge.
+    dashed, paired, must_fold : (n,) each
+        Whether each edge is a dash, has a parallel line beside it, and must be a fold.
     count, length, dashed_length, paired_length, must_fold_length, fold_lengths
         Columns of ``StyleTotals``, to which the function adds.
     """
@@ -163,8 +165,11 @@ def _write_keys(
 
     Parameters
     ----------
-    style, role, role_fraction, near_text, must_fold, dashed : (n,) each
-        Style of each edge, and columns of its ``ShapeFeatures``.
+    style : (n,)
+        Style of each edge.
+    role, role_fraction, near_text, must_fold, dashed : (n,) each
+        Role of each edge, fraction of its length that has this role, whether a text is near it,
+        whether it must be a fold, and whether it is a dash.
     dashes_fold : (c,)
         Whether the dashed edges of each style are treated as folds.
     """

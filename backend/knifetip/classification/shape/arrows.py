@@ -269,8 +269,14 @@ def _mark_coincident(graph: _Graph, twin: I32_1, is_arrow: OutBool_1) -> None:
 def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int) -> int:
     """Return the other end vertex of edge ``i`` if one end is vertex ``vertex``, otherwise -1.
 
-    ``start``, ``end`` (p,) and ``first_piece`` (n + 1,) are the vertices at which each piece starts
-    and ends, and the index of the first piece of each edge.
+    Parameters
+    ----------
+    start, end : (p,)
+        Start vertex and end vertex of each piece.
+    first_piece : (n + 1,)
+        Index of the first piece of each edge.
+    i, vertex
+        Index of the edge, and number of the vertex.
     """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == vertex:

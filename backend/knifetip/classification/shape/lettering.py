@@ -24,7 +24,7 @@ _LOOKAHEAD: Final = 40
 
 
 def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
-    """Return the mask of components that are letters, (c,).
+    """Return the mask of components that are letters of texts drawn as lines, (c,).
 
     Parameters
     ----------

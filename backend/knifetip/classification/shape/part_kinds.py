@@ -66,6 +66,8 @@ class PartKinds:
 
         Parameters
         ----------
+        graph, faces
+            Planar graph of a drawing, with p pieces and c components, and its faces.
         length : (p,)
             Length of each piece.
         boxes
