@@ -95,7 +95,7 @@ def assert_adds_up(line: Dieline, made: Cleaned) -> None:
     total = arc.length(after.ends[:, 0], after.ends[:, 1], after.bulge).sum()
     at_work = made.reason != CleaningReason.NO_WORK
     assert abs(made.kept[at_work].sum() + made.added.sum() - total) < 1e-6
-    assert ((made.of < 0) == (made.outcome == ImportOutcome.DROPPED)).all()
+    assert ((made.cleaned_row < 0) == (made.outcome == ImportOutcome.DROPPED)).all()
     assert (made.moved <= GAP + 1e-9).all()
     assert (made.off <= GAP + SAME).all()
 

@@ -44,7 +44,7 @@ def merge_overrides(block: bytes, before: bytes, overrides: Sequence[Override]) 
         for row, handle in enumerate(meta["handles"]):
             rows_of.setdefault(handle, []).append(row)
     for override in overrides:
-        value = NO_OVERRIDE if override.type is None else LineType.of(override.type)
+        value = NO_OVERRIDE if override.type is None else LineType.from_word(override.type)
         after[_select_edges(override, columns, meta["layers"], rows_of, len(after))] = value
     return after.tobytes()
 

@@ -1,1 +1,1 @@
-"""cf2: read CF2 files into a Drawing."""
+"""cf2: read CF2 files, an exchange format of die makers, into a Drawing."""

@@ -1,9 +1,9 @@
 """expand: replace the calls in a CF2 by copies of the subroutines, and list all lines and arcs.
 
-    Cf2File, tolerance -> ExpandedFile: ReportWriter, Columns, annotations
-
-The copies are counted before they are made.  A bridge is a gap of the steel rule in the die board,
-not a gap of the cut in the carton, so bridges appear only in the import report (decision 9).
+The function ``expand`` takes a ``Cf2File`` and returns an ``ExpandedFile``: the import report, the
+lines and arcs, and the texts.  The copies are counted before they are made.  A bridge is a gap of
+the steel rule in the die board, not a gap of the cut in the carton, so bridges appear only in the
+import report (decision 9).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _NAMES: Final = {"L": "L (line)", "A": "A (arc)", "T": "T (text)", "C": "C (call
 
 @dataclass(slots=True)
 class ExpandedFile:
-    """The lines, arcs and texts of a CF2 with all copies of subroutines, in file units."""
+    """The lines, arcs and texts of a CF2 in file units, with all copies of its subroutines."""
 
     report: ReportWriter = field(default_factory=ReportWriter)
     styles: list[Style] = field(default_factory=list)
@@ -45,8 +45,8 @@ class ExpandedFile:
         Parameters
         ----------
         reach
-            Largest permitted absolute value of a coordinate (file units).  Lines and arcs that
-            exceed it are dropped, and the reason is added to the import report.
+            Largest permitted absolute value of a coordinate (file units).  A line or an arc that
+            exceeds it is dropped, and the reason is added to the import report.
         """
         if not self.ends:
             none = np.zeros(0, np.int32)
@@ -55,12 +55,12 @@ class ExpandedFile:
         row, style = np.concatenate(self.row), np.concatenate(self.style)
         order = np.argsort(row, kind="stable")
         ends, bulge, row, style = ends[order], bulge[order], row[order], style[order]
-        far = np.abs(ends).max(axis=(1, 2))
-        beyond = ~(far <= reach) | ~np.isfinite(bulge)
-        for one in np.flatnonzero(beyond).tolist():
-            self.report.dropped[int(row[one])] = too_far(far[one], reach)
+        farthest = np.abs(ends).max(axis=(1, 2))
+        too_far_ = ~(farthest <= reach) | ~np.isfinite(bulge)
+        for one in np.flatnonzero(too_far_).tolist():
+            self.report.dropped[int(row[one])] = too_far(farthest[one], reach)
         # Both segments of an arc are dropped or kept together.
-        keep = ~np.isin(row, row[beyond]) if beyond.any() else ~beyond
+        keep = ~np.isin(row, row[too_far_]) if too_far_.any() else ~too_far_
         return Columns(
             ends[keep], bulge[keep], row[keep].astype(np.int32), style[keep].astype(np.int32)
         )
@@ -71,11 +71,15 @@ def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> Ex
 
     Parameters
     ----------
+    source
+        The parsed file.
     linear : (2, 2)
         Matrix that is applied to the whole drawing.
     tolerance
         Largest error of the segments that approximate elliptic arcs (file units).  Arcs become
         elliptic if the scale of a call is not uniform.
+    limits
+        Limits of the depth of calls and of the numbers of records and segments.
 
     Raises
     ------
@@ -93,7 +97,7 @@ def expand(source: Cf2File, linear: F64, tolerance: float, limits: Limits) -> Ex
             expander.add_section(section, *start, "", (name,))
     else:
         expander.report_unused()
-    return expander.found
+    return expander.expanded
 
 
 class _Expander:
@@ -101,7 +105,7 @@ class _Expander:
 
     def __init__(self, source: Cf2File, tolerance: float, limits: Limits) -> None:
         self._styles = StyleNumbers()
-        self.found = ExpandedFile(styles=self._styles.styles)
+        self.expanded = ExpandedFile(styles=self._styles.styles)
         self._source = source
         self._tolerance = tolerance
         self._limits = limits
@@ -111,18 +115,18 @@ class _Expander:
         self._check_size()
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if the depth of calls or the number of copies exceeds the limits.
+        """Raise DrawingTooLarge if the depth of calls or the number of records is too large.
 
-        The number is computed before any copy is made.
+        The number of records with all copies of subroutines is computed before any copy is made.
         """
-        known: dict[str, tuple[int, int]] = {}
+        cached: dict[str, tuple[int, int]] = {}
         open_: set[str] = set()
 
         def size(section: Section, depth: int) -> tuple[int, int]:
-            """Return the number of records of a section and of all subroutine copies in it.
+            """Return the number of records of a section, and the levels of nested calls in it.
 
-            The second value is the number of levels of nested calls in the section.  ``depth`` is
-            the number of nested calls that contain the section.
+            The records include those of all copies of subroutines in the section.  ``depth`` is the
+            number of nested calls that contain the section.
             """
             total, deep = len(section.kind), 0
             for call in section.calls:
@@ -132,12 +136,12 @@ class _Expander:
                     continue
                 if depth >= self._limits.insert_depth:
                     raise self._too_deep()
-                if name not in known:
+                if name not in cached:
                     open_.add(name)
-                    known[name] = size(child, depth + 1)
+                    cached[name] = size(child, depth + 1)
                     open_.discard(name)
-                records, below = known[name]
-                total, deep = total + records, max(deep, below + 1)
+                records, levels = cached[name]
+                total, deep = total + records, max(deep, levels + 1)
                 if depth + deep > self._limits.insert_depth:
                     raise self._too_deep()
                 if total > self._limits.expanded:
@@ -156,7 +160,7 @@ class _Expander:
         )
 
     def add_section(
-        self, section: Section, linear: F64, shift: F64, path: str, above: tuple[str, ...]
+        self, section: Section, linear: F64, shift: F64, path: str, open_names: tuple[str, ...]
     ) -> None:
         """Add a copy of a section to the drawing, with copies of all subroutines that it calls.
 
@@ -169,24 +173,28 @@ class _Expander:
         path
             Handles in the import report of the nested calls that contain the copy, each followed by
             a slash; empty outside all calls.
-        above
+        open_names
             Names of the subroutines that contain this copy; a call of one of them is dropped.
         """
         shape = self._shapes.get(id(section))
         if shape is None:
             shape = self._shapes[id(section)] = read_shape(section, self._styles)
-        report = self.found.report
+        report = self.expanded.report
         row_of = np.empty(len(section.kind), np.int64)
-        dropped = {**section.dropped, **shape.dropped}
-        at = 0
+        reasons = {**section.dropped, **shape.dropped}
+        first_record = 0
         for call in (*section.calls, None):
-            until = len(section.kind) if call is None else call.row + 1
+            last_record = len(section.kind) if call is None else call.row + 1
             first = len(report.handle)
-            row_of[at:until] = np.arange(first, first + until - at)
-            report.handle += [f"{path}#{entity}" for entity in section.entity[at:until]]
-            report.kind += [_NAMES.get(kind, kind) for kind in section.kind[at:until]]
-            report.layer += [section.name] * (until - at)
-            at = until
+            row_of[first_record:last_record] = np.arange(first, first + last_record - first_record)
+            report.handle += [
+                f"{path}#{entity}" for entity in section.entity[first_record:last_record]
+            ]
+            report.kind += [
+                _NAMES.get(kind, kind) for kind in section.kind[first_record:last_record]
+            ]
+            report.layer += [section.name] * (last_record - first_record)
+            first_record = last_record
             if call is None:
                 break
             row = int(row_of[call.row])
@@ -194,34 +202,34 @@ class _Expander:
             child = self._source.subs.get(name)
             if child is None:
                 report.dropped[row] = Message("import.missing-subroutine", name=call.name[:40])
-                x, y = linear @ np.array(call.place[:2]) + shift
+                x, y = linear @ np.array(call.placement[:2]) + shift
                 report.set_location(row, (x, y, x, y))
-            elif name in above:
+            elif name in open_names:
                 report.dropped[row] = Message("import.subroutine-in-itself", name=call.name[:40])
-            elif not all(math.isfinite(value) for value in call.place):
+            elif not all(math.isfinite(value) for value in call.placement):
                 report.dropped[row] = Message("import.place-not-a-number")
             else:
                 self._used.add(name)
                 report.notes[row] = [Message("import.places-subroutine", name=call.name[:40])]
-                inner = linear @ _linear(*call.place[2:])
-                moved = linear @ np.array(call.place[:2]) + shift
-                self.add_section(child, inner, moved, f"{report.handle[row]}/", (*above, name))
-        for number, why in dropped.items():
-            report.dropped[int(row_of[number])] = why
+                inner = linear @ _linear(*call.placement[2:])
+                moved = linear @ np.array(call.placement[:2]) + shift
+                self.add_section(child, inner, moved, f"{report.handle[row]}/", (*open_names, name))
+        for number, reason in reasons.items():
+            report.dropped[int(row_of[number])] = reason
         for number, notes in shape.notes.items():
             report.notes[int(row_of[number])] = list(notes)
         self._add_shape(shape, linear, shift, row_of)
         size = math.sqrt(abs(float(np.linalg.det(linear))))
         for text in section.texts:
-            x, y = linear @ np.array(text.place[:2]) + shift
+            x, y = linear @ np.array(text.placement[:2]) + shift
             report.set_location(int(row_of[text.row]), (x, y, x, y))
-            if math.isfinite(x) and math.isfinite(y) and math.isfinite(text.place[2]):
-                self.found.annotations.append(
+            if math.isfinite(x) and math.isfinite(y) and math.isfinite(text.placement[2]):
+                self.expanded.annotations.append(
                     Annotation(
                         text.text,
                         float(x),
                         float(y),
-                        abs(text.place[2]) * size,
+                        abs(text.placement[2]) * size,
                         math.nan,
                         "TEXT",
                         section.name,
@@ -232,7 +240,7 @@ class _Expander:
         """Add a row to the import report for each subroutine that is never called."""
         for name, section in self._source.subs.items():
             if name not in self._used and section.kind:
-                self.found.report.row(
+                self.expanded.report.row(
                     section.name,
                     "SUB",
                     section.name,
@@ -258,10 +266,10 @@ class _Expander:
         if not len(shape.bulge):
             return
         ends, bulge, origin = place_shape(shape, linear, shift, self._tolerance)
-        self.found.ends.append(ends)
-        self.found.bulge.append(bulge)
-        self.found.row.append(row_of[shape.row[origin]])
-        self.found.style.append(shape.style[origin])
+        self.expanded.ends.append(ends)
+        self.expanded.bulge.append(bulge)
+        self.expanded.row.append(row_of[shape.row[origin]])
+        self.expanded.style.append(shape.style[origin])
         self._segments += len(bulge)
         if self._segments > self._limits.segments:
             raise DrawingTooLarge(

@@ -1,6 +1,7 @@
 """read: read a CF2 (CFF2, Common File Format 2), an exchange format of die makers.
 
-    bytes -> Drawing: segments in mm, and a row of the import report for every copy of a record
+``read`` returns a Drawing with segments in mm, and a row of the import report for every copy of a
+record.
 
 A CF2 has a main section and subroutines, which are sections that can be called several times.  The
 name of a subroutine becomes the layer of its lines.  The type number of a line has different
@@ -48,13 +49,16 @@ def read(
     data
         Content of the file.
     unit
-        The unit that the user gives, "mm", "in" …; it replaces the unit that the file states.
-        None if the user gives no unit.
+        The unit that the user gives, "mm", "in" …; it replaces the unit in the file.  None if the
+        user gives no unit.
+    limits
+        Limits of the size of the file and of the drawing.
 
     Returns
     -------
     Drawing
-        In mm, or in file units with ``unit`` empty if neither the file nor the user states a unit.
+        In mm.  If neither the file nor the user gives a unit, the drawing is in file units and its
+        attribute ``unit`` is empty.
 
     Raises
     ------
@@ -65,11 +69,13 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    given = factor(unit) if unit else 0.0
+    millimetres = factor(unit) if unit else 0.0
     limits.admit(len(data))
     try:
         with np.errstate(all="ignore"):
-            return _build_drawing(parse_records(_decode(data), limits), unit or "", given, limits)
+            return _build_drawing(
+                parse_records(_decode(data), limits), unit or "", millimetres, limits
+            )
     except KnifetipError:
         raise
     except (ValueError, ArithmeticError, LookupError) as error:
@@ -89,51 +95,52 @@ def _decode(data: bytes) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _build_drawing(found: Cf2File, unit: str, given: float, limits: Limits) -> Drawing:
-    stated = _UNITS.get(found.unit, "")
-    chosen = unit or stated
-    scale = given or (factor(stated) if stated else 0.0)
+def _build_drawing(parsed: Cf2File, unit: str, millimetres: float, limits: Limits) -> Drawing:
+    file_unit = _UNITS.get(parsed.unit, "")
+    chosen = unit or file_unit
+    scale = millimetres or (factor(file_unit) if file_unit else 0.0)
     tolerance = CURVE / (scale or 1.0)
     reach = REACH / (scale or 1.0)
-    drawn = expand(found, np.eye(2), tolerance, limits)
-    columns = drawn.columns(reach)
-    evidence = Message(_EVIDENCE[found.unit])
-    if found.scale != (1.0, 1.0):
-        applies, why = _scale_applies(found, extents(columns.ends, columns.bulge))
-        evidence = Message("unit.cf2-scaled", unit=evidence, scale=why)
+    expanded = expand(parsed, np.eye(2), tolerance, limits)
+    columns = expanded.columns(reach)
+    evidence = Message(_EVIDENCE[parsed.unit])
+    if parsed.scale != (1.0, 1.0):
+        applies, reason = _scale_applies(parsed, extents(columns.ends, columns.bulge))
+        evidence = Message("unit.cf2-scaled", unit=evidence, scale=reason)
         if applies is None:
-            chosen, scale = unit, given
+            chosen, scale = unit, millimetres
         elif applies:
-            drawn = expand(found, np.diag(found.scale), tolerance, limits)
-            columns = drawn.columns(reach)
+            expanded = expand(parsed, np.diag(parsed.scale), tolerance, limits)
+            columns = expanded.columns(reach)
     source = Message("unit.given") if unit else evidence
-    known = KnownUnit(scale, chosen, source, stated)
-    return assemble(drawn.report, columns, drawn.styles, drawn.annotations, known)
+    known = KnownUnit(scale, chosen, source, file_unit)
+    return assemble(expanded.report, columns, expanded.styles, expanded.annotations, known)
 
 
-def _scale_applies(found: Cf2File, box: F64) -> tuple[bool | None, Message]:
-    """Return whether coordinates must be multiplied by the record SCALE, and the reason.
+def _scale_applies(source: Cf2File, box: F64) -> tuple[bool | None, Message]:
+    """Return whether coordinates must be multiplied by the scale in the header, and the reason.
 
     Some programs multiply the coordinates before they write them, others do not.  The size of the
-    drawing, with and without the scale, is compared with the size that the records LL and UR state.
-    The first value is None if neither size agrees or no size is stated.
+    drawing, with and without the scale, is compared with the size in the header (records LL and
+    UR).  The first value is None if neither size agrees, or if the header contains no size.
 
     Parameters
     ----------
-    found
+    source
         The parsed file.
     box : (4,)
         min x, min y, max x and max y of the coordinates without the scale.
     """
-    x, y = found.scale
+    x, y = source.scale
     if not all(math.isfinite(one) and one != 0.0 for one in (x, y)):
         return False, Message("unit.cf2-scale-invalid", x=x, y=y)
     size = box[2:] - box[:2]
-    if found.low is not None and found.high is not None:
-        wanted = np.abs(np.array(found.high) - np.array(found.low))
+    if source.low is not None and source.high is not None:
+        stated_size = np.abs(np.array(source.high) - np.array(source.low))
         for factors, applied in ((np.ones(2), False), (np.abs([x, y]), True)):
             if (
-                np.abs(size * factors - wanted) <= _SIZE_TOLERANCE * np.maximum(wanted, 1e-9)
+                np.abs(size * factors - stated_size)
+                <= _SIZE_TOLERANCE * np.maximum(stated_size, 1e-9)
             ).all():
                 code = "unit.cf2-scale-applied" if applied else "unit.cf2-scale-not-applied"
                 return applied, Message(code, x=x, y=y)

@@ -1,6 +1,7 @@
 """records: parse the records of a CF2 into sections, one for MAIN and one for each subroutine.
 
-    text -> Cf2File: unit, scale and corners of the drawing from the header, and the sections
+``parse_records`` returns a ``Cf2File``: the sections, and the unit, the scale and the corners of
+the drawing from the header.
 
 A record is one text line with fields between commas::
 
@@ -32,11 +33,11 @@ _SECTIONS_WITH_LINES: Final = ("MAIN", "SUB")
 
 
 class Call(NamedTuple):
-    """A call of a subroutine, which draws a copy of it that is scaled, then rotated, then moved."""
+    """A record that calls a subroutine: a copy of it is scaled, rotated, moved and drawn."""
 
     row: int  #: of the section
     name: str
-    place: tuple[float, float, float, float, float]  #: x, y, degrees, x scale, y scale
+    placement: tuple[float, float, float, float, float]  #: x, y, degrees, x scale, y scale
 
 
 class TextRecord(NamedTuple):
@@ -44,7 +45,7 @@ class TextRecord(NamedTuple):
 
     row: int  #: of the section
     text: str
-    place: tuple[float, float, float]  #: x, y, height
+    placement: tuple[float, float, float]  #: x, y, height
 
 
 @dataclass(slots=True)
@@ -66,7 +67,7 @@ class Section:
     calls: list[Call] = field(default_factory=list)
     texts: list[TextRecord] = field(default_factory=list)
 
-    def row(self, entity: int, kind: str, dropped: Message | None = None) -> int:
+    def row(self, entity: int, kind: str, drop_reason: Message | None = None) -> int:
         """Add a record to the section and return the index of the record in the section.
 
         Parameters
@@ -74,20 +75,20 @@ class Section:
         entity
             Number of the record in the file, from 1.
         kind
-            First field of the record: L, A, T, C or unknown.
-        dropped
-            Reason why the record gives no edge, if it gives none.
+            First field of the record: L, A, T, C or an unknown word.
+        drop_reason
+            Reason why the record gives no edge, None if it gives one.
         """
         self.entity.append(entity)
         self.kind.append(kind)
-        if dropped:
-            self.dropped[len(self.kind) - 1] = dropped
+        if drop_reason:
+            self.dropped[len(self.kind) - 1] = drop_reason
         return len(self.kind) - 1
 
 
 @dataclass(slots=True)
 class Cf2File:
-    """A parsed CF2: its sections, and from its header unit, scale and corners of the drawing."""
+    """A parsed CF2: its sections; and unit, scale and corners of the drawing, from the header."""
 
     main: Section | None = None
     subs: dict[str, Section] = field(default_factory=dict)  #: by upper-case name
@@ -111,17 +112,17 @@ def parse_records(text: str, limits: Limits) -> Cf2File:
     """
     parser = _Parser(text, limits)
     parser.parse_all()
-    found = parser.source
+    source = parser.source
     unfinished = [section for section in parser.open if section]
     if unfinished:
         raise NotADrawing("cf2.cut-short", line=parser.number, inside=unfinished[-1])
-    if found.main is None and not found.subs:
+    if source.main is None and not source.subs:
         raise NotADrawing("cf2.empty")
-    return found
+    return source
 
 
 class _Parser:
-    """Parses the text lines of one CF2."""
+    """Parses the text lines of one CF2 into sections."""
 
     def __init__(self, text: str, limits: Limits) -> None:
         self.source = Cf2File()
@@ -204,14 +205,17 @@ class _Parser:
         return self.source.records
 
     def _line(self, section: Section, line: str) -> None:
-        """Parse ``line``, the record of a line (L) or an arc (A), and add it to a section."""
+        """Parse the record of a line (L) or an arc (A) and add it to a section.
+
+        ``line`` is the text line that contains the record.
+        """
         kind = line[0].upper()
         fields = line.split(",")
         while not fields[-1].strip():
             del fields[-1]
-        least, many = _FIELDS[kind]
+        least, too_many = _FIELDS[kind]
         entity = self._next_number()
-        if least <= len(fields) < many:
+        if least <= len(fields) < too_many:
             row = section.row(entity, kind)
             if kind == "L":
                 section.line_row.append(row)
@@ -220,7 +224,7 @@ class _Parser:
                 section.arc_row.append(row)
                 section.arc.append(fields)
             return
-        if len(fields) >= many:
+        if len(fields) >= too_many:
             self._commas += 1
             if self._commas > 3:
                 raise NotADrawing(
@@ -228,7 +232,7 @@ class _Parser:
                     line=self.number,
                     fields=len(fields),
                     record=kind,
-                    expected=many - 3,
+                    expected=too_many - 3,
                 )
         section.row(
             entity, kind, Message("import.wrong-field-count", line=self.number, fields=len(fields))

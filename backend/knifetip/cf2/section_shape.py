@@ -1,4 +1,4 @@
-"""The lines and arcs of one section of a CF2 file as segments, in any position and scale."""
+"""Convert the lines and arcs of one section of a CF2 file to segments, and place copies of them."""
 
 from __future__ import annotations
 
@@ -52,15 +52,15 @@ class StyleNumbers:
         records
             Fields of each record of a line or an arc.
         """
-        known: dict[tuple[str, str, str], int] = {}
-        found = []
+        cached: dict[tuple[str, str, str], int] = {}
+        numbers = []
         for record in records:
             key = record[1], record[2], record[3]
-            number = known.get(key)
+            number = cached.get(key)
             if number is None:
-                number = known[key] = self._number(layer, *(text.strip() for text in key))
-            found.append(number)
-        return found
+                number = cached[key] = self._number(layer, *(text.strip() for text in key))
+            numbers.append(number)
+        return numbers
 
     def _number(self, layer: str, point: str, kind: str, aux: str) -> int:
         """Return the index of a style in ``styles``; add the style if it is new.
@@ -70,7 +70,8 @@ class StyleNumbers:
         layer
             Layer of the style.
         point, kind, aux
-            Thickness of the steel rule, type and auxiliary type, as written in a record.
+            Fields of a record, as written: thickness of the steel rule in points, type of the line,
+            and auxiliary type.
         """
         words = ["CF2", _normalise_number(kind)]
         if _normalise_number(aux) != "0":
@@ -84,7 +85,7 @@ class StyleNumbers:
 
 
 def read_shape(section: Section, styles: StyleNumbers) -> SectionShape:
-    """Return the segments of a section's lines and arcs.
+    """Return the segments of the lines and arcs of a section.
 
     The result also contains the reasons for dropped records, and notes for the import report.
     The styles of the records are added to ``styles``.
@@ -134,11 +135,11 @@ def place_shape(
     Returns
     -------
     ends : (n, 2, 2)
-        Start and end points of the segments (file units).
+        Start and end points of the segments of the copy (file units).
     bulge : (n,)
-        Bulges of the segments.
+        Bulges of the segments of the copy.
     origin : (n,)
-        Index in ``shape`` of the segment that each segment comes from.
+        For each segment of the copy, the index in ``shape`` of the segment from which it was made.
     """
     u, v = linear[:, 0], linear[:, 1]
     uneven = abs(u @ v) + abs(u @ u - v @ v) > 1e-9 * (u @ u + v @ v)
@@ -157,9 +158,9 @@ def place_shape(
 
 
 def _normalise_number(text: str) -> str:
-    """Return the shortest form of a number: "1" for "1.0" and "01".
+    """Return a number, which is written in ``text``, in its shortest form: "1" for "1.0" and "01".
 
-    A text that is not a number is returned unchanged, cut to 20 characters.
+    A text that is not a number is returned unchanged, cut to 20 characters; "0" if it is empty.
     """
     try:
         return f"{float(text):g}"
@@ -168,9 +169,10 @@ def _normalise_number(text: str) -> str:
 
 
 def _note_bridges(fields: Sequence[str], notes: list[Message]) -> None:
-    """Add a note to ``notes`` if a record states that its steel rule has bridges in the die board.
+    """Add a note to ``notes`` if the steel rule of a line or an arc has bridges (gaps).
 
-    ``fields`` are the fields of the record for the number of bridges and for their width.
+    ``fields`` contains two fields of the record of the line or arc: number and width of the
+    bridges.
     """
     try:
         count = float(fields[0])
@@ -202,8 +204,8 @@ def _coordinates(
     fields
         Slice of the k fields of a record that are coordinates.
     dropped
-        Reasons for dropped records, by row; the reason for each record with invalid coordinates is
-        added.
+        Reasons for dropped records, by row.  A reason is added for each record with invalid
+        coordinates.
     """
     wide = fields.stop - fields.start
     row = np.array(rows, np.int64)
@@ -213,12 +215,12 @@ def _coordinates(
     except ValueError:
         pass
     values = np.full((len(records), wide), np.nan)
-    for at, record in enumerate(records):
+    for index, record in enumerate(records):
         try:
-            values[at] = [float(text) for text in record[fields]]
+            values[index] = [float(text) for text in record[fields]]
         except ValueError:
             shown = [text[:_MAX_SHOWN] for text in record[fields]]
-            dropped[rows[at]] = Message("import.not-numbers", values=shown)
+            dropped[rows[index]] = Message("import.not-numbers", values=shown)
     good = np.array([one not in dropped for one in rows], bool)
     return values[good], row[good]
 
@@ -226,9 +228,9 @@ def _coordinates(
 def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:
     """Split each of k arcs into one or two segments of at most half a turn.
 
-    A record of an arc states start, end and centre.  If the stated centre is not equally far from
-    start and end, the centre is not used: the arc still joins start and end, and its sweep angle is
-    the angle between them as seen from the stated centre.
+    A record of an arc contains start, end and centre.  If the centre is not equally far from start
+    and end, the arc still joins start and end, and its sweep angle is the angle between them as
+    seen from the centre.
 
     Parameters
     ----------
@@ -237,7 +239,7 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
     rows : (k,)
         Row of each arc in its section.
     notes
-        Notes by row; a note is added for each arc with a different radius at start and end.
+        Notes by row; a note is added for each arc with different radii at start and end.
 
     Returns
     -------
@@ -250,37 +252,40 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
     """
     start, end, centre, direction = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6], arcs[:, 6]
     with np.errstate(all="ignore"):
-        out, back = start - centre, end - centre
-        radius, other = np.hypot(*out.T), np.hypot(*back.T)
+        from_centre, to_centre = start - centre, end - centre
+        radius, end_radius = np.hypot(*from_centre.T), np.hypot(*to_centre.T)
         turn = np.arctan2(
-            out[:, 0] * back[:, 1] - out[:, 1] * back[:, 0], (out * back).sum(axis=1)
+            from_centre[:, 0] * to_centre[:, 1] - from_centre[:, 1] * to_centre[:, 0],
+            (from_centre * to_centre).sum(axis=1),
         ) % (2.0 * np.pi)
-        left = direction >= 0.0
-        turn = np.where(left, turn, 2.0 * np.pi - turn)
+        counter_clockwise = direction >= 0.0
+        turn = np.where(counter_clockwise, turn, 2.0 * np.pi - turn)
         # Equal ends, within the precision of such files, mean a whole circle.
-        whole = np.hypot(*(end - start).T) <= 1e-6 * np.maximum(radius, 1.0)
-        turn = np.where(whole, 2.0 * np.pi, turn)
+        full_circle = np.hypot(*(end - start).T) <= 1e-6 * np.maximum(radius, 1.0)
+        turn = np.where(full_circle, 2.0 * np.pi, turn)
         two = turn > np.pi * (1.0 + 1e-9)
-        bulge = np.where(left, 1.0, -1.0) * np.minimum(np.tan(turn / np.where(two, 8.0, 4.0)), 1.0)
-        half = np.where(left, turn, -turn) / 2.0
+        bulge = np.where(counter_clockwise, 1.0, -1.0) * np.minimum(
+            np.tan(turn / np.where(two, 8.0, 4.0)), 1.0
+        )
+        half = np.where(counter_clockwise, turn, -turn) / 2.0
         middle = np.stack(
             [
-                np.cos(half) * out[:, 0] - np.sin(half) * out[:, 1],
-                np.sin(half) * out[:, 0] + np.cos(half) * out[:, 1],
+                np.cos(half) * from_centre[:, 0] - np.sin(half) * from_centre[:, 1],
+                np.sin(half) * from_centre[:, 0] + np.cos(half) * from_centre[:, 1],
             ],
             axis=1,
         )
-        middle = centre + middle * ((radius + other) / 2.0 / radius)[:, None]
-        off = np.abs(radius - other) > _RADIUS_TOLERANCE * np.maximum(radius, other)
+        middle = centre + middle * ((radius + end_radius) / 2.0 / radius)[:, None]
+        off = np.abs(radius - end_radius) > _RADIUS_TOLERANCE * np.maximum(radius, end_radius)
     for one in np.flatnonzero(off).tolist():
         notes.setdefault(int(rows[one]), []).append(
-            Message("import.uncentred-arc", first=radius[one], second=other[one])
+            Message("import.uncentred-arc", first=radius[one], second=end_radius[one])
         )
     every = np.arange(len(arcs))
     ends = np.concatenate(
         [
             np.stack([start, np.where(two[:, None], middle, end)], axis=1),
-            np.stack([middle, np.where(whole[:, None], start, end)], axis=1)[two],
+            np.stack([middle, np.where(full_circle[:, None], start, end)], axis=1)[two],
         ]
     )
     arc = np.concatenate([every, every[two]])
@@ -314,8 +319,8 @@ def _fit_ellipses(
     """
     start, end, bulge = shape.ends[arcs, 0], shape.ends[arcs, 1], shape.bulge[arcs]
     chord = end - start
-    left = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
-    centre = (start + end) / 2.0 + left * ((1.0 - bulge**2) / (4.0 * bulge))[:, None]
+    normal = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
+    centre = (start + end) / 2.0 + normal * ((1.0 - bulge**2) / (4.0 * bulge))[:, None]
     u = start - centre
     v = np.stack([-u[:, 1], u[:, 0]], axis=1)
     turn = 4.0 * np.arctan(bulge)
@@ -327,8 +332,8 @@ def _fit_ellipses(
 
     def tangent(k: I64, s: F64) -> F64:
         t = (turn[k] * s)[:, None]
-        way = np.sign(turn[k])[:, None]
-        result: F64 = way * (np.cos(t) * v[k] - np.sin(t) * u[k]) @ linear.T
+        sign = np.sign(turn[k])[:, None]
+        result: F64 = sign * (np.cos(t) * v[k] - np.sin(t) * u[k]) @ linear.T
         return result
 
     return fit_many(point, tangent, len(arcs), tolerance)

@@ -62,7 +62,7 @@ def _vocabulary() -> _Vocabulary:
     meanings: dict[str, set[LineType]] = {}
     for kind, languages in data["words"].items():
         for word in _all_words(languages):
-            meanings.setdefault(word, set()).add(LineType.of(kind))
+            meanings.setdefault(word, set()).add(LineType.from_word(kind))
     negating_substrings = data["negations"].pop("substrings")
     return _Vocabulary(
         {word: frozenset(kinds) for word, kinds in meanings.items()},
@@ -90,7 +90,9 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
 
     ``table`` contains for each line type its words, separated by spaces.
     """
-    return [(word, LineType.of(kind)) for kind, line in table.items() for word in line.split()]
+    return [
+        (word, LineType.from_word(kind)) for kind, line in table.items() for word in line.split()
+    ]
 
 
 @lru_cache(maxsize=4096)

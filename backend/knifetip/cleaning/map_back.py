@@ -37,7 +37,7 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
         worst = np.zeros(count)
         np.maximum.at(worst, row, getattr(verdict, name)[target])
         columns[name] = worst
-    own = live & ~parts.given
+    own = live & ~parts.by_other_edge
     length = arc.length(drawn.ends[:, 0], drawn.ends[:, 1], drawn.bulge)
     size = ((parts.end - parts.begin) * length[parts.row])[own]
     whole = np.bincount(parts.cleaned[own], size, len(cleaned.dieline))

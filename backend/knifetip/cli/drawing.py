@@ -107,7 +107,7 @@ class LoadedDrawing:
         )
         return {
             "drawing": _with_report(name, self.drawing, data),
-            "edges": EdgeTable.of(self.drawing, self.dieline, outcomes).rows(),
+            "edges": EdgeTable.from_drawing(self.drawing, self.dieline, outcomes).rows(),
         }
 
     def _cleaned(self) -> Cleaned | None:
@@ -153,7 +153,7 @@ def load_drawing(
         if not equals:
             raise LibraryError("command.bad-layer", pair=pair)
         try:
-            kind = LineType.of(word)
+            kind = LineType.from_word(word)
         except ValueError as reason:
             raise LibraryError(
                 "command.bad-line-type", pair=pair, known=[kind.word for kind in LineType]

@@ -166,8 +166,8 @@ def radius_toolpath(operation: Operation) -> Toolpath:
     """
     cutter = operation.tool
     assert isinstance(cutter, DiscTool)
-    if operation.side != 0 and cutter.set_up <= cutter.radius:
-        raise CompensationError("cutter.short-lead", lead=cutter.set_up, radius=cutter.radius)
+    if operation.side != 0 and cutter.lead_in <= cutter.radius:
+        raise CompensationError("cutter.short-lead", lead=cutter.lead_in, radius=cutter.radius)
     centre, bridged = _add_bridge_gaps(operation, cutter, centre_paths(operation))
     paths, rows, motion = _add_leads(operation, cutter, centre, bridged)
     gap = paths.end[paths.first[1:] - 1] - paths.start[paths.first[:-1]]
@@ -369,7 +369,7 @@ def _lead_in(
     """
     r, paths = cutter.radius, operation.paths
     on_line = start - side * r * left_normal(ahead)
-    begin, arrived, bulge = set_up_offset(on_line, ahead, side, r, cutter.set_up, cutter.approach)
+    begin, arrived, bulge = set_up_offset(on_line, ahead, side, r, cutter.lead_in, cutter.approach)
     arrived = np.where((bulge == 0.0)[:, None], start, arrived)
     away = begin - arrived
     # Between two checked points a contour may be nearer by the sagitta of the step.

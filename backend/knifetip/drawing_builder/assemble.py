@@ -1,4 +1,4 @@
-"""Assemble a Drawing from the segments, styles and report rows of a reader.
+"""Assemble a Drawing from the segments, styles and report rows that a format reader returns.
 
 Segments of zero length are dropped.  Of several equal segments, only the first is kept.
 """
@@ -34,7 +34,7 @@ from knifetip.model.words import Repeated
 
 
 class KnownUnit(NamedTuple):
-    """The unit of a file, if known, and the statements of the file header about the unit."""
+    """The unit of a file, if it is known, and the information in the file header about the unit."""
 
     scale: float  #: millimetres per file unit, 0 if unknown
     unit: str  #: empty if unknown
@@ -57,55 +57,59 @@ _FACTORS: Final = (
 
 def assemble(
     sheet: ReportRows,
-    found: Columns,
+    segments: Columns,
     styles: list[Style],
     annotations: Iterable[Annotation],
-    known: KnownUnit,
+    known_unit: KnownUnit,
 ) -> Drawing:
     """Return the drawing without duplicate segments and without segments of zero length.
 
     Parameters
     ----------
     sheet
-        Report rows of all entities.
-    found
+        Rows of the import report for all entities.
+    segments
         n segments in file units.
     styles
-        Styles of the segments, to which ``found.style`` refers.
+        Styles of the segments, to which ``segments.style`` refers.
     annotations
         Texts and dimensions in file units.
-    known
-        The unit of the file.
+    known_unit
+        The unit of the file, if it is known.
     """
-    scale = known.scale
+    scale = known_unit.scale
     point = POINT / scale if scale else POINT / 1000.0
-    length = arc.length(found.ends[:, 0], found.ends[:, 1], found.bulge)
-    speck = ~(length >= point)
+    length = arc.length(segments.ends[:, 0], segments.ends[:, 1], segments.bulge)
+    no_length = ~(length >= point)
     layers, linetypes, attributes = _attributes(styles)
     # Styles that differ only in upper and lower case of the layer are equal.
-    _, alike = unique_rows(attributes[:, 1:])
-    first = _survivors(found.ends, found.bulge, alike[found.style], speck, point)
+    _, style_number = unique_rows(attributes[:, 1:])
+    first = _survivors(
+        segments.ends, segments.bulge, style_number[segments.style], no_length, point
+    )
     twice = first != np.arange(len(first))
-    outcome, reason = _outcomes(sheet, found, length, speck, twice, first)
-    specks = found.ends[speck], found.row[speck]
-    if speck.any() or twice.any():
-        keep = ~(speck | twice)
+    outcome, reason = _outcomes(sheet, segments, length, no_length, twice, first)
+    specks = segments.ends[no_length], segments.row[no_length]
+    if no_length.any() or twice.any():
+        keep = ~(no_length | twice)
         length = length[keep]
-        found = Columns(found.ends[keep], found.bulge[keep], found.row[keep], found.style[keep])
+        segments = Columns(
+            segments.ends[keep], segments.bulge[keep], segments.row[keep], segments.style[keep]
+        )
     # ``bincount`` adds in file order, so sums are reproducible.
-    kept_length: F64 = np.bincount(found.row, length, minlength=len(outcome)).astype(np.float64)
+    kept_length: F64 = np.bincount(segments.row, length, minlength=len(outcome)).astype(np.float64)
     size = scale or 1.0
     # Adding 0 turns -0 into 0.
-    ends = found.ends * size
+    ends = segments.ends * size
     ends += 0.0
     return Drawing(
         ends=_owned(ends),
-        bulge=_owned(found.bulge + 0.0),
-        entity=_owned(found.row),
-        layer=_owned(attributes[:, 0].take(found.style)),
-        colour=_owned(attributes[:, 2].take(found.style)),
-        true_colour=_owned(attributes[:, 3].take(found.style)),
-        linetype=_owned(attributes[:, 4].take(found.style)),
+        bulge=_owned(segments.bulge + 0.0),
+        entity=_owned(segments.row),
+        layer=_owned(attributes[:, 0].take(segments.style)),
+        colour=_owned(attributes[:, 2].take(segments.style)),
+        true_colour=_owned(attributes[:, 3].take(segments.style)),
+        linetype=_owned(attributes[:, 4].take(segments.style)),
         layers=layers,
         linetypes=linetypes,
         import_report=ImportReport(
@@ -117,16 +121,16 @@ def assemble(
             kept_length * size,
             location_boxes=_location_boxes(sheet, outcome, specks, size),
         ),
-        unit=known.unit,
-        evidence=known.evidence,
-        stated=known.stated,
-        hints=known.hints,
+        unit=known_unit.unit,
+        evidence=known_unit.evidence,
+        stated=known_unit.stated,
+        hints=known_unit.hints,
         annotations=tuple(words.scaled(1.0, size) for words in annotations),
     )
 
 
 def _owned(column: NDArray[Any]) -> NDArray[Any]:
-    """Return a column after making it read-only, so that the record need not copy it."""
+    """Return the array ``column`` after making it read-only, so that a record need not copy it."""
     column.flags.writeable = False
     return column
 
@@ -136,10 +140,10 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return the layer names, the linetype names, and the attributes of s styles as numbers (s, 5).
+    """Return the layer names, the linetype names, and s styles as numbers, (s, 5).
 
-    The columns are: index of the layer, index of the layer regardless of case, colour, true colour,
-    and index of the linetype.
+    The columns are: index of the layer, number of the layer regardless of upper and lower case,
+    colour index, true colour, and index of the linetype.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
@@ -156,26 +160,26 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
     return tuple(layers), tuple(linetypes), rows
 
 
-def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> I64:
+def _survivors(ends: F64, bulge: F64, style_number: I64, no_length: Bool, point: float) -> I64:
     """Return for each of n segments the row of the first segment that is equal to it, (n,).
 
-    A segment with exchanged ends is equal, too.
+    Two segments are also equal if one has the ends of the other in exchanged order.
 
     Parameters
     ----------
     ends : (n, 2, 2)
     bulge : (n,)
         Segments in file units.
-    alike : (n,)
+    style_number : (n,)
         Number of the style; equal segments have the same number.
-    speck : (n,)
+    no_length : (n,)
         Mask of segments without length, for which their own row is returned.
     point
-        Distance within which ends are rounded together (file units).
+        Distance within which ends are rounded to the same point (file units).
     """
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
-    _find_survivors(ends, bulge, alike, speck, 1.0 / point, slots, first)
+    _find_survivors(ends, bulge, style_number, no_length, 1.0 / point, slots, first)
     return first
 
 
@@ -183,8 +187,8 @@ def _survivors(ends: F64, bulge: F64, alike: I64, speck: Bool, point: float) -> 
 def _find_survivors(
     ends: F64_3,
     bulge: F64_1,
-    alike: I64_1,
-    speck: Bool_1,
+    style_number: I64_1,
+    no_length: Bool_1,
     points: float,
     slots: OutU64_1,
     first: OutI64_1,
@@ -193,31 +197,34 @@ def _find_survivors(
 
     Parameters
     ----------
-    ends, bulge, alike, speck
+    ends, bulge, style_number, no_length
         See ``_survivors``.
     points
-        Reciprocal of the distance to which ends are rounded.
+        1 divided by the distance to which ends are rounded (per file unit).
     slots
         Empty hash table (zeros); its length is a power of two.
     first : (n,)
-        Must contain the own row of each segment.
+        On entry, it must contain the own row of each segment.
     """
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
-        if speck[row]:
+        if no_length[row]:
             continue
-        place = _place(ends, bulge, row, points)
-        key = np.uint64(alike[row])
+        key_numbers = _segment_key(ends, bulge, row, points)
+        key = np.uint64(style_number[row])
         for column in range(len(_FACTORS)):
-            key += np.uint64(place[column]) * _FACTORS[column]
+            key += np.uint64(key_numbers[column]) * _FACTORS[column]
         key = (key ^ (key >> np.uint64(32))) * _FACTORS[0]
         slot = (key ^ (key >> np.uint64(29))) & mask
         # A slot holds the upper half of a segment's key, and its row plus one.
         while slots[slot] > 0:
             if (slots[slot] ^ key) <= low:
-                other: Any = np.int64(slots[slot] & low) - 1
-                if alike[other] == alike[row] and _place(ends, bulge, other, points) == place:
-                    first[row] = other
+                other_row: Any = np.int64(slots[slot] & low) - 1
+                if (
+                    style_number[other_row] == style_number[row]
+                    and _segment_key(ends, bulge, other_row, points) == key_numbers
+                ):
+                    first[row] = other_row
                     break
             slot = (slot + np.uint64(1)) & mask
         else:
@@ -225,10 +232,11 @@ def _find_survivors(
 
 
 @kernel
-def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
-    """Return ends and bulge of the segment in ``row`` as integers, the same for both directions.
+def _segment_key(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
+    """Return ends and bulge of the segment in row ``row`` as five integers.
 
-    Coordinates are multiplied by ``points`` and rounded.
+    The integers do not depend on the direction of the segment.  Coordinates are multiplied by
+    ``points`` and rounded.
     """
     ax, ay = np.rint(ends[row, 0, 0] * points), np.rint(ends[row, 0, 1] * points)
     bx, by = np.rint(ends[row, 1, 0] * points), np.rint(ends[row, 1, 1] * points)
@@ -240,15 +248,17 @@ def _place(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 
 
 def _outcomes(
-    sheet: ReportRows, found: Columns, length: F64, speck: Bool, twice: Bool, first: I64
+    sheet: ReportRows, segments: Columns, length: F64, no_length: Bool, duplicate: Bool, first: I64
 ) -> tuple[U8, Repeated[Message]]:
     """Return the outcome and the reason for each of m rows of the import report, (m,) each.
 
     Parameters
     ----------
-    found
+    sheet
+        The m rows of the import report.
+    segments
         n segments of the file, with the report row of each segment.
-    length, speck, twice, first : (n,)
+    length, no_length, duplicate, first : (n,)
         Length of each segment, masks of the segments without length and of the duplicates, and row
         of the first equal segment.
     """
@@ -256,90 +266,100 @@ def _outcomes(
     outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
     reason = np.zeros(rows, np.int32)
     reasons = {KEPT: 0}
-    alike = np.full(rows, -1, np.int32)
+    shared_item = np.full(rows, -1, np.int32)
     for number, same in enumerate(sheet.shared):
-        alike[same.rows] = number
-        reason[same.rows] = reasons.setdefault(same.dropped or _kept(same.notes), len(reasons))
+        shared_item[same.rows] = number
+        reason[same.rows] = reasons.setdefault(
+            same.dropped or _kept_message(same.notes), len(reasons)
+        )
         if same.dropped:
             outcome[same.rows] = ImportOutcome.DROPPED
-    total = np.bincount(found.row, minlength=rows)
-    specks = np.bincount(found.row[speck], minlength=rows)
-    doubles = np.bincount(found.row[twice], minlength=rows)
+    total = np.bincount(segments.row, minlength=rows)
+    short_count = np.bincount(segments.row[no_length], minlength=rows)
+    doubles = np.bincount(segments.row[duplicate], minlength=rows)
     longest: dict[int, float] = {}
-    for row, one in zip(found.row[speck].tolist(), length[speck].tolist(), strict=True):
+    for row, one in zip(segments.row[no_length].tolist(), length[no_length].tolist(), strict=True):
         longest[row] = max(longest.get(row, 0.0), one)
     survivors: dict[int, Counter[int]] = {}
     for row, survivor in zip(
-        found.row[twice].tolist(), found.row[first[twice]].tolist(), strict=True
+        segments.row[duplicate].tolist(), segments.row[first[duplicate]].tolist(), strict=True
     ):
         survivors.setdefault(row, Counter())[survivor] += 1
     for row in {*sheet.dropped, *sheet.notes, *longest, *survivors}:
-        notes: list[Message] = [*(sheet.shared[alike[row]].notes if alike[row] >= 0 else ())]
+        notes: list[Message] = [
+            *(sheet.shared[shared_item[row]].notes if shared_item[row] >= 0 else ())
+        ]
         notes.extend(sheet.notes.get(row, ()))
         cause: Message | None = None
         if row in sheet.dropped:
             outcome[row], cause = ImportOutcome.DROPPED, sheet.dropped[row]
-        elif total[row] and specks[row] == total[row]:
+        elif total[row] and short_count[row] == total[row]:
             outcome[row], cause = (
                 ImportOutcome.DROPPED,
                 Message("import.no-length", length=longest[row]),
             )
-        elif specks[row]:
-            notes.append(Message("import.pieces-no-length", pieces=specks[row], all=total[row]))
+        elif short_count[row]:
+            notes.append(
+                Message("import.pieces-no-length", pieces=short_count[row], all=total[row])
+            )
         if doubles[row] and cause is None:
-            handles, more = _named(row, survivors[row], sheet.handle)
-            if doubles[row] + specks[row] == total[row]:
+            handles, more = _duplicate_handles(row, survivors[row], sheet.handle)
+            if doubles[row] + short_count[row] == total[row]:
                 outcome[row], cause = ImportOutcome.MERGED, _drawn_twice(handles, more)
             else:
                 notes.append(_pieces_drawn_twice(doubles[row], total[row], handles, more))
-        reason[row] = reasons.setdefault(cause or _kept(notes), len(reasons))
+        reason[row] = reasons.setdefault(cause or _kept_message(notes), len(reasons))
     return outcome, Repeated(tuple(reasons), reason)
 
 
 def _location_boxes(
-    sheet: ReportRows, outcome: U8, specks: tuple[F64, I32], size: float
+    sheet: ReportRows, outcome: U8, short_segments: tuple[F64, I32], size: float
 ) -> LocationBoxes:
-    """Return the bounding boxes of dropped report rows whose location is known.
+    """Return the bounding boxes (mm) of dropped report rows whose location is known.
 
     Parameters
     ----------
+    sheet
+        The m rows of the import report.
     outcome : (m,)
         ImportOutcome of each report row.
-    specks
-        Ends (s, 2, 2) and report rows (s,) of s segments without length.
+    short_segments
+        Ends (s, 2, 2) in file units and report rows (s,) of s segments without length.
     size
         Millimetres per file unit.
     """
-    ends, row = specks
-    around = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
+    ends, row = short_segments
+    segment_boxes = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
     rows = np.concatenate([row, *(one.rows for one in sheet.location_boxes)])
-    box = np.concatenate([around, *(one.box for one in sheet.location_boxes)])
+    box = np.concatenate([segment_boxes, *(one.box for one in sheet.location_boxes)])
     box = box * size
-    seen = (outcome[rows] == ImportOutcome.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
+    located = (outcome[rows] == ImportOutcome.DROPPED) & (np.abs(box) <= REACH).all(axis=1)
     # One box per row is enough.
-    rows, last = np.unique(rows[seen][::-1], return_index=True)
-    return LocationBoxes(rows, box[seen][::-1][last])
+    rows, last = np.unique(rows[located][::-1], return_index=True)
+    return LocationBoxes(rows, box[located][::-1][last])
 
 
-def _kept(notes: Sequence[Message]) -> Message:
+def _kept_message(notes: Sequence[Message]) -> Message:
     return Message("import.kept-changed", notes=notes) if notes else KEPT
 
 
-def _drawn_twice(same: list[str], more: int) -> Message:
-    if more:
-        return Message("import.drawn-twice-often", same=same, more=more)
+def _drawn_twice(same: list[str], further: int) -> Message:
+    if further:
+        return Message("import.drawn-twice-often", same=same, more=further)
     return Message("import.drawn-twice", same=same)
 
 
-def _pieces_drawn_twice(pieces: int, total: int, same: list[str], more: int) -> Message:
-    if more:
+def _pieces_drawn_twice(pieces: int, total: int, same: list[str], further: int) -> Message:
+    if further:
         return Message(
-            "import.pieces-drawn-twice-often", pieces=pieces, all=total, same=same, more=more
+            "import.pieces-drawn-twice-often", pieces=pieces, all=total, same=same, more=further
         )
     return Message("import.pieces-drawn-twice", pieces=pieces, all=total, same=same)
 
 
-def _named(row: int, others: Counter[int], handles: Sequence[str]) -> tuple[list[str], int]:
+def _duplicate_handles(
+    row: int, equal_segments: Counter[int], handles: Sequence[str]
+) -> tuple[list[str], int]:
     """Return up to 5 handles of entities with equal segments, and the number of further entities.
 
     Entities with the most equal segments come first.
@@ -347,11 +367,15 @@ def _named(row: int, others: Counter[int], handles: Sequence[str]) -> tuple[list
     Parameters
     ----------
     row
-        Report row of the entity whose duplicate segments were dropped, named "itself".
-    others
-        Number of equal segments by report row of the entity that has them.
+        Report row of the entity whose duplicate segments were dropped.  In place of the handle of
+        this entity, "itself" is returned.
+    equal_segments
+        Number of equal segments of each entity, by its report row.
     handles
         Handle of the entity of each report row.
     """
-    names = ["itself" if other == row else handles[other] for other, _ in others.most_common(6)]
-    return names[:5], max(len(others) - 5, 0)
+    names = [
+        "itself" if other_row == row else handles[other_row]
+        for other_row, _ in equal_segments.most_common(6)
+    ]
+    return names[:5], max(len(equal_segments) - 5, 0)

@@ -23,9 +23,9 @@ _INDEX: Final = (
 
 @lru_cache(maxsize=4096)
 def nearest_index(true_colour: int) -> int:
-    """Return which of the colours 1 to 7 of the index is nearest to ``true_colour`` (0xRRGGBB).
+    """Return the colour of the AutoCAD colour index, from 1 to 7, that is nearest to an RGB colour.
 
-    The result is 7 for ``UNKNOWN_COLOUR``.
+    ``true_colour`` is 0xRRGGBB.  The result is 7 for ``UNKNOWN_COLOUR``.
     """
     if true_colour < 0:
         return 7

@@ -1,4 +1,4 @@
-"""Segments and styles that a reader passes to ``assemble``."""
+"""Segments and styles that a format reader passes to ``assemble``."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Style(NamedTuple):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Columns:
-    """n lines and arcs in file units: ends, bulge, import report row and style of each of them."""
+    """n lines and arcs in file units: ends, bulge, import report row and style of each one."""
 
     ends: F64  #: (n, 2, 2)
     bulge: F64  #: (n,)

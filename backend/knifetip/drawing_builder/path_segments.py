@@ -1,7 +1,7 @@
 """Approximate the segments of paths by lines and circular arcs, many curves at a time.
 
 A circular arc that is rotated, mirrored or evenly scaled remains an arc.  All other arcs and all
-Bézier curves are fitted with arcs.
+Bézier curves are approximated by arcs.
 """
 
 from __future__ import annotations
@@ -33,12 +33,15 @@ _BLOCK: Final = 4096
 
 
 def too_many(limits: Limits, format_name: str) -> DrawingTooLarge:
-    """Return the error for a file of a format (``format_name``) with too many segments."""
+    """Return the error for a file that has more segments than ``limits`` allow.
+
+    ``format_name`` is the name of the file format in the message, such as "SVG".
+    """
     return DrawingTooLarge("reading.too-many-segments", format=format_name, limit=limits.segments)
 
 
 class PlacedSegments:
-    """The segments of a Table in file units: ends, control points of curves, axes of arcs."""
+    """The segments of a ``Table`` in file units: ends, control points of curves, axes of arcs."""
 
     def __init__(self, table: Table, matrices: F64) -> None:
         numbers = table.numbers
@@ -116,17 +119,21 @@ def fit_segments(
         m segments of the paths of the file.
     tolerance
         Maximum distance between a curve and its arcs (file units).
+    limits
+        Limits of the number of segments and of the time.
     format_name
-        Name of the format in error messages.
+        Name of the file format in error messages.
 
     Returns
     -------
     ends : (n, 2, 2)
+        Ends of the lines and arcs.
     bulge : (n,)
+        Bulge of each line or arc.
     origin : (n,)
-        Row in the Table of each line or arc.
+        Index of the segment in ``placed`` from which each line or arc was made.
     curved : (m,)
-        Mask of the rows of the Table that were approximated by arcs.
+        Mask of the segments in ``placed`` that were approximated by arcs.
     """
     curved = np.zeros(len(placed.kind), bool)
     straight = np.flatnonzero(placed.kind == LINE)
@@ -139,22 +146,22 @@ def fit_segments(
     curved[placed.cubic[bent]] = True
 
     size_u, size_v = (np.hypot(*vectors.T) for vectors in (placed.u, placed.v))
-    across = np.abs((placed.u * placed.v).sum(axis=1))
+    dot_product = np.abs((placed.u * placed.v).sum(axis=1))
     larger = np.maximum(size_u, size_v)
-    off = np.maximum(np.abs(size_u - size_v), across / np.where(larger > 0.0, larger, 1.0))
+    off = np.maximum(np.abs(size_u - size_v), dot_product / np.where(larger > 0.0, larger, 1.0))
     circle = off <= _SHAPE_TOLERANCE * tolerance
     parts.append(_circular(placed, np.flatnonzero(circle)))
     oval = np.flatnonzero(~circle)
     curved[placed.arc[oval]] = True
 
-    until = time.monotonic() + limits.seconds
+    deadline = time.monotonic() + limits.seconds
     total = sum(len(part[1]) for part in parts)
     for indices, numbers, point, tangent in (
         (bent, placed.cubic, *_bezier(placed.control)),
         (oval, placed.arc, *_elliptic(placed)),
     ):
         for low in range(0, len(indices), _BLOCK):
-            if time.monotonic() > until:
+            if time.monotonic() > deadline:
                 raise DrawingTooLarge(
                     "reading.too-slow", format=format_name, seconds=limits.seconds
                 )
@@ -194,18 +201,24 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
     straight: Bool = size > 0.0
     for handle in (1, 2):
         away = control[:, handle] - control[:, 0]
-        beside = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
-        along = (ahead * away).sum(axis=1)
-        straight &= (beside <= tolerance) & (along >= -tolerance) & (along <= size + tolerance)
+        distance = np.abs(ahead[:, 0] * away[:, 1] - ahead[:, 1] * away[:, 0])
+        position = (ahead * away).sum(axis=1)
+        straight &= (
+            (distance <= tolerance) & (position >= -tolerance) & (position <= size + tolerance)
+        )
     # Curves without length count as straight, and ``assemble`` drops them.
     return straight | (np.abs(control - control[:, :1]) <= 0.0).all(axis=(1, 2))
 
 
 def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
-    """Return circular arcs as arcs of at most 180°: ends, bulge and Table row of each of these.
+    """Return circular arcs as arcs of at most 180°: ends, bulge and source segment of each.
+
+    The source segment is the index in ``placed`` of the arc that was split.
 
     Parameters
     ----------
+    placed
+        Segments of the paths of the file.
     indices
         Indices of the circular arcs in ``placed.arc``.
     """
@@ -232,9 +245,10 @@ def _circular(placed: PlacedSegments, indices: I64) -> tuple[F64, F64, I64]:
 
 
 def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return two functions that evaluate cubic Bézier curves: point and derivative.
+    """Return two functions that evaluate n cubic Bézier curves: their points and their derivatives.
 
-    Both take indices of curves (k,) and parameters 0 … 1 (k,), and return an array (k, 2).
+    Both functions take indices of curves (k,) and parameters 0 … 1 (k,), and return an array (k,
+    2).
 
     Parameters
     ----------
@@ -253,16 +267,17 @@ def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
 
     def tangent(k: I64, s: F64) -> F64:
         d, t, r = step[k], s[:, None], 1.0 - s[:, None]
-        along = r * r * d[:, 0] + 2.0 * r * t * d[:, 1] + t * t * d[:, 2]
-        return np.where(t > 0.0, along, leaving[k])
+        derivative = r * r * d[:, 0] + 2.0 * r * t * d[:, 1] + t * t * d[:, 2]
+        return np.where(t > 0.0, derivative, leaving[k])
 
     return point, tangent
 
 
 def _elliptic(placed: PlacedSegments) -> tuple[EvaluateEach, EvaluateEach]:
-    """Return two functions that evaluate elliptic arcs: point and derivative.
+    """Return two functions that evaluate elliptic arcs: their points and their derivatives.
 
-    Both take indices into ``placed.arc`` (k,) and parameters 0 … 1 (k,) and return an array (k, 2).
+    Both functions take indices into ``placed.arc`` (k,) and parameters 0 … 1 (k,), and return an
+    array (k, 2).
     """
 
     def point(k: I64, s: F64) -> F64:
@@ -273,8 +288,8 @@ def _elliptic(placed: PlacedSegments) -> tuple[EvaluateEach, EvaluateEach]:
 
     def tangent(k: I64, s: F64) -> F64:
         t = placed.first[k] + s * placed.turn[k]
-        way = np.sign(placed.turn[k])[:, None]
-        return way * (np.cos(t)[:, None] * placed.v[k] - np.sin(t)[:, None] * placed.u[k])
+        sign = np.sign(placed.turn[k])[:, None]
+        return sign * (np.cos(t)[:, None] * placed.v[k] - np.sin(t)[:, None] * placed.u[k])
 
     return point, tangent
 
@@ -287,17 +302,20 @@ def _fit_arcs(
     tangent: EvaluateEach,
     tolerance: float,
 ) -> tuple[F64, F64, I64]:
-    """Fit arcs to curves; return ends, bulge and Table row of each fitted arc.
+    """Fit arcs to curves; return ends, bulge and source segment of each fitted arc.
 
-    If several curves cannot be fitted together, each half of them is fitted separately.  The error
-    of a single curve is written to ``placed.failed``.
+    The source segment is the index in ``placed`` of the curve.  If several curves cannot be fitted
+    together, the first and the second half of the curves are fitted separately.  The error of a
+    single curve that cannot be fitted is written to ``placed.failed``.
 
     Parameters
     ----------
+    placed
+        Segments of the paths of the file.
     indices
-        Indices of the curves, which are arguments of ``point`` and ``tangent``.
+        Indices of the curves to fit, which are arguments of ``point`` and ``tangent``.
     numbers
-        Table row of the curve with each index.
+        Index in ``placed`` of the curve with each index.
     point, tangent
         Functions from indices of curves and parameters 0 … 1 to points and derivatives.
     tolerance

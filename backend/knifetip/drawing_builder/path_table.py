@@ -1,6 +1,6 @@
-"""Segments of paths as SVG and PDF files contain them, and the extents of the paths.
+"""Segments of paths as SVG and PDF files contain them, and bounding boxes of the paths.
 
-The segments are in the coordinates of their paths; a matrix of each path converts them to file
+The segments are in the coordinates of their paths; a matrix for each path converts them to file
 units.
 """
 
@@ -20,7 +20,7 @@ ARC: Final = 2
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Table:
-    """n segments of several paths, in the order of the file and in coordinates of their paths."""
+    """n segments of several paths in the order of the file, each in the coordinates of its path."""
 
     kind: U8  #: (n,) LINE, CUBIC or ARC
     #: (n, 8) x and y of both ends; then for a CUBIC x and y of both inner control points; for an
@@ -42,10 +42,12 @@ class Paths:
 def boxes(table: Table, matrix: F64) -> F64:
     """Return the bounding box of each of p paths, (p, 4): x min, y min, x max, y max (file units).
 
-    It contains ends and control points; it is NaN for a path without segments.
+    A box contains the ends and control points of its path; it is NaN for a path without segments.
 
     Parameters
     ----------
+    table
+        Segments of the paths.
     matrix : (p, 6)
         Matrix from the coordinates of each path to file units.
     """
@@ -53,10 +55,10 @@ def boxes(table: Table, matrix: F64) -> F64:
     low = np.full((len(matrices), 2), np.inf)
     high = -low
     for k in range(4):
-        at = transform_points(matrices, numbers[:, 2 * k : 2 * k + 2])
-        drawn = (table.kind == CUBIC)[:, None] | (k < 2)
-        low = np.where(drawn, np.minimum(low, at), low)
-        high = np.where(drawn, np.maximum(high, at), high)
+        points = transform_points(matrices, numbers[:, 2 * k : 2 * k + 2])
+        has_point = (table.kind == CUBIC)[:, None] | (k < 2)
+        low = np.where(has_point, np.minimum(low, points), low)
+        high = np.where(has_point, np.maximum(high, points), high)
     box = np.full((len(matrix), 4), np.nan)
     if len(matrices):
         first = np.flatnonzero(np.diff(table.path, prepend=-1))
@@ -68,25 +70,27 @@ def boxes(table: Table, matrix: F64) -> F64:
 def farthest_coordinates(table: Table, matrix: F64, paths: int) -> F64:
     """Return for each of p paths an upper bound of its absolute coordinates, (p,) (file units).
 
-    It is NaN or infinite if a coordinate of the path is.
+    The bound is NaN or infinite if a coordinate of the path is NaN or infinite.
 
     Parameters
     ----------
+    table
+        Segments of the paths.
     matrix : (p, 6)
         Matrix from the coordinates of each path to file units.
     paths
         Number p of paths.
     """
-    far = np.zeros(paths)
+    farthest = np.zeros(paths)
     if not len(table.kind):
-        return far
+        return farthest
     matrices = matrix[table.path]
     numbers = table.numbers
     cubic, is_arc = table.kind == CUBIC, table.kind == ARC
     reach = np.zeros(len(matrices))
-    for x, drawn in ((0, True), (2, True), (4, cubic), (6, cubic)):
-        at = np.abs(transform_points(matrices, numbers[:, x : x + 2])).max(axis=1)
-        reach = np.maximum(reach, np.where(drawn, at, 0.0))
+    for x, has_point in ((0, True), (2, True), (4, cubic), (6, cubic)):
+        distance = np.abs(transform_points(matrices, numbers[:, x : x + 2])).max(axis=1)
+        reach = np.maximum(reach, np.where(has_point, distance, 0.0))
     # On a unit circle, the points of a small arc are at most its chord away from the ends of the
     # arc, and the points of a large arc at most the diameter.  The radii scale this distance; radii
     # that are too small for the chord are increased until the chord is a diameter.
@@ -96,18 +100,19 @@ def farthest_coordinates(table: Table, matrix: F64, paths: int) -> F64:
     wide = 2.0 * np.where(large, np.maximum(half, 1.0), half) * numbers[:, 4:6].max(axis=1)
     reach = reach + np.where(is_arc, 2.0 * size * wide, 0.0)
     first = np.flatnonzero(np.diff(table.path, prepend=-1))
-    far[table.path[first]] = np.maximum.reduceat(reach, first)
-    return far
+    farthest[table.path[first]] = np.maximum.reduceat(reach, first)
+    return farthest
 
 
 def transform_vectors(matrices: F64, vectors: F64) -> F64:
-    """Return n vectors multiplied by the linear parts of n matrices, (n, 2).
+    """Return n vectors, each multiplied by the linear part of its matrix, (n, 2).
 
     Parameters
     ----------
     matrices : (n, 6)
-        Matrices, each as a … f of SVG.
+        Matrix for each vector: the numbers a … f of an SVG matrix.
     vectors : (n, 2)
+        The vectors.
     """
     x, y = vectors[:, 0], vectors[:, 1]
     return np.stack(
@@ -116,21 +121,22 @@ def transform_vectors(matrices: F64, vectors: F64) -> F64:
 
 
 def transform_points(matrices: F64, points: F64) -> F64:
-    """Return n points multiplied by n matrices, (n, 2).
+    """Return n points, each transformed by its matrix, (n, 2).
 
     Parameters
     ----------
     matrices : (n, 6)
-        Matrices, each as a … f of SVG.
+        Matrix for each point: the numbers a … f of an SVG matrix.
     points : (n, 2)
+        The points.
     """
     return transform_vectors(matrices, points) + matrices[:, 4:]
 
 
 def half_chords(numbers: F64) -> tuple[F64, F64]:
-    """Return half the chord of n elliptic arcs along the first and the second axis, (n,) each.
+    """Return half the chord of n elliptic arcs along their first and second axis, (n,) each.
 
-    The unit of each value is the radius along that axis.
+    Each value is divided by the radius of its arc along that axis.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Convert paths of SVG and PDF files to columns of lines and arcs.
+"""Convert paths of SVG and PDF files to arrays of lines and arcs.
 
-Curves become arcs as ``path_segments`` describes.  The tolerance of the approximation is
+Curves are approximated by ``path_segments``.  The tolerance of the approximation is
 ``tolerance.CURVE`` (mm).  If the unit is unknown, it is 1 / 250,000 of the diagonal of the drawing;
 this is at most 0.01 mm in every unit in which the drawing is smaller than 2.5 m.
 """
@@ -41,7 +41,7 @@ def columns(
     limits
         Limits of the number of segments and of the time.
     format_name
-        Name of the format in error messages: "SVG" or "PDF".
+        Name of the file format in error messages: "SVG" or "PDF".
 
     Raises
     ------
@@ -50,11 +50,11 @@ def columns(
     """
     rows, matrix = paths.row, paths.matrix
     with np.errstate(all="ignore"):
-        far = farthest_coordinates(table, matrix, len(rows))
+        farthest = farthest_coordinates(table, matrix, len(rows))
         reach = REACH / (scale or 1.0)
-        for path in np.flatnonzero(~(far <= reach)).tolist():
-            sheet.dropped[int(rows[path])] = too_far(far[path], reach)
-        good = (far <= reach)[table.path]
+        for path in np.flatnonzero(~(farthest <= reach)).tolist():
+            sheet.dropped[int(rows[path])] = too_far(farthest[path], reach)
+        good = (farthest <= reach)[table.path]
         table = Table(table.kind[good], table.numbers[good], table.path[good])
         placed = PlacedSegments(table, matrix[table.path])
         tolerance = CURVE / scale if scale else _tolerance_without_unit(placed.start, placed.end)
@@ -62,11 +62,16 @@ def columns(
     path_of = table.path[origin]
     if placed.failed:
         lost = np.zeros(len(rows), bool)
-        for segment, why in placed.failed.items():
+        for segment, reason in placed.failed.items():
             lost[table.path[segment]] = True
-            sheet.dropped[int(rows[table.path[segment]])] = why
-        kept = ~lost[path_of]
-        ends, bulge, origin, path_of = ends[kept], bulge[kept], origin[kept], path_of[kept]
+            sheet.dropped[int(rows[table.path[segment]])] = reason
+        is_kept = ~lost[path_of]
+        ends, bulge, origin, path_of = (
+            ends[is_kept],
+            bulge[is_kept],
+            origin[is_kept],
+            path_of[is_kept],
+        )
     fitted = np.bincount(path_of[curved[origin]], minlength=len(rows))
     for one in np.flatnonzero(fitted).tolist():
         sheet.notes.setdefault(int(rows[one]), []).append(
@@ -85,6 +90,6 @@ def _tolerance_without_unit(start: F64, end: F64) -> float:
     """
     if not len(start):
         return CURVE
-    both = np.concatenate([start, end])
-    size = float(np.hypot(*(both.max(axis=0) - both.min(axis=0))))
+    ends = np.concatenate([start, end])
+    size = float(np.hypot(*(ends.max(axis=0) - ends.min(axis=0))))
     return min(CURVE, size * _TOLERANCE_PER_SIZE) if size > 0.0 else CURVE

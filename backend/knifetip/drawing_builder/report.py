@@ -1,6 +1,6 @@
-"""Report rows of the entities of a file, which a reader writes.
+"""Rows of the import report, one per entity of a file, which a format reader writes.
 
-``assemble`` makes the ImportReport of a Drawing from them.
+``assemble`` makes the ``ImportReport`` of a ``Drawing`` from them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,11 @@ from knifetip.model.drawing import LocationBoxes
 
 
 class SharedOutcome(NamedTuple):
-    """The reason for dropping many entities, or the notes on them, with their report rows."""
+    """One outcome for many entities: the report rows of the entities, and a reason or notes.
+
+    If the entities are dropped, ``dropped`` is the reason; otherwise ``notes`` are the changes that
+    were made to each entity.
+    """
 
     rows: I64
     dropped: Message | None  #: reason for dropping the rows; None if they are drawn
@@ -28,8 +32,8 @@ class SharedOutcome(NamedTuple):
 class ReportRows:
     """Columns with one row per entity of a file, and reasons and notes for some of the rows.
 
-    A row to which an item of ``shared`` applies may also have notes of its own; these follow the
-    notes of the item.
+    The items of ``shared`` apply to several rows each.  A row may have notes of its own as well;
+    these follow the notes of the item.
     """
 
     handle: Sequence[str] = field(default_factory=list)
@@ -45,7 +49,7 @@ class ReportRows:
 
 @dataclass(slots=True)
 class ReportWriter(ReportRows):
-    """Report rows of a file, to which a reader adds the rows one by one."""
+    """Rows of the import report of a file, to which a format reader adds one row per entity."""
 
     handle: list[str] = field(default_factory=list)
     kind: list[str] = field(default_factory=list)
@@ -59,10 +63,12 @@ class ReportWriter(ReportRows):
         dropped: Message | None = None,
         notes: Iterable[Message] = (),
     ) -> int:
-        """Add the row of an entity to the report and return the number of the row.
+        """Add the row of an entity to the report and return the index of the row.
 
         Parameters
         ----------
+        handle, kind, layer
+            Handle and kind of the entity, and name of its layer.
         dropped
             Reason for dropping the entity; None if the entity is kept.
         notes
@@ -84,7 +90,7 @@ class ReportWriter(ReportRows):
         Parameters
         ----------
         row
-            Number of the entity's row in the report.
+            Index of the entity's row in the report.
         box : (4,)
             x min, y min, x max, y max (file units).
         """
@@ -95,7 +101,7 @@ class ReportWriter(ReportRows):
 def too_far(coordinate: float, limit: float) -> Message:
     """Return the reason for dropping an entity that has a coordinate beyond the limit.
 
-    Coordinate and limit are in file units; the coordinate may be NaN or infinite.
+    ``coordinate`` and ``limit`` are in file units; the coordinate may be NaN or infinite.
     """
     if not np.isfinite(coordinate):
         return Message("import.coordinate-not-a-number")
@@ -103,14 +109,14 @@ def too_far(coordinate: float, limit: float) -> Message:
 
 
 def curves_fitted(pieces: int, tolerance: float, *, relative: bool) -> Message:
-    """Return the note for curves that were approximated by lines and arcs.
+    """Return the note in the import report for curves that were approximated by lines and arcs.
 
     Parameters
     ----------
     pieces
         Number of lines and arcs.
     tolerance
-        Tolerance in file units.
+        Tolerance of the approximation in file units.
     relative
         Whether the tolerance depends on the size of the drawing, because its unit is unknown.
     """

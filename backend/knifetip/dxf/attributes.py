@@ -97,7 +97,7 @@ class Styles:
         """
         return self._layers.get(layer.lower(), _SILENT).notes
 
-    def of(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:
+    def entity_style(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:
         """Return the style of an ezdxf entity.
 
         ``insert_style`` is the style of the INSERT that places the entity, None in model space.

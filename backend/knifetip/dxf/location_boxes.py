@@ -14,7 +14,7 @@ import numpy as np
 
 from knifetip.dxf.byte_scan import NO_CODE, ONE, code_at, end_of_line
 from knifetip.dxf.decimals import EXACT, number
-from knifetip.dxf.shapes import transform_points
+from knifetip.dxf.shapes import map_points
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.kernels import F64_1, I64_1, I64_2, U8_1, OutF64_1, OutF64_2, OutI64_1, kernel
 
@@ -102,8 +102,8 @@ def transformed_box(box: F64, linear: F64, shift: F64) -> F64:
     """
     middle, half = (box[..., :2] + box[..., 2:]) / 2.0, (box[..., 2:] - box[..., :2]) / 2.0
     centre, reach = (
-        transform_points(linear, shift, middle),
-        transform_points(np.abs(linear), np.zeros(2), half),
+        map_points(linear, shift, middle),
+        map_points(np.abs(linear), np.zeros(2), half),
     )
     placed = np.concatenate([centre - reach, centre + reach], axis=-1)
     if box.ndim == 2:

@@ -137,7 +137,7 @@ def cos_sin(rotation: float) -> tuple[float, float]:
     return math.cos(rotation * _DEGREE), math.sin(rotation * _DEGREE)
 
 
-def transform_points(linear: F64, shift: F64, points: F64) -> F64:
+def map_points(linear: F64, shift: F64, points: F64) -> F64:
     """Return the points ``linear @ p + shift``, (..., 2), for each point p of ``points``.
 
     The matrix product is computed with single multiplications, because the rounding of NumPy's

@@ -48,14 +48,17 @@ _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
 
 @dataclass(frozen=True, slots=True)
 class Beginning:
-    """A file and its first bytes, which are normalised for the detection of the file's format."""
+    """A file and its first bytes, which are normalised so that the format can be detected."""
 
     head: bytes  #: without byte order mark and leading blanks; UTF-16 as UTF-8; b"" if empty
     data: bytes  #: the whole file
 
     @classmethod
-    def of(cls, data: bytes) -> Beginning:
-        """Return a file (``data``) with its first bytes, normalised for detection."""
+    def from_bytes(cls, data: bytes) -> Beginning:
+        """Return the beginning of a file, normalised for the detection of its format.
+
+        ``data`` is the content of the file.
+        """
         head = data[:_HEAD]
         if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
             head = data[: 4 * _HEAD].decode("utf-16", "ignore").encode()
@@ -94,16 +97,16 @@ def foreign_kind(file: Beginning) -> str:
         root = _root_element(file.data)
         page = root.lower() in ("html", "body")
         return "an HTML page" if page else f"XML of the kind {root[:40]!r}"
-    return next((what for start, what in _FOREIGN if file.head.startswith(start)), "")
+    return next((name for start, name in _FOREIGN if file.head.startswith(start)), "")
 
 
 def _unpacked(data: bytes) -> bytes:
     """Return the first 4 KB of the decompressed content of a gzip file; b"" if it is damaged."""
     try:
-        inside = zlib.decompressobj(31).decompress(data, _HEAD)
+        content = zlib.decompressobj(31).decompress(data, _HEAD)
     except zlib.error:
         return b""
-    return inside.removeprefix(_BYTE_ORDER_MARK).lstrip()
+    return content.removeprefix(_BYTE_ORDER_MARK).lstrip()
 
 
 def _root_element(data: bytes) -> str:

@@ -27,6 +27,6 @@ class Limits:
     seconds: float = 120.0  #: time for expanding blocks and fitting curves (s)
 
     def admit(self, size: int) -> None:
-        """Raise DrawingTooLarge if the size of a file (bytes) exceeds the limit."""
+        """Raise DrawingTooLarge if ``size``, the size of a file in bytes, exceeds the limit."""
         if size > self.bytes:
             raise DrawingTooLarge("reading.too-large", size=size / 2**20, limit=self.bytes / 2**20)

@@ -1,7 +1,7 @@
 """The table of import formats.
 
 A format is one row of ``FORMATS`` and a package with a module ``read``.  Detection, media type,
-file name extensions and the file dialog of the page all use this row.
+file name extensions and the file dialog of the page are all derived from this row.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _BYTES: Final = "application/octet-stream"
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """An import format: one row of ``FORMATS``."""
+    """An import format: name, extensions, media type, detection function and reader module."""
 
     name: str  #: "dxf", "svg" …
     title: str  #: name in messages: "DXF (text or binary, any version)"
@@ -60,14 +60,14 @@ def format_of(data: bytes) -> Format:
         The file is empty or has a known format that cannot be imported.
     """
     titles = [one.title for one in FORMATS]
-    beginning = Beginning.of(data)
+    beginning = Beginning.from_bytes(data)
     if not beginning.head:
         raise NotADrawing("reading.empty", formats=titles)
     for one in FORMATS:
         if one.matches is not None and one.matches(beginning):
             return one
-    if what := detection.foreign_kind(beginning):
-        raise NotADrawing("reading.unknown-kind", what=what, formats=titles)
+    if kind := detection.foreign_kind(beginning):
+        raise NotADrawing("reading.unknown-kind", what=kind, formats=titles)
     return _FALLBACK
 
 
@@ -76,6 +76,8 @@ def read_file(data: bytes, unit: str = "") -> Drawing:
 
     Parameters
     ----------
+    data
+        Content of the file; its format is detected.
     unit
         Overrides the unit of the file; "" keeps it.
 

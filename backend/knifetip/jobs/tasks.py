@@ -91,7 +91,7 @@ def read(
     questions = pipeline.questions(drawing, dieline)
     return Reading(
         classified_json(drawing, dieline, outcomes, questions, overrides),
-        EdgeTable.of(drawing, dieline, outcomes).pack(),
+        EdgeTable.from_drawing(drawing, dieline, outcomes).pack(),
         pack_rows(import_report_rows(drawing)),
         overrides.tobytes(),
     )
@@ -245,7 +245,7 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
         shown, more = verdict.findings[:_SHOWN], len(findings) - _SHOWN
         message = Message(
             "job.program-refused",
-            findings=[finding.located for finding in shown],
+            findings=[finding.located_message for finding in shown],
             more=Message("finding.more", count=more) if more > 0 else None,
         )
     return CompileResult(

@@ -17,14 +17,14 @@ _LEAST_SPACING: Final = 10.0
 
 
 class DeflectionTable(Table):
-    """The TOML table with the greatest deflection of one tool in X and Y when it cuts the board."""
+    """The TOML table with the greatest deflection, in X and Y (mm), of one tool in the board."""
 
     x: NotNegative = Field(description="greatest deflection in X (mm)")
     y: NotNegative = Field(description="greatest deflection in Y (mm)")
 
 
 class BoardFile(Table):
-    """The TOML file of a board: one material in one thickness."""
+    """The fields of the TOML file of a board: one material in one thickness."""
 
     title: str
     material: str = Field(description="greyboard, corrugated or folding boxboard")
@@ -86,11 +86,11 @@ class BoardFile(Table):
 
     def record(self, name: str) -> Board:
         """Return the board that the file describes, with the name ``name``."""
-        given = self.model_dump(exclude={"perforation", "deflection"})
+        fields = self.model_dump(exclude={"perforation", "deflection"})
         cut, gap = self.perforation
         return Board(
             name=name,
-            **given,
+            **fields,
             perforation=(cut, gap),
             deflection=tuple(
                 Deflection(tool, most.x, most.y) for tool, most in self.deflection.items()

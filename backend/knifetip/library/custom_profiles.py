@@ -1,8 +1,8 @@
 """custom_profiles: parse and write the profiles of customers, which are stored as TOML text.
 
 A profile is a list of rules that give edges their line type.  ``parse_text`` returns the rules in a
-TOML text; ``profile_text`` writes the fields of a form as TOML text.  The text is untrusted: its
-size is limited, it cannot refer to files, and it is either valid or refused.
+TOML text; ``profile_text`` writes the fields of a form as TOML text.  The text comes from users and
+is not trusted: its size is limited, it cannot refer to files, and it is either valid or refused.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ def parse_text(name: str, text: str) -> LineRules:
     Raises
     ------
     ProfileError
-        The text is too long, is not TOML or is not a profile.  If a field is wrong, ``source`` of
-        the error is the path of the field.
+        The text is too long, is not TOML or is not a profile.  If a field is wrong, the attribute
+        ``source`` of the error is the path of the field.
     """
     # The size is checked first, so that large texts do not enter the cache.
     if len(text) > MAX_BYTES or len(text.encode("utf-8", "replace")) > MAX_BYTES:
@@ -74,19 +74,21 @@ def profile_text(name: str, fields: Mapping[str, Any]) -> str:
     name
         Name of the profile, for error messages.
     fields
-        ``title``, ``extends`` (name of a profile of the library, or None), ``overrules``, and
-        ``rule``: a list of tables, each with a line type ``type`` and the conditions of the rule.
+        ``title``, ``extends`` (name of a profile of the library, or None), ``overrules`` (whether
+        the rules of the profile come before those of the extended profile), and ``rule``: a list of
+        tables, each with a line type ``type`` and the conditions of the rule.
 
     Raises
     ------
     ProfileError
-        The fields are not a valid profile; ``source`` of the error is the path of the wrong field.
+        The fields are not a valid profile; the attribute ``source`` of the error is the path of the
+        wrong field.
     """
     return load.profile_toml(load.parse_profile(name, fields), fields.get("extends"))
 
 
 def library_text(name: str) -> str:
-    """Return the TOML text of the library's profile with the name ``name``."""
+    """Return the TOML text of the profile with the name ``name`` in the library."""
     return (resources.files(__package__) / "profiles" / f"{name}.toml").read_text("utf-8")
 
 
@@ -101,9 +103,9 @@ def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:
     Parameters
     ----------
     fields
-        Fields of the profile, as in ``profile_text``; they contain only its own rules.
+        Fields of the profile, as in ``profile_text``; the inherited rules are not among them.
     rules
-        All rules of the profile, its own and the inherited ones.
+        All rules of the profile, with the inherited rules.
     """
     own = [False] * len(fields["rule"])
     base = [True] * (len(rules.rules) - len(own))

@@ -1,4 +1,4 @@
-"""deflection: write the greatest deflection of a tool into the TOML text of a board."""
+"""deflection: write the greatest deflection of a tool into the TOML text of a board's file."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ def deflection_toml(deflection: Deflection) -> str:
 def replace_deflection(text: str, deflection: Deflection) -> str:
     """Return the TOML text of a board with the deflection of one tool added or replaced.
 
-    ``text`` is the TOML text of the board; ``deflection`` names the tool.
+    ``text`` is the TOML text of the board; ``deflection`` contains the name of the tool.
     """
     name = re.escape(deflection.tool)
     quoted = re.escape(json.dumps(deflection.tool, ensure_ascii=False))
     head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{quoted}|'{name}')\s*\]")
-    kept, inside = [], False
+    kept_lines, in_table = [], False
     for line in text.splitlines():
         if line.lstrip().startswith("["):
-            inside = head.match(line.strip()) is not None
-        if not inside:
-            kept.append(line)
-    return "\n".join(kept).rstrip() + "\n\n" + deflection_toml(deflection)
+            in_table = head.match(line.strip()) is not None
+        if not in_table:
+            kept_lines.append(line)
+    return "\n".join(kept_lines).rstrip() + "\n\n" + deflection_toml(deflection)
 
 
 def _key(name: str) -> str:

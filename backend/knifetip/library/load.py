@@ -41,8 +41,8 @@ def names(shelf: str) -> list[str]:
 @cache
 def _names(shelf: str) -> tuple[str, ...]:
     folder = resources.files(__package__) / shelf
-    found = (entry.name for entry in folder.iterdir())
-    return tuple(sorted(name.removesuffix(".toml") for name in found if name.endswith(".toml")))
+    entries = (entry.name for entry in folder.iterdir())
+    return tuple(sorted(name.removesuffix(".toml") for name in entries if name.endswith(".toml")))
 
 
 def machine(name: str, files: bool = True) -> Machine:
@@ -126,10 +126,10 @@ def _profile(name: str) -> LineRules:
 
 @cache
 def conventions() -> tuple[LineRules, ...]:
-    """Return each profile of the library with only the rules that the default profile lacks.
+    """Return for each profile of the library those of its rules that the default profile lacks.
 
     Profiles without such rules are omitted.  If a layer, colour and linetype in a drawing match no
-    rule of the chosen profile, classification tries the rules of these profiles.
+    rule of the chosen profile, classification tries the returned rules.
     """
     common = set(profile("default", files=False).rules)
     own = []
@@ -231,7 +231,7 @@ def _name_document(
 
 
 def find_cutter(machine: Machine, tool: str) -> Station:
-    """Return the station of a machine that is named ``tool`` and has a rotating cutter or a laser.
+    """Return the station of a machine with the name ``tool``, which must hold a cutter or a laser.
 
     Raises
     ------
@@ -244,9 +244,9 @@ def find_cutter(machine: Machine, tool: str) -> Station:
             return station
     if not cutters:
         raise LibraryError("machine.no-cutter", machine=machine.title, cutter=tool[:80])
-    known = [station.name for station in cutters]
+    cutter_names = [station.name for station in cutters]
     raise LibraryError(
-        "machine.no-such-cutter", machine=machine.title, cutter=tool[:80], known=known
+        "machine.no-such-cutter", machine=machine.title, cutter=tool[:80], known=cutter_names
     )
 
 
@@ -319,9 +319,9 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
     """Return the profile that the fields of a TOML document describe: a title and a list of rules.
 
     If the profile extends a profile of the library, the rules of the library's profile come first,
-    because the name of a layer is better evidence than the colours that most profiles add.  If
-    ``overrules`` is true in the document, its own rules come first, as in profiles that were made
-    from corrections.
+    because the name of a layer is better evidence than the colours that most profiles add.  If the
+    field ``overrules`` is true, the rules in the document come first, as in profiles that were made
+    from a user's corrections.
 
     Parameters
     ----------
@@ -335,7 +335,7 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
     Raises
     ------
     ProfileError
-        A field is missing, invalid or unknown; ``source`` is the path of the field.
+        A field is missing, invalid or unknown; the attribute ``source`` is the path of the field.
     """
     from knifetip.library.profile_file import ProfileFile
 
@@ -352,7 +352,7 @@ def parse_profile(name: str, fields: Mapping[str, Any], file: str = "") -> LineR
 
 
 def profile_toml(rules: LineRules, extends: str | None = None) -> str:
-    """Return the TOML text of a profile, from which ``parse_profile`` makes the same rules.
+    """Return the TOML text of a profile; ``parse_profile`` makes the same rules from it.
 
     Parameters
     ----------

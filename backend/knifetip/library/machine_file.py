@@ -31,7 +31,7 @@ from knifetip.model.tool.base import NotNegative, Positive
 class AxisTable(Table):
     """The TOML table of one axis of a machine: travel, velocity and acceleration.
 
-    Lengths are in mm, or in degrees for the rotary axis; times are in seconds.
+    The units are mm, mm/s and mm/s²; for the rotary axis, degrees replace millimetres.
     """
 
     low: float = Field(description="least joint position")
@@ -49,7 +49,7 @@ class AxisTable(Table):
 
 
 class Axes(Table):
-    """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tool."""
+    """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools."""
 
     x: AxisTable
     y: AxisTable
@@ -112,7 +112,7 @@ def _check_kind(tool: Any) -> Any:
 
 
 class StationTable(Table):
-    """The TOML table of a station: a place on the head that carries one tool."""
+    """The TOML table of a station, a mount on the head of a machine that carries one tool."""
 
     number: int = Field(gt=0, lt=256, description="tool number in programs (T word)")
     name: str
@@ -130,7 +130,7 @@ class StationTable(Table):
 
 
 class MachineFile(Table):
-    """The TOML file of a flatbed sample-maker.
+    """The fields of the TOML file of a flatbed sample-maker.
 
     Z = 0 is the top of the cutting mat, and Z is positive upwards.
     """
@@ -180,10 +180,10 @@ class MachineFile(Table):
 
         The settings of the machine's controller are not included.
         """
-        given = self.model_dump(exclude={"axes", "station", "origin", "controller"})
+        fields = self.model_dump(exclude={"axes", "station", "origin", "controller"})
         axes: dict[str, Any] = {
             key: Axis(**limits) for key, limits in self.axes.model_dump().items()
         }
         stations = tuple(station.record() for station in self.station)
         x, y = self.origin
-        return Machine(name=name, **given, **axes, stations=stations, origin=(x, y))
+        return Machine(name=name, **fields, **axes, stations=stations, origin=(x, y))

@@ -1,6 +1,7 @@
-"""profile_file: the pydantic models of a classification profile in TOML.
+"""profile_file: the pydantic models of the TOML file of a classification profile.
 
-Profiles are untrusted, so their size is limited, and they can refer only to the library.
+Profiles come from users and are not trusted, so their size is limited, and they can refer only to
+profiles of the library.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ def _check_not_blank(value: str) -> str:
 
 def _line_type(value: str) -> str:
     try:
-        return LineType.of(value).word
+        return LineType.from_word(value).word
     except ValueError:
         raise field_error(
             "field.not-a-line-type", value=value[:80], known=[kind.word for kind in LineType]
@@ -99,7 +100,7 @@ class RuleTable(Table):
     def record(self) -> LineRule:
         """Return the rule that the table describes."""
         return LineRule(
-            line_type=LineType.of(self.type),
+            line_type=LineType.from_word(self.type),
             layer=tuple(self.layer),
             colour=tuple(one for one in self.colour if isinstance(one, int)),
             true_colour=tuple(int(one[1:], 16) for one in self.colour if isinstance(one, str)),
@@ -110,7 +111,7 @@ class RuleTable(Table):
 
 
 class ProfileFile(Table):
-    """The TOML file of a classification profile: a title, and rules that give edges a line type.
+    """The fields of the TOML file of a classification profile: a title, and rules for line types.
 
     The conditions of a rule are layers, colours, linetypes, entity types and blocks.
     """

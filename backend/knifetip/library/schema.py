@@ -38,7 +38,10 @@ def json_schema(file: str) -> dict[str, Any]:
 
 
 def _comments(tool: type[Tool]) -> dict[str, str]:
-    """Return the ``#:`` comment of each field in the source of the class ``tool``, by field."""
+    """Return the ``#:`` comment of each field of a class of tools, by the name of the field.
+
+    The comments are taken from the source code of the class.
+    """
     source = inspect.getsource(tool)
     same_line = dict(_SAME_LINE.findall(source))
     return {name: text for text, name in _LINE_BEFORE.findall(source)} | same_line

@@ -1,1 +1,1 @@
-"""Records that the stages of the pipeline exchange: frozen dataclasses and columns of numbers."""
+"""Records that the stages of the pipeline exchange: frozen dataclasses and arrays of numbers."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 class Deflection:
     """Measured maximum deflection of one cutter under load in one board (mm), along X and Y.
 
-    ΔXmax and ΔYmax of the radius compensation paper (``compensation.deflection``).
+    These are ΔXmax and ΔYmax of the radius compensation paper (``compensation.deflection``).
     """
 
     tool: str  #: name of the station that holds the cutter

@@ -15,7 +15,7 @@ from knifetip.model.drawing import ImportOutcome
 
 
 class CleaningReason(IntEnum):
-    """Reason for the outcome of cleaning an edge."""
+    """The reason why cleaning kept, merged or dropped an edge."""
 
     AS_DRAWN = 0  #: kept unchanged
     MOVED = 1  #: kept; an end was moved to the end of another edge
@@ -29,7 +29,7 @@ class CleaningReason(IntEnum):
 
     @property
     def message(self) -> Message:
-        """Message that names the reason, without the measured values of an edge."""
+        """Message that describes the reason, without the measured values of an edge."""
         return _MESSAGES[self]
 
 
@@ -48,7 +48,7 @@ _MESSAGES = {
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Stretches:
-    """q stretches (parts of drawn edges) that together cover all edges to be machined.
+    """q stretches (parts of drawn edges) that together cover all drawn edges with machining.
 
     They are in the order of the edges in the drawing.
     """
@@ -57,7 +57,7 @@ class Stretches:
     begin: F64  #: (q,) start of the stretch, 0 … 1 of the edge's length
     end: F64  #: (q,) end of the stretch, 0 … 1 of the edge's length
     cleaned: I32  #: (q,) row of the cleaned edge that covers the stretch; -1 if dropped
-    given: Bool  #: (q,) whether the cleaned edge belongs to another drawn edge
+    by_other_edge: Bool  #: (q,) whether the cleaned edge belongs to another drawn edge
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -66,7 +66,7 @@ class Stretches:
         put(self, "begin", freeze(self.begin, np.float64, rows))
         put(self, "end", freeze(self.end, np.float64, rows))
         put(self, "cleaned", freeze(self.cleaned, np.int32, rows))
-        put(self, "given", freeze(self.given, np.bool_, rows))
+        put(self, "by_other_edge", freeze(self.by_other_edge, np.bool_, rows))
 
     def __len__(self) -> int:
         return len(self.row)
@@ -82,11 +82,13 @@ class Cleaned:
     contains for each of the m edges the row of the drawn edge that represents it.
 
     For each drawn edge ``kept + merged + dropped`` is its drawn length.  The total length of the
-    edges to be machined is the sum of ``kept`` and ``added`` over all edges.
+    edges to be machined is the sum of ``kept`` and ``added`` over all drawn edges.
     """
 
     dieline: Dieline
-    of: I32  #: (n,) row of the cleaned edge that covers most of the drawn edge; -1 if dropped
+    cleaned_row: (
+        I32  #: (n,) row of the cleaned edge that covers most of the drawn edge; -1 if dropped
+    )
     outcome: U8  #: (n,) ImportOutcome
     reason: U8  #: (n,) CleaningReason
     kept: F64  #: (n,) length that is machined for the edge (mm)
@@ -99,8 +101,8 @@ class Cleaned:
 
     def __post_init__(self) -> None:
         put = object.__setattr__
-        put(self, "of", freeze(self.of, np.int32, -1))
-        rows = len(self.of)
+        put(self, "cleaned_row", freeze(self.cleaned_row, np.int32, -1))
+        rows = len(self.cleaned_row)
         for name in ("outcome", "reason"):
             put(self, name, freeze(getattr(self, name), np.uint8, rows))
         for name in ("kept", "merged", "dropped", "added", "moved", "off"):
@@ -111,27 +113,29 @@ class Cleaned:
         """Mask of the drawn edges that cleaning changed, shape (n,)."""
         return np.asarray(~np.isin(self.reason, (CleaningReason.AS_DRAWN, CleaningReason.NO_WORK)))
 
-    def into(self, row: int) -> int:
+    def replacement_row(self, row: int) -> int:
         """Return the row of the drawn edge that is machined in place of the drawn edge in ``row``.
 
-        It is ``row`` itself if that edge was kept, and -1 if it was dropped.
+        It is ``row`` itself if the drawn edge was kept, and -1 if it was dropped.
         """
-        cleaned = self.of[row]
+        cleaned = self.cleaned_row[row]
         return -1 if cleaned < 0 else int(self.dieline.source[cleaned])
 
     def describe(self, row: int) -> Message:
-        """Return a message with the outcome of cleaning for the drawn edge in a row."""
+        """Return a message with the outcome of cleaning for the drawn edge in row ``row``."""
         match CleaningReason(self.reason[row]):
             case CleaningReason.SPECK:
                 return Message("cleaning.dropped-speck", length=self.dropped[row])
             case CleaningReason.NO_WORK:
                 return Message("cleaning.no-work")
             case CleaningReason.TWICE:
-                return Message("cleaning.on-edge", edge=self.into(row))
+                return Message("cleaning.on-edge", edge=self.replacement_row(row))
             case CleaningReason.JOINED:
-                return Message("cleaning.joined-edge", edge=self.into(row))
+                return Message("cleaning.joined-edge", edge=self.replacement_row(row))
             case CleaningReason.FITTED:
-                return Message("cleaning.fitted-edge", edge=self.into(row), distance=self.off[row])
+                return Message(
+                    "cleaning.fitted-edge", edge=self.replacement_row(row), distance=self.off[row]
+                )
         changes = []
         if self.merged[row] > 0.0:
             changes.append(Message("cleaning.length-on-others", length=self.merged[row]))
@@ -147,10 +151,10 @@ class Cleaned:
 
     @property
     def lengths(self) -> dict[str, float]:
-        """Total lengths by name (mm).
+        """Total lengths of the edges (mm), by name.
 
         ``drawn`` is ``kept`` + ``merged`` + ``dropped``, and ``worked`` is ``kept`` + ``added``.
-        These do not include ``no_work``, the length of edges that are ignored or not classified.
+        None of these includes ``no_work``, the length of edges that are ignored or not classified.
         """
         at_work = self.reason != CleaningReason.NO_WORK
         kept, merged, dropped, added = (
@@ -186,7 +190,7 @@ class Cleaned:
                     "handle": handles[row],
                     "outcome": ImportOutcome(self.outcome[row]).name.lower(),
                     "reason": CleaningReason(self.reason[row]).name.lower(),
-                    "into": self.into(row),
+                    "into": self.replacement_row(row),
                     "kept": float(self.kept[row]),
                     "merged": float(self.merged[row]),
                     "dropped": float(self.dropped[row]),
@@ -200,5 +204,5 @@ class Cleaned:
         }
 
     def count(self, outcome: ImportOutcome) -> int:
-        """Return the number of drawn edges with an outcome."""
+        """Return the number of drawn edges with the outcome ``outcome``."""
         return int((self.outcome == outcome).sum())

@@ -1,4 +1,4 @@
-"""Corner types of a job: the path of a cutter round convex corners of contours."""
+"""Corner types of a job: how the path of a cutter passes around convex corners of contours."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class CornerAt:
 
 @dataclass(frozen=True, slots=True)
 class Corners:
-    """Corner types of a job on a machine with a router or a laser."""
+    """Corner types of a job: one for all corners, and exceptions for single corners."""
 
     type: str = "auto"  #: one of ``TYPES``
     k: float = 0.5  #: parameter of type D, from 0 (like B) to 1 (like C)

@@ -12,7 +12,7 @@ from knifetip.messages import Message
 
 
 class LineType(IntEnum):
-    """The way in which an edge is machined, or the reason why it is not."""
+    """The operation that makes an edge, such as cut or crease, or the reason why none makes it."""
 
     UNCLASSIFIED = 0
     CUT = 1
@@ -29,8 +29,8 @@ class LineType(IntEnum):
         return self.name.lower().replace("_", "-")
 
     @classmethod
-    def of(cls, word: str) -> LineType:
-        """Return the line type with a name; case, ``-``, ``_`` and spaces do not matter.
+    def from_word(cls, word: str) -> LineType:
+        """Return the line type with the name ``word``; case, ``-``, ``_`` and spaces do not matter.
 
         Raises
         ------
@@ -40,8 +40,8 @@ class LineType(IntEnum):
         try:
             return cls[word.strip().upper().replace("-", "_").replace(" ", "_")]
         except KeyError:
-            known = ", ".join(kind.word for kind in cls)
-            raise ValueError(f"{word!r} is not a line type; they are {known}") from None
+            names = ", ".join(kind.word for kind in cls)
+            raise ValueError(f"{word!r} is not a line type; they are {names}") from None
 
 
 @dataclass(frozen=True, eq=False, slots=True)

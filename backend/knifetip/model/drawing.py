@@ -24,7 +24,7 @@ class ImportOutcome(IntEnum):
 
 
 class LocationBoxes(NamedTuple):
-    """Bounding boxes of k entities without edges whose location is known."""
+    """Bounding boxes that show the positions of k entities without edges, with report rows."""
 
     rows: I32  #: (k,) row of each entity in the import report, ascending
     box: F64  #: (k, 4) x min, y min, x max, y max (mm; file units while the unit is unknown)
@@ -43,8 +43,8 @@ KEPT: Final = Message("import.kept")
 class ImportReport:
     """The import report of a file: outcome and reason for each of m entities.
 
-    An entity in a block has one row for each INSERT of the block; its handle is ``INSERT/CHILD``
-    and its kind is that of the entity in the block.
+    An entity in a block has one row for each INSERT of the block.  The handle in such a row is the
+    handle of the INSERT, a slash and the handle of the entity; the kind is that of the entity.
     """
 
     handle: Sequence[str]  #: (m,) handle in the file, or ``#17`` for the 17th entity
@@ -65,10 +65,10 @@ class ImportReport:
         same = len(self.kind) == len(self.layer) == len(self.reason) == rows
         if not same or len(self.block) not in (0, rows):
             raise ValueError("import report columns differ in length")
-        where, box = self.location_boxes
-        box = freeze(box, np.float64, len(where), 4)
+        box_rows, box = self.location_boxes
+        box = freeze(box, np.float64, len(box_rows), 4)
         object.__setattr__(
-            self, "location_boxes", LocationBoxes(freeze(where, np.int32, len(box)), box)
+            self, "location_boxes", LocationBoxes(freeze(box_rows, np.int32, len(box)), box)
         )
 
     def __len__(self) -> int:
@@ -134,7 +134,7 @@ class Drawing:
 
     @property
     def handles(self) -> list[str]:
-        """Handle of the entity to which each of the n edges belongs, n strings."""
+        """Handle of the entity to which each of the n edges belongs: a list of n strings."""
         every = list(self.import_report.handle)
         return [every[row] for row in self.entity.tolist()]
 
@@ -152,7 +152,7 @@ class Drawing:
 def extents(ends: F64, bulge: F64) -> F64:
     """Return the bounding box of n edges, (4,): x min, y min, x max, y max (mm).
 
-    It is zero if there are no edges.
+    All four values are 0 if there are no edges.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ NO_OVERRIDE: Final = 255
 class Interpretation:
     """The user's decisions about a drawing: unit, profile, overrides and corner types.
 
-    All fields are plain values, so that it can be stored and sent to another process.
+    The record contains only plain data, so that it can be stored and sent to another process.
     """
 
     unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" for the unit of the file

@@ -10,7 +10,10 @@ from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Travel, maximum velocity and acceleration of one axis of a machine (mm or degrees, s)."""
+    """Travel, maximum velocity and acceleration of one axis of a machine (mm, mm/s, mm/s²).
+
+    Degrees replace millimetres for a rotary axis.
+    """
 
     low: float  #: minimum joint position
     high: float  #: maximum joint position
@@ -35,17 +38,17 @@ class Station:
     output: int  #: digital output of the piston that lowers the station; -1 for none
 
     @property
-    def beams(self) -> bool:
+    def is_beam(self) -> bool:
         """Whether the tool is switched on only while it cuts, like a laser."""
         return kind_of(self.tool).switching == Switching.CUT
 
     def planner(self, line_type: LineType) -> Planner:
-        """Return the planner for a line type, which the tool of the station must be able to make.
+        """Return the planner for ``line_type``: the function that turns edges into operations.
 
         Raises
         ------
         KeyError
-            The tool does not make the line type.
+            The tool of the station does not make the line type.
         """
         return kind_of(self.tool).planners[line_type]
 
@@ -76,17 +79,20 @@ class Machine:
     def outputs(self) -> tuple[int, ...]:
         """Numbers of all digital outputs of the pistons and the tools, ascending."""
         pistons = {station.output for station in self.stations if station.output >= 0}
-        others = {output for station in self.stations for output in station.tool.outputs}
-        return tuple(sorted(pistons | others))
+        tool_outputs = {output for station in self.stations for output in station.tool.outputs}
+        return tuple(sorted(pistons | tool_outputs))
 
     @property
     def has_beam(self) -> bool:
         """Whether a station holds a laser, which must be off in all air moves."""
-        return any(station.beams for station in self.stations)
+        return any(station.is_beam for station in self.stations)
 
     @property
     def offset_cuts(self) -> bool:
-        """Whether cuts are offset from the drawn line, so that corner types apply."""
+        """Whether cuts are offset from the drawn line by the radius of a tool.
+
+        Only then corner types apply.
+        """
         station = self.station_for(LineType.CUT)
         return station is not None and station.planner(LineType.CUT) == Planner.OFFSET_CUTS
 
@@ -107,7 +113,7 @@ class Machine:
         return None
 
     def station(self, number: int) -> Station:
-        """Return the station with a T number.
+        """Return the station with the T number ``number``.
 
         Raises
         ------

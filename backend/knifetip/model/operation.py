@@ -1,4 +1,4 @@
-"""Records of an operation: paths that one tool machines with one line type."""
+"""Records of an operation: paths with one line type that one tool machines."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from knifetip.model.tool import Tool
 
 
 class End(IntEnum):
-    """The surroundings of an end of a path, which determine where the tool must stop."""
+    """The surroundings of an end of a path, which determine whether the tool may cut beyond it."""
 
     FREE = 0  #: no other path; the tool must not cut beyond the end
     CONTINUED = 1  #: another path of the same tool that continues in the same direction
@@ -27,7 +27,7 @@ class End(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """p paths with n segments that one tool machines with one line type, and their parameters.
+    """p paths with n segments and one line type that one tool machines, with the parameters.
 
     All coordinates are those of the sheet.
     """

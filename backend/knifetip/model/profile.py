@@ -60,9 +60,9 @@ def _quoted(pattern: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class ProposedRule:
-    """A proposed profile rule for overrides, the line types that the user gave to edges by hand.
+    """A rule that is proposed for a profile because the user set line types of edges by hand.
 
-    The rule matches no classified edge that has another line type.
+    No classified edge with a different line type matches the rule.
     """
 
     rule: LineRule

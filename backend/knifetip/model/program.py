@@ -1,4 +1,4 @@
-"""Record of a program: its bytes, and the tool path row of each program line."""
+"""Record of a program: its bytes, and for each program line the row of the tool path."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from knifetip.geometry.columns import I32, freeze
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """A program for one controller, and for each program line the row of the tool path."""
+    """A program for one controller: bytes, and for each program line the row of the tool path."""
 
     text: bytes  #: all program lines, each with a newline at its end
     dialect: str
@@ -25,5 +25,5 @@ class Program:
         return len(self.source)
 
     def lines(self) -> list[bytes]:
-        """Return the program lines as bytes without newlines."""
+        """Return the lines of the program as bytes without newlines."""
         return self.text.split(b"\n")[:-1]

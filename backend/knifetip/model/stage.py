@@ -28,4 +28,4 @@ Progress: TypeAlias = Callable[[Stage, float], None]
 
 
 def no_progress(_stage: Stage, _fraction: float) -> None:
-    """Do nothing; the progress callback of callers that show no progress."""
+    """Do nothing: a progress callback for callers that show no progress."""

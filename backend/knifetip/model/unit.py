@@ -30,7 +30,7 @@ def factor(unit: str) -> float:
     Raises
     ------
     NoSuchUnit
-        No unit has the name.
+        ``unit`` is not the name of a unit.
     """
     if unit == "":
         return 1.0
@@ -42,7 +42,7 @@ def factor(unit: str) -> float:
 
 @dataclass(frozen=True, slots=True)
 class UnitHint:
-    """A setting of a file that depends on the unit of the file without stating it."""
+    """A setting in the header of a file that makes one unit likely, without naming the unit."""
 
     #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": the factor between
     #: lengths and the values that dimensions show
@@ -52,7 +52,7 @@ class UnitHint:
 
 @dataclass(frozen=True, slots=True)
 class UnitEvidence:
-    """One observation that supports a unit for a drawing."""
+    """One observation in a drawing that makes one unit more likely."""
 
     unit: str
     message: Message  #: the observation, with its measured value
@@ -64,7 +64,7 @@ class UnitEvidence:
 
 @dataclass(frozen=True, slots=True)
 class UnitFinding:
-    """The unit that the evidence supports, and the evidence for all units."""
+    """The unit of a drawing that the evidence supports, and the evidence for each possible unit."""
 
     unit: str  #: empty if the user must choose
     conclusive: bool

@@ -1,4 +1,4 @@
-"""Records of a verdict: the verifier's findings about a program, and its measurements per edge."""
+"""Records of a verdict: faults that the verifier found in a program, measurements per edge."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class Finding:
     line: int = -1  #: program line, counted from 1; -1 for none
 
     @property
-    def located(self) -> Message:
-        """The message of the fault with the numbers of its edge and program line."""
+    def located_message(self) -> Message:
+        """The message of the fault, with the numbers of its edge and program line, if any."""
         if self.edge >= 0 and self.line >= 0:
             return Message(
                 "finding.at-edge-and-line", edge=self.edge, line=self.line, fault=self.message
@@ -36,8 +36,8 @@ class Finding:
 
     @property
     def text(self) -> str:
-        """The fault with the numbers of its edge and program line, in English."""
-        return render(self.located)
+        """The text of the fault in English, with the numbers of its edge and program line."""
+        return render(self.located_message)
 
 
 def _none() -> F64:
@@ -46,7 +46,7 @@ def _none() -> F64:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Samples:
-    """Deviations of the tip from the edges at m ≤ 200,000 points of the edges, for the page."""
+    """Deviations of the tip from the edges at m points of the edges, for the page; m ≤ 200,000."""
 
     edge: I32 = field(
         default_factory=lambda: np.zeros(0, np.int32)

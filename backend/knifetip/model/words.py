@@ -13,7 +13,7 @@ _T = TypeVar("_T")
 
 
 class _Column(Sequence[_T]):
-    """Base class of columns; a column equals a tuple or list with equal items."""
+    """Base class of columns of values; a column equals a tuple or list with equal items."""
 
     @overload
     def __getitem__(self, row: int) -> _T: ...
@@ -73,14 +73,14 @@ class Repeated(_Column[_T]):
         return names[self.number].astype(dtype or object, copy=False)
 
 
-def numbered(words: Sequence[str]) -> tuple[list[str], I32]:
-    """Return the distinct strings, and for each of the m strings its index among them, (m,)."""
+def number_words(words: Sequence[str]) -> tuple[list[str], I32]:
+    """Return the distinct strings in ``words``, and for each of the m strings its index, (m,)."""
     number: dict[str, int] = {}
     if isinstance(words, Repeated):
         names = [number.setdefault(name, len(number)) for name in words.names]
         return list(number), np.array(names, np.int32)[words.number]
-    each = [number.setdefault(word, len(number)) for word in words]
-    return list(number), np.array(each, np.int32)
+    indices = [number.setdefault(word, len(number)) for word in words]
+    return list(number), np.array(indices, np.int32)
 
 
 class Spelled(_Column[str]):

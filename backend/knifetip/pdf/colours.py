@@ -3,8 +3,9 @@
 For example, the colour space ``[/Separation /CutContour /DeviceCMYK {…}]`` and the tint 1 (full
 ink) give ``Paint(0xFF00FF, "CutContour")``.
 
-A spot colour is a separate ink.  Carton designers name it after the operation on the line, such as
-"CutContour".  Its true colour is the colour in which programs display it.
+A spot colour is a separate ink.  Carton designers name the ink of a line after the operation on the
+line, such as "CutContour".  The true colour of a spot colour is the colour in which programs
+display it.
 
 Source: ISO 32000-1, chapter 8.6.
 """
@@ -35,7 +36,7 @@ class ColourSpace(NamedTuple):
     kind: str  #: Gray, RGB, CMYK, Separation, DeviceN, or empty if unknown
     components: int
     inks: tuple[str, ...] = ()
-    under: Any = None  #: the alternate space, in which a tint is displayed
+    alternate: Any = None  #: the alternate space, in which a tint is displayed
     tint: Any = None  #: function from a tint to the alternate space
 
 
@@ -59,29 +60,29 @@ _PROCESS: Final = frozenset(("Cyan", "Magenta", "Yellow", "Black", "All", "None"
 _MAX_DEPTH: Final = 4
 
 
-def parse_colour_space(file: PdfFile, given: object, deep: int = 0) -> ColourSpace:
-    """Return the colour space that the PDF object ``given`` defines.
+def parse_colour_space(file: PdfFile, definition: object, depth: int = 0) -> ColourSpace:
+    """Return the colour space that the PDF object ``definition`` defines.
 
-    The result has an empty ``kind`` if the colour space is unknown or nested too deeply.
-    ``deep`` is the number of colour spaces that contain this one; callers outside this function
-    omit it.
+    The attribute ``kind`` of the result is empty if the colour space is unknown or nested too
+    deeply.  ``depth`` is the number of colour spaces that contain this one; only the recursive call
+    sets it.
     """
-    given = file.resolve(given)
-    if isinstance(given, NameObject):
-        return _DEVICE.get(str(given), _UNKNOWN_SPACE)
-    if not isinstance(given, ArrayObject) or not given or deep == _MAX_DEPTH:
+    definition = file.resolve(definition)
+    if isinstance(definition, NameObject):
+        return _DEVICE.get(str(definition), _UNKNOWN_SPACE)
+    if not isinstance(definition, ArrayObject) or not definition or depth == _MAX_DEPTH:
         return _UNKNOWN_SPACE
-    kind, *rest = (file.resolve(one) for one in given[:4])
+    kind, *rest = (file.resolve(one) for one in definition[:4])
     if kind == "/ICCBased" and rest:
         return _BY_COUNT.get(file.entry(rest[0], "/N"), _UNKNOWN_SPACE)
     if kind == "/Separation" and len(rest) == 3:
         return ColourSpace(
-            "Separation", 1, (_ink(rest[0]),), parse_colour_space(file, rest[1], deep + 1), rest[2]
+            "Separation", 1, (_ink(rest[0]),), parse_colour_space(file, rest[1], depth + 1), rest[2]
         )
     if kind == "/DeviceN" and len(rest) == 3 and isinstance(rest[0], ArrayObject):
         inks = tuple(_ink(file.resolve(ink)) for ink in rest[0][:32])
-        under = parse_colour_space(file, rest[1], deep + 1)
-        return ColourSpace("DeviceN", len(inks), inks, under, rest[2])
+        alternate = parse_colour_space(file, rest[1], depth + 1)
+        return ColourSpace("DeviceN", len(inks), inks, alternate, rest[2])
     return _DEVICE.get(str(kind), _UNKNOWN_SPACE)
 
 
@@ -89,33 +90,33 @@ def _ink(name: object) -> str:
     return str(name)[1:].strip() if isinstance(name, NameObject) else ""
 
 
-def make_paint(file: PdfFile, where: ColourSpace, given: list[float]) -> Paint:
-    """Return the colour that a PDF defines by a colour space and components.
+def make_paint(file: PdfFile, space: ColourSpace, components: list[float]) -> Paint:
+    """Return the colour that a colour space and its components define in a PDF.
 
-    ``where`` is the colour space, ``given`` the value of each of its components.  The true colour
-    is ``UNKNOWN_COLOUR`` if it cannot be computed.
+    ``space`` is the colour space, ``components`` the value of each component.  The true colour of
+    the result is ``UNKNOWN_COLOUR`` if it cannot be computed.
     """
-    if where.kind not in ("Separation", "DeviceN"):
-        return Paint(_to_rgb(where.kind, given), "")
-    inks = dict(zip(where.inks, given, strict=False))
-    if set(where.inks) == {"None"}:
+    if space.kind not in ("Separation", "DeviceN"):
+        return Paint(_to_rgb(space.kind, components), "")
+    inks = dict(zip(space.inks, components, strict=False))
+    if set(space.inks) == {"None"}:
         return Paint(UNKNOWN_COLOUR, "", drawn=False)
     names = [name for name, tint in inks.items() if tint > 0.0 and name not in _PROCESS]
     spot = names[0] if len(names) == 1 else ""
     colour = UNKNOWN_COLOUR
-    if len(given) == 1 and len(where.inks) == 1:
-        colour = _to_rgb(where.under.kind, evaluate_tint(file, where.tint, given[0]))
+    if len(components) == 1 and len(space.inks) == 1:
+        colour = _to_rgb(space.alternate.kind, evaluate_tint(file, space.tint, components[0]))
     return Paint(colour, spot)
 
 
-def _to_rgb(kind: str, given: list[float]) -> int:
+def _to_rgb(kind: str, components: list[float]) -> int:
     """Return a device colour as 0xRRGGBB, without colour management.
 
-    ``kind`` is Gray, RGB or CMYK, and ``given`` are its components, 0…1.  ``UNKNOWN_COLOUR`` is
-    returned for other kinds and for invalid components.
+    ``kind`` is Gray, RGB or CMYK, and ``components`` are the values of its components, 0…1.
+    ``UNKNOWN_COLOUR`` is returned for other kinds and for invalid components.
     """
-    parts = [min(max(part, 0.0), 1.0) for part in given]
-    if not all(map(math.isfinite, given)):
+    parts = [min(max(part, 0.0), 1.0) for part in components]
+    if not all(map(math.isfinite, components)):
         return UNKNOWN_COLOUR
     if kind == "Gray" and len(parts) == 1:
         parts = parts * 3

@@ -1,6 +1,6 @@
 """content: parse a content stream into operators with their operands.
 
-    b"1 0 0 RG 10 20 m 30 20 l S" -> ("RG", [1, 0, 0]), ("m", [10, 20]), ("l", [30, 20]), ("S", [])
+For example, ``b"1 0 0 RG 10 20 m"`` gives the operator "RG" with [1, 0, 0] and "m" with [10, 20].
 
 A content stream is the sequence of drawing commands of a PDF page.  It may have a hundred thousand
 operators, so one regular expression finds all tokens.  Dictionaries and inline images are skipped;
@@ -49,7 +49,7 @@ class TruncatedStream(Exception):
     Parameters
     ----------
     code
-        Code of the message that states what is incomplete.
+        Code of the message that names the incomplete object.
     """
 
     def __init__(self, code: str) -> None:
@@ -73,48 +73,48 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
     TruncatedStream
         The stream ends inside a string, an array or an image, or arrays are nested too deeply.
     """
-    given: list[Any] = []
+    operands: list[Any] = []
     enclosing: list[list[Any]] = []
-    at = 0
-    while (found := _TOKEN.match(data, at)) is not None:
-        kind = found.lastindex
-        at = found.end()
+    position = 0
+    while (match := _TOKEN.match(data, position)) is not None:
+        kind = match.lastindex
+        position = match.end()
         if kind == 1:
-            given.append(float(found[1]))
+            operands.append(float(match[1]))
         elif kind == 2:
-            operator = found[2].decode("latin-1")
+            operator = match[2].decode("latin-1")
             if enclosing:
                 # true, false and null are the only words in an array.
                 continue
             if operator == "BI":
-                at = _end_of_image(data, at)
-            yield operator, given
-            given = []
+                position = _end_of_image(data, position)
+            yield operator, operands
+            operands = []
         elif kind == 3:
-            given.append(_name(found[3]))
+            operands.append(_name(match[3]))
         elif kind == 4:
-            start, at = at, _string_end(data, at)
-            given.append(_ESCAPE.sub(_unescape, data[start : at - 1]))
+            start, position = position, _string_end(data, position)
+            operands.append(_ESCAPE.sub(_unescape, data[start : position - 1]))
         elif kind == 5:
             if len(enclosing) == _MAX_DEPTH:
                 raise TruncatedStream("pdf.nested-arrays")
-            enclosing.append(given)
-            given = []
+            enclosing.append(operands)
+            operands = []
         elif kind == 6 and enclosing:
-            inside, given = given, enclosing.pop()
-            given.append(inside if found[6] == b"]" else None)
+            inner, operands = operands, enclosing.pop()
+            operands.append(inner if match[6] == b"]" else None)
         elif kind == 7:
-            digits = _NOT_HEX.sub(b"", found[7])
-            given.append(bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()))
-        if len(given) > _OPERANDS:
-            del given[:-_OPERANDS]
+            digits = _NOT_HEX.sub(b"", match[7])
+            operands.append(bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()))
+        if len(operands) > _OPERANDS:
+            del operands[:-_OPERANDS]
     if enclosing:
         raise TruncatedStream("pdf.open-array")
 
 
 def _name(raw: bytes) -> Name:
     if b"#" in raw:
-        raw = _NUMBERED.sub(lambda found: bytes((int(found[1], 16),)), raw)
+        raw = _NUMBERED.sub(lambda match: bytes((int(match[1], 16),)), raw)
     for charset in _CHARSETS:
         try:
             return Name(raw.decode(charset))
@@ -123,8 +123,10 @@ def _name(raw: bytes) -> Name:
     raise AssertionError("latin-1 has all bytes")
 
 
-def _string_end(data: bytes, at: int) -> int:
-    """Return the index after the closing parenthesis of a string whose content starts at ``at``.
+def _string_end(data: bytes, start: int) -> int:
+    """Return the index after the closing parenthesis of a string in a content stream.
+
+    ``start`` is the index in ``data`` at which the content of the string starts.
 
     Raises
     ------
@@ -132,39 +134,39 @@ def _string_end(data: bytes, at: int) -> int:
         The string is not closed.
     """
     deep = 1
-    for found in _IN_STRING.finditer(data, at):
-        if found[0] == b"(":
+    for match in _IN_STRING.finditer(data, start):
+        if match[0] == b"(":
             deep += 1
-        elif found[0] == b")":
+        elif match[0] == b")":
             deep -= 1
             if deep == 0:
-                return found.end()
+                return match.end()
     raise TruncatedStream("pdf.open-text")
 
 
-def _unescape(found: re.Match[bytes]) -> bytes:
+def _unescape(match: re.Match[bytes]) -> bytes:
     """Return the bytes that an escape sequence in a PDF string represents.
 
-    ``found`` is the match of the escape sequence, as the callback of ``re.sub`` gets it.
+    ``match`` is the match of the escape sequence; this function is a callback of ``re.sub``.
     """
-    if found[1]:
-        return bytes((int(found[1], 8) & 255,))
-    if found[2] in (b"\n", b"\r", b"\r\n"):
+    if match[1]:
+        return bytes((int(match[1], 8) & 255,))
+    if match[2] in (b"\n", b"\r", b"\r\n"):
         return b""
-    return _ESCAPED.get(found[2], found[2])
+    return _ESCAPED.get(match[2], match[2])
 
 
-def _end_of_image(data: bytes, at: int) -> int:
-    """Return the index after the end of an inline image.
+def _end_of_image(data: bytes, start: int) -> int:
+    """Return the index in ``data`` after the end of an inline image.
 
-    ``at`` is the index after the operator BI, with which the image starts.
+    ``start`` is the index after the operator BI, with which the image starts.
 
     Raises
     ------
     TruncatedStream
         The image has no end.
     """
-    found = _PICTURE_ENDS.search(data, at)
-    if found is None:
+    match = _PICTURE_ENDS.search(data, start)
+    if match is None:
         raise TruncatedStream("pdf.open-image")
-    return found.end()
+    return match.end()

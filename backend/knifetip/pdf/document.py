@@ -1,6 +1,7 @@
 """document: open a PDF and find its first page.
 
-    bytes -> PdfFile (objects, in bounded time and size) -> Page
+``PdfFile`` contains the objects of the file, in bounded time and size; ``first_page`` returns the
+``Page``.
 
 pypdf parses the objects; this module checks the type of each object.  Encrypted files are refused.
 Files with a stream that cannot be unpacked to its end are also refused, because lines would be
@@ -76,7 +77,7 @@ class PdfFile:
         self.root: DictionaryObject = self._reader.root_object
 
     def check_time(self) -> None:
-        """Raise an error if reading the file takes longer than the limit.
+        """Raise an error if the file has been open for longer than the time limit.
 
         Raises
         ------
@@ -113,18 +114,18 @@ class PdfFile:
 
         The list is empty if there is no such array.  References among the items are not resolved.
         """
-        found = self.entry(holder, key)
-        return list(found) if isinstance(found, ArrayObject) else []
+        entry = self.entry(holder, key)
+        return list(entry) if isinstance(entry, ArrayObject) else []
 
     def numbers(self, holder: object, key: str, count: int) -> list[float] | None:
         """Return the array of numbers that is the entry ``key`` of the dictionary ``holder``.
 
         None is returned if the entry is not an array of ``count`` finite numbers.
         """
-        found = [number(self.resolve(value)) for value in self.array(holder, key)]
-        if len(found) != count or not all(map(math.isfinite, found)):
+        numbers = [number(self.resolve(value)) for value in self.array(holder, key)]
+        if len(numbers) != count or not all(map(math.isfinite, numbers)):
             return None
-        return found
+        return numbers
 
     def data(self, stream: StreamObject) -> bytes:
         """Return the unpacked data of a stream.
@@ -179,21 +180,21 @@ def limit_pypdf(limits: Limits) -> Iterator[None]:
     The limit is a quarter of the limit of the size of a file, which is enough for all streams that
     pypdf unpacks.  Content streams may be larger; this module unpacks them itself.
     """
-    most = limits.bytes // 4
+    max_bytes = limits.bytes // 4
     with apply_configuration(
         maximum_declared_stream_length=limits.bytes,
-        array_based_stream_maximum_output_length=most,
-        zlib_maximum_output_length=most,
+        array_based_stream_maximum_output_length=max_bytes,
+        zlib_maximum_output_length=max_bytes,
         zlib_maximum_recovery_input_length=0,
-        lzw_maximum_output_length=most,
-        run_length_maximum_output_length=most,
+        lzw_maximum_output_length=max_bytes,
+        run_length_maximum_output_length=max_bytes,
         stream_decoding_work_maximum_length=2 * limits.bytes,
         disable_legacy_handling=True,
     ):
         yield
 
 
-def _unpack(data: bytes, most: int) -> bytes:
+def _unpack(data: bytes, max_bytes: int) -> bytes:
     """Return the unpacked content of zlib data.
 
     Raises
@@ -201,15 +202,15 @@ def _unpack(data: bytes, most: int) -> bytes:
     NotADrawing
         The data is truncated or damaged.
     DrawingTooLarge
-        The content is larger than ``most`` bytes.
+        The content is larger than ``max_bytes`` bytes.
     """
     stream = zlib.decompressobj()
     try:
-        plain = stream.decompress(data, most + 1)
+        plain = stream.decompress(data, max_bytes + 1)
     except zlib.error as error:
         raise NotADrawing("pdf.stream-damaged", reason=error) from None
-    if len(plain) > most:
-        raise DrawingTooLarge("pdf.stream-too-large", limit=most / 2**20)
+    if len(plain) > max_bytes:
+        raise DrawingTooLarge("pdf.stream-too-large", limit=max_bytes / 2**20)
     if not stream.eof:
         raise NotADrawing("pdf.stream-cut-short")
     return plain
@@ -281,11 +282,11 @@ def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, Diction
     for _ in range(_NODES):
         if not stack:
             break
-        node, above = stack.pop()
+        node, inherited_entries = stack.pop()
         node = file.resolve(node)
         if not isinstance(node, DictionaryObject):
             continue
-        inherited = DictionaryObject(above)
+        inherited = DictionaryObject(inherited_entries)
         inherited.update({key: node.raw_get(key) for key in _INHERITED if key in node})
         if "/Kids" not in node:
             return node, inherited

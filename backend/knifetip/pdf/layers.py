@@ -55,20 +55,20 @@ class Layers:
         self._off = {_key(one) for one in file.array(default, "/OFF")}
         self._known: dict[Any, Layer] = {}
 
-    def layer(self, given: object) -> Layer:
+    def layer(self, definition: object) -> Layer:
         """Return the layer that a PDF object defines.
 
-        ``given`` is an optional content group or a membership dictionary, or a reference to one;
-        other objects give ``NO_LAYER``, which is visible and has no name.
+        ``definition`` is an optional content group or a membership dictionary, or a reference to
+        one.  For other objects ``NO_LAYER`` is returned, which is visible and has no name.
         """
-        key = _key(given)
-        found = self._known.get(key)
-        if found is None:
-            found = self._known[key] = self._read(given, key)
-        return found
+        key = _key(definition)
+        cached = self._known.get(key)
+        if cached is None:
+            cached = self._known[key] = self._read(definition, key)
+        return cached
 
-    def _read(self, given: object, key: object) -> Layer:
-        node = self._file.resolve(given)
+    def _read(self, definition: object, key: object) -> Layer:
+        node = self._file.resolve(definition)
         if not isinstance(node, DictionaryObject):
             return NO_LAYER
         if self._file.entry(node, "/Type") != "/OCMD":
@@ -85,39 +85,43 @@ class Layers:
         ]
         if not groups:
             return NO_LAYER
-        on = [one.visible for one in groups]
+        visible = [one.visible for one in groups]
         policy = self._file.entry(node, "/P")
         shown = {
-            "/AllOn": all(on),
-            "/AnyOff": not all(on),
-            "/AllOff": not any(on),
-        }.get(str(policy), any(on))
+            "/AllOn": all(visible),
+            "/AnyOff": not all(visible),
+            "/AllOff": not any(visible),
+        }.get(str(policy), any(visible))
         return Layer(groups[0].name, shown)
 
 
-def _key(given: object) -> object:
-    return (given.idnum, given.generation) if isinstance(given, IndirectObject) else id(given)
+def _key(definition: object) -> object:
+    return (
+        (definition.idnum, definition.generation)
+        if isinstance(definition, IndirectObject)
+        else id(definition)
+    )
 
 
-def layer_names(drawn: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]:
-    """Return the layer name that edges get, for each pair of PDF layer name and spot colour name.
+def layer_names(names_of_lines: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]:
+    """Return the layer name of the edges for each pair of PDF layer name and spot colour name.
 
-    ``drawn`` contains the pair of each line on the page.
+    ``names_of_lines`` contains the pair of each line on the page.
     """
-    pairs = set(drawn)
+    pairs = set(names_of_lines)
     spots: dict[str, set[str]] = {}
     for layer, spot in pairs:
         spots.setdefault(layer, set()).add(spot)
-    found = {}
+    names = {}
     for layer, spot in pairs:
-        both = (spot, layer) if len(spots[layer] - {""}) > 1 else (layer, spot)
-        found[layer, spot] = next(
+        candidates = (spot, layer) if len(spots[layer] - {""}) > 1 else (layer, spot)
+        names[layer, spot] = next(
             (
                 name
                 for vague in (False, True)
-                for name in both
+                for name in candidates
                 if not _GENERATED.fullmatch(name) and (vague or not _VAGUE.fullmatch(name))
             ),
             UNNAMED,
         )
-    return found
+    return names

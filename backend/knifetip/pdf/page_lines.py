@@ -27,14 +27,14 @@ from knifetip.pdf.path_builder import PathBuilder
 
 
 class LayerMark(NamedTuple):
-    """The layer of an object on the page, and the hidden layer that contains it, if any."""
+    """The layer of an object on the page, and the hidden layer that contains the object, if any."""
 
     layer: str
     hidden: str  #: name of the hidden layer that contains the object, empty if visible
 
 
 class LineStyle(NamedTuple):
-    """The layer, the colour, and whether it is dashed, of a path on the page."""
+    """Style of a path on the page: layer, colour, and whether it is dashed."""
 
     layer: str
     paint: Paint
@@ -66,7 +66,7 @@ class PageLines:
         self._limits = limits
         self._lines: list[PageLine] = []
 
-    def row(self, path: str, kind: str, mark: LayerMark, dropped: Message | None = None) -> int:
+    def row(self, path: str, kind: str, mark: LayerMark, drop_reason: Message | None = None) -> int:
         """Add a row for an object to the import report and return the index of the row.
 
         Parameters
@@ -77,7 +77,7 @@ class PageLines:
             Type of the object, for example "path" or "image".
         mark
             Layer of the object.
-        dropped
+        drop_reason
             Reason why the object gives no edge, None if it gives edges.
         """
         if len(self.report.handle) >= self._limits.entities:
@@ -85,7 +85,7 @@ class PageLines:
                 "reading.too-many-elements", limit=self._limits.entities, format="PDF"
             )
         handle = f"{path}#{len(self.report.handle) + 1}"
-        return self.report.row(handle, kind, mark.layer or "0", dropped)
+        return self.report.row(handle, kind, mark.layer or "0", drop_reason)
 
     def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
         """Add the current path of the path builder to the paths of the page.
@@ -107,14 +107,14 @@ class PageLines:
 
     @property
     def empty(self) -> bool:
-        """Whether no path was added to the page with ``line``."""
+        """Whether the page has no path."""
         return not self._lines
 
     def collect(self) -> tuple[Table, Paths, list[Style]]:
-        """Return the segments of all kept paths of the page, these paths, and the list of styles.
+        """Return the paths of the page that are kept: segments, rows and matrices, and styles.
 
-        Paths outside their visible area, and filled areas beside strokes, are dropped; the reasons
-        are written into the import report.
+        Paths outside their visible area are dropped, and so are filled areas if the page has
+        strokes.  The reasons are written into the import report.
         """
         lines = self._lines
         size = np.array([line.size for line in lines], np.int64)
@@ -133,15 +133,15 @@ class PageLines:
             table.kind[kept_segments], numbers[kept_segments], number[path[kept_segments]]
         )
         styles, style = self._assign_styles(
-            [line for line, kept in zip(lines, keep.tolist(), strict=True) if kept]
+            [line for line, is_kept in zip(lines, keep.tolist(), strict=True) if is_kept]
         )
         return table, Paths(row[keep], style, matrix[keep]), styles
 
     def _drop_invisible(self, box: F64) -> Bool:
         """Return the mask of the paths that are at least partly inside their visible areas, (p,).
 
-        Reasons for the other paths are written into the import report, and a note for each path
-        that is only partly inside.
+        The reason for dropping each path that is outside, and a note for each path that is only
+        partly inside, is written into the import report.
 
         Parameters
         ----------
@@ -150,24 +150,20 @@ class PageLines:
         """
         clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
         low, high = box[:, :2], box[:, 2:]
-        beside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
-        over = ((low < clip[:, :2] - _MARGIN) | (high > clip[:, 2:] + _MARGIN)).any(axis=1)
-        for one in np.flatnonzero(beside).tolist():
+        outside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
+        crossing = ((low < clip[:, :2] - _MARGIN) | (high > clip[:, 2:] + _MARGIN)).any(axis=1)
+        for one in np.flatnonzero(outside).tolist():
             self.report.dropped[self._lines[one].row] = Message("import.outside-page")
-        for one in np.flatnonzero(over & ~beside).tolist():
+        for one in np.flatnonzero(crossing & ~outside).tolist():
             self._note(self._lines[one].row, Message("import.partly-outside-page"))
-        shown: Bool = np.logical_not(beside)
+        shown: Bool = np.logical_not(outside)
         return shown
 
     def _drop_fills(self) -> Bool:
-        """Drop the paths that have a fill but no stroke, unless no path of the page has a stroke.
+        """Return the mask of the paths that are kept, (p,): those that have a stroke.
 
-        The reasons are written into the import report.
-
-        Returns
-        -------
-        keep : (p,)
-            Mask of the paths that are kept, one per path of the page.
+        If no path of the page has a stroke, all paths, which have only a fill, are kept.  The
+        reasons for dropping are written into the import report.
         """
         areas = np.array([line.area for line in self._lines], bool)
         stroked = not areas.all()
@@ -186,7 +182,7 @@ class PageLines:
         """
         named = layer_names({(line.style.layer, line.style.paint.spot) for line in lines})
         styles: list[Style] = []
-        known: dict[LineStyle, int] = {}
+        numbers: dict[LineStyle, int] = {}
         style = np.zeros(len(lines), np.int32)
         for number, line in enumerate(lines):
             layer, (colour, spot, _), dashed = line.style
@@ -196,13 +192,13 @@ class PageLines:
                 self._note(line.row, Message("import.spot-colour", colour=spot))
             elif layer and name.lower() != layer.lower():
                 self._note(line.row, Message("import.on-layer", layer=layer))
-            found = known.get(line.style)
-            if found is None:
-                found = known[line.style] = len(styles)
+            cached = numbers.get(line.style)
+            if cached is None:
+                cached = numbers[line.style] = len(styles)
                 linetype = "dashed" if dashed else "Continuous"
                 styles.append(Style(name, nearest_index(colour), max(colour, -1), linetype))
-            style[number] = found
+            style[number] = cached
         return styles, style
 
-    def _note(self, row: int, what: Message) -> None:
-        self.report.notes.setdefault(row, []).append(what)
+    def _note(self, row: int, note: Message) -> None:
+        self.report.notes.setdefault(row, []).append(note)

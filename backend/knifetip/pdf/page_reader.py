@@ -1,9 +1,8 @@
 """page_reader: read a PDF page with all copies of its forms (reusable content streams).
 
-    PdfFile, Page -> PageLines: the paths, and a row for every path, text and image
-
-Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The total size
-of the content streams, counted once per copy, is limited.
+``read_page`` returns ``PageLines``: the paths, and a row of the import report for every path, text
+and image.  Coordinates are points on the displayed page, with (0, 0) at its lower left corner.  The
+total size of the content streams, counted once per copy, is limited.
 
 Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 """
@@ -75,28 +74,28 @@ class _PageReader:
         self._read = 0
 
     def read_page(self, page: Page) -> None:
-        """Interpret the content of a page and add its paths and texts to the drawn objects.
+        """Interpret the content of a page and collect its paths, its texts and its import report.
 
-        Rows for the page's annotations, and for the other pages of the file, are added to the
-        import report as dropped.
+        The page's annotations, and the other pages of the file, are added to the import report as
+        dropped.
         """
-        matrix, seen = _display_matrix(page)
-        state = State(matrix, seen)
+        matrix, visible_area = _display_matrix(page)
+        state = State(matrix, visible_area)
         none = LayerMark("", "")
         self.run(self._contents(page), state, StreamContext("", (), none, page.resources))
         if notes := len(self.file.array(page.node, "/Annots")):
-            what = Message("import.annotations", count=notes)
-            self.drawn.row("", "annotation", none, what)
+            reason = Message("import.annotations", count=notes)
+            self.drawn.row("", "annotation", none, reason)
         if page.count > 1:
-            what = Message("import.other-pages", pages=page.count)
-            self.drawn.row("", "page", none, what)
+            reason = Message("import.other-pages", pages=page.count)
+            self.drawn.row("", "page", none, reason)
 
     def _contents(self, page: Page) -> bytes:
-        given = self.file.entry(page.node, "/Contents")
+        contents = self.file.entry(page.node, "/Contents")
         if "/Contents" not in page.node:
             return b""
         parts = []
-        for one in given if isinstance(given, list) else [given]:
+        for one in contents if isinstance(contents, list) else [contents]:
             stream = self.file.resolve(one)
             if not isinstance(stream, StreamObject):
                 raise NotADrawing("pdf.part-missing")
@@ -113,9 +112,9 @@ class _PageReader:
             The total size exceeds the limit.
         """
         self._read += size
-        most = self.file.limits.bytes
-        if self._read > most:
-            raise DrawingTooLarge("pdf.expands-too-far", limit=most / 2**20)
+        max_bytes = self.file.limits.bytes
+        if self._read > max_bytes:
+            raise DrawingTooLarge("pdf.expands-too-far", limit=max_bytes / 2**20)
 
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
         """Interpret a content stream of a page or of a form.
@@ -138,9 +137,9 @@ class _PageReader:
             Stream(self._page, state, context).interpret(data)
         except TruncatedStream as error:
             path = context.path[:-1]
-            where = Message("pdf.form-named", name=path) if path else Message("pdf.page")
+            location = Message("pdf.form-named", name=path) if path else Message("pdf.page")
             raise NotADrawing(
-                "pdf.content-damaged", where=where, reason=Message(error.code)
+                "pdf.content-damaged", where=location, reason=Message(error.code)
             ) from None
 
     def form(self, node: StreamObject, state: State, context: StreamContext) -> None:

@@ -20,7 +20,7 @@ from knifetip.geometry.columns import F64
 
 
 class PathBuilder:
-    """Builds the current path from operators, and collects the segments of all kept paths."""
+    """Builds the current path from operators, and collects the segments of the kept paths."""
 
     def __init__(self, limits: Limits) -> None:
         self.kind = array("B")
@@ -31,14 +31,14 @@ class PathBuilder:
         self._kept = 0
         self._start_path()
 
-    def add(self, operator: str, given: list[float]) -> None:
+    def add(self, operator: str, operands: list[float]) -> None:
         """Apply a path operator with its operands to the current path.
 
-        ``operator`` is a key of ``BUILDERS``; ``given`` are its operands.  The first operator with
-        invalid operands is stored in ``wrong``.
+        ``operator`` is a key of ``BUILDERS``.  If the operands are invalid, the operator is stored
+        in the attribute ``wrong``, unless it already contains an earlier operator.
         """
         try:
-            BUILDERS[operator](self, *given)
+            BUILDERS[operator](self, *operands)
         except TypeError:
             # The number or the type of the operands is wrong.
             self.wrong = self.wrong or operator

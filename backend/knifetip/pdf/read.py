@@ -1,10 +1,9 @@
 """read: read the first page of a PDF, or of an Illustrator file with PDF content.
 
-    bytes -> Drawing: segments in mm, and a row of the import report for every path, text and image
-
-Line types are distinguished by layer, spot colour, colour and dashes.  The size of the page is
-known: one unit of its coordinates is 1/72 in, or the multiple of 1/72 in that the entry UserUnit of
-the page states.
+``read`` returns a Drawing with segments in mm, and a row of the import report for every path, text
+and image.  Line types are distinguished by layer, spot colour, colour and dashes.  The size of the
+page is known: one unit of its coordinates is 1/72 in, or the multiple of 1/72 in that the entry
+UserUnit of the page contains.
 
 ``document`` finds the page, ``page_reader`` interprets its operators and forms.
 """
@@ -41,8 +40,10 @@ def read(
     data
         Content of the file.
     unit
-        The length that the user gives for one point of the page: "mm", "in" …  None or "" for the
-        true length, 1/72 in.
+        The length of one point of the page, if the user overrides it: "mm", "in" …  None or "" for
+        the true length, 1/72 in.
+    limits
+        Limits of the size of the file and of the drawing.
 
     Returns
     -------
@@ -58,11 +59,11 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    given = factor(unit) if unit else MILLIMETRES["pt"]
+    millimetres = factor(unit) if unit else MILLIMETRES["pt"]
     limits.admit(len(data))
     try:
         with limit_pypdf(limits):
-            return _build_drawing(data, unit or "", given, limits)
+            return _build_drawing(data, unit or "", millimetres, limits)
     except KnifetipError:
         raise
     except PyPdfError as error:
@@ -76,35 +77,35 @@ def read(
         ) from error
 
 
-def _build_drawing(data: bytes, unit: str, given: float, limits: Limits) -> Drawing:
+def _build_drawing(data: bytes, unit: str, millimetres: float, limits: Limits) -> Drawing:
     file = PdfFile(data, limits)
     try:
         page = first_page(file)
-        drawn = read_page(file, page)
+        lines = read_page(file, page)
     finally:
         # A time-out inside pypdf may look like a damaged or empty file.
         file.check_time()
-    if drawn.empty:
-        _refuse_empty(file, page, drawn)
-    table, paths, styles = drawn.collect()
-    segments = columns(drawn.report, table, paths, given, limits, "PDF")
+    if lines.empty:
+        _refuse_empty(file, page, lines)
+    table, paths, styles = lines.collect()
+    segments = columns(lines.report, table, paths, millimetres, limits, "PDF")
     evidence = (
         Message("unit.pdf") if page.unit == 1.0 else Message("unit.pdf-scaled", scale=page.unit)
     )
     source = Message("unit.given") if unit else evidence
-    known = KnownUnit(given, unit or "pt", source, "pt")
-    return assemble(drawn.report, segments, styles, drawn.annotations, known)
+    known = KnownUnit(millimetres, unit or "pt", source, "pt")
+    return assemble(lines.report, segments, styles, lines.annotations, known)
 
 
-def _refuse_empty(file: PdfFile, page: Page, drawn: PageLines) -> None:
-    """Raise NotADrawing if a page without paths is blank, or if its content is not PDF content.
+def _refuse_empty(file: PdfFile, page: Page, lines: PageLines) -> None:
+    """Raise NotADrawing for a page without paths if it is blank or has no usable PDF content.
 
-    Such content is an XFA form or the private data of Illustrator.  ``drawn`` contains the import
-    report of the page.
+    A page has no usable PDF content if its content is an XFA form or private data of Illustrator.
+    ``lines`` contains the import report of the page.
     """
     if file.entry(file.entry(file.root, "/AcroForm"), "/XFA") is not None:
         raise NotADrawing("pdf.form")
     if file.entry(file.entry(page.node, "/PieceInfo"), "/Illustrator") is not None:
         raise NotADrawing("pdf.illustrator-only")
-    if not set(drawn.report.kind) - {"annotation", "page"}:
+    if not set(lines.report.kind) - {"annotation", "page"}:
         raise NotADrawing("pdf.blank")

@@ -1,6 +1,6 @@
 """resources: look up and cache the named colour spaces, colours and fonts of content streams.
 
-A content stream refers to them by names, which a resource dictionary defines.
+A content stream contains the names; a resource dictionary defines them.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ class Resources:
         self._fonts: dict[tuple[int, str], Font] = {}
 
     def find(self, resources: DictionaryObject, kind: str, name: str) -> object:
-        """Return the resource of one kind with the name ``name`` from a resource dictionary.
+        """Return the resource with the name ``name`` from a resource dictionary.
 
-        ``kind`` is the key of the kind, such as "/Font".  The result may be a reference; it is None
-        if the dictionary has no such resource.
+        ``kind`` is the key of the kind of resource, such as "/Font".  The result may be a
+        reference; it is None if the dictionary has no such resource.
         """
         holder = self._file.entry(resources, kind)
         key = f"/{name}"
@@ -40,34 +40,35 @@ class Resources:
         such as "DeviceRGB".
         """
         key = id(resources), name
-        found = self._spaces.get(key)
-        if found is None:
-            given = self.find(resources, "/ColorSpace", name)
-            found = parse_colour_space(
-                self._file, NameObject(f"/{name}") if given is None else given
+        cached = self._spaces.get(key)
+        if cached is None:
+            definition = self.find(resources, "/ColorSpace", name)
+            cached = parse_colour_space(
+                self._file, NameObject(f"/{name}") if definition is None else definition
             )
-            self._spaces[key] = found
-        return found
+            self._spaces[key] = cached
+        return cached
 
-    def paint(self, where: ColourSpace, given: tuple[float, ...]) -> Paint:
-        """Return the colour that a PDF defines by a colour space and components.
+    def paint(self, space: ColourSpace, components: tuple[float, ...]) -> Paint:
+        """Return the colour that a colour space and its components define in a PDF.
 
-        ``where`` is the colour space, ``given`` the value of each of its components.
+        ``space`` is the colour space, ``components`` the value of each component.
         """
-        key = id(where), given
-        found = self._paints.get(key)
-        if found is None:
-            found = self._paints[key] = make_paint(self._file, where, list(given))
-        return found
+        key = id(space), components
+        cached = self._paints.get(key)
+        if cached is None:
+            cached = self._paints[key] = make_paint(self._file, space, list(components))
+        return cached
 
     def font(self, resources: DictionaryObject, name: str) -> Font:
         """Return the font with the name ``name`` from a resource dictionary.
 
-        ``UNDECODABLE`` is returned if the dictionary has no such font.
+        The constant ``UNDECODABLE``, a font without encoding, is returned if the dictionary has no
+        such font.
         """
         key = id(resources), name
-        found = self._fonts.get(key)
-        if found is None:
+        cached = self._fonts.get(key)
+        if cached is None:
             node = self._file.resolve(self.find(resources, "/Font", name))
-            found = self._fonts[key] = parse_font(self._file, node)
-        return found
+            cached = self._fonts[key] = parse_font(self._file, node)
+        return cached

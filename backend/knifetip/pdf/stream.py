@@ -74,14 +74,16 @@ class StreamContext(NamedTuple):
     """The properties that a content stream inherits from the streams that contain it."""
 
     path: str  #: names of the containing forms, each followed by a slash
-    inside: tuple[object, ...]  #: ids of the containing forms, which must not be copied again
+    containing_forms: tuple[
+        object, ...
+    ]  #: ids of the containing forms, which must not be copied again
     mark: LayerMark
     resources: DictionaryObject
 
 
 @dataclass(frozen=True, slots=True)
 class PageContext:
-    """The objects that all content streams of a page share."""
+    """The objects that are common to all content streams of a page."""
 
     file: PdfFile
     drawn: PageLines
@@ -106,47 +108,47 @@ class Stream:
     def interpret(self, data: bytes) -> None:
         """Interpret all operators of the content stream ``data``."""
         path = self._page.drawn.path
-        for operator, given in parse_operations(data):
+        for operator, operands in parse_operations(data):
             if operator in BUILDERS:
-                path.add(operator, given)
+                path.add(operator, operands)
             elif operator in _PAINTS:
                 self._paint_path(*_PAINTS[operator])
             elif (handler := _HANDLERS.get(operator)) is not None:
-                handler(self, operator, given)
+                handler(self, operator, operands)
             elif operator not in _IGNORED:
                 self._unknown(operator)
         if path.started:
             self._drop_path(Message("import.page-ends-early"))
 
-    def _row(self, kind: str, why: Message | None, points: Sequence[Any] = ()) -> int:
+    def _row(self, kind: str, reason: Message | None, points: Sequence[Any] = ()) -> int:
         """Add a row for an object to the import report and return the index of the row.
 
         Parameters
         ----------
         kind
             Type of the object, for example "path" or "image".
-        why
+        reason
             Reason why the object is dropped, None if it is kept.  If the object is on a hidden
-            layer, the name of this layer is the reason instead.
+            layer, the hidden layer is the reason instead.
         points
             Points whose bounding box is the location of the object, in the coordinates that the
             current matrix maps to points on the page.
         """
-        mark, drawn = self._marks[-1], self._page.drawn
-        why = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else why
-        row = drawn.row(self._context.path, kind, mark, why)
+        mark, lines = self._marks[-1], self._page.drawn
+        reason = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else reason
+        row = lines.row(self._context.path, kind, mark, reason)
         if points:
-            drawn.report.set_location(row, transformed_box(self._state.matrix, points))
+            lines.report.set_location(row, transformed_box(self._state.matrix, points))
         return row
 
-    def _drop_path(self, why: Message | None) -> None:
+    def _drop_path(self, reason: Message | None) -> None:
         """Drop the current path and add a row for it to the import report.
 
-        ``why`` is the reason; it may be None if the path is on a hidden layer, which is then the
-        reason.
+        ``reason`` is the reason for dropping the path.  It may be None if the path is on a hidden
+        layer; the hidden layer is then the reason.
         """
         path = self._page.drawn.path
-        self._row("path", why, [] if path.wrong else path.ends().tolist())
+        self._row("path", reason, [] if path.wrong else path.ends().tolist())
         path.drop()
 
     def _paint_path(self, closes: bool, strokes: bool, fills: bool) -> None:
@@ -171,19 +173,19 @@ class Stream:
             return
         stroked = strokes and state.stroke_seen and state.stroke.drawn
         filled = fills and state.fill_seen and state.fill.drawn
-        why: Message | None = None
+        reason: Message | None = None
         if not strokes and not fills:
-            why = Message("import.clip-path" if clips else "import.no-paint")
+            reason = Message("import.clip-path" if clips else "import.no-paint")
         elif not stroked and not filled:
-            why = Message("import.not-visible")
+            reason = Message("import.not-visible")
         elif not path.size:
-            why = Message("import.empty-path")
+            reason = Message("import.empty-path")
         if clips:
             bounds = transformed_box(state.matrix, path.ends().tolist())
             self._state = state._replace(clip=intersect(state.clip, bounds))
         mark = self._marks[-1]
-        if why or mark.hidden:
-            self._drop_path(why)
+        if reason or mark.hidden:
+            self._drop_path(reason)
             return
         row = self._row("path", None)
         style = LineStyle(
@@ -193,7 +195,7 @@ class Stream:
         )
         self._page.drawn.line(row, state.matrix, state.clip, style, area=not stroked)
 
-    def _clip(self, _operator: str, _given: list[Any]) -> None:
+    def _clip(self, _operator: str, _operands: list[Any]) -> None:
         self._clips = True
 
     def _unknown(self, operator: str) -> None:
@@ -204,33 +206,33 @@ class Stream:
 
     # ── The graphics state ────────────────────────────────────────────────────────────────────
 
-    def _save(self, _operator: str, _given: list[Any]) -> None:
+    def _save(self, _operator: str, _operands: list[Any]) -> None:
         self._stack.append(self._state)
         if len(self._stack) > _MAX_STACK:
             raise DrawingTooLarge("pdf.too-many-states", limit=_MAX_STACK)
 
-    def _restore(self, _operator: str, _given: list[Any]) -> None:
+    def _restore(self, _operator: str, _operands: list[Any]) -> None:
         if self._stack:
             self._state = self._stack.pop()
 
-    def _concatenate(self, _operator: str, given: list[Any]) -> None:
-        numbers = tuple(one for one in given if isinstance(one, float))
+    def _concatenate(self, _operator: str, operands: list[Any]) -> None:
+        numbers = tuple(one for one in operands if isinstance(one, float))
         # After an invalid matrix the position of all that follows is unknown.
-        inner = numbers if len(numbers) == 6 == len(given) else _INVALID
+        inner = numbers if len(numbers) == 6 == len(operands) else _INVALID
         self._state = self._state._replace(matrix=compose(self._state.matrix, inner))
 
-    def _set_dash(self, _operator: str, given: list[Any]) -> None:
-        dashes = given[0] if given and isinstance(given[0], list) else []
+    def _set_dash(self, _operator: str, operands: list[Any]) -> None:
+        dashes = operands[0] if operands and isinstance(operands[0], list) else []
         dashed = any(isinstance(one, float) and one > 0.0 for one in dashes)
         self._state = self._state._replace(dashed=dashed)
 
-    def _set_state(self, _operator: str, given: list[Any]) -> None:
+    def _set_state(self, _operator: str, operands: list[Any]) -> None:
         """Apply the opacity and the dashes in a graphics state dictionary to the graphics state.
 
-        ``given`` contains the name of the dictionary, the operand of the operator ``gs``.
+        ``operands`` contains the name of the dictionary.
         """
         file = self._page.file
-        name = given[-1] if given else ""
+        name = operands[-1] if operands else ""
         node = file.resolve(
             self._page.resources.find(self._context.resources, "/ExtGState", str(name))
         )
@@ -244,39 +246,41 @@ class Stream:
 
     # ── Colours ───────────────────────────────────────────────────────────────────────────────
 
-    def _set_space(self, operator: str, given: list[Any]) -> None:
-        where = self._page.resources.space(self._context.resources, str(given[-1]) if given else "")
-        full = where.kind in ("Separation", "DeviceN")
-        found = self._page.resources.paint(where, (1.0,) * where.components) if full else BLACK
-        self._set_colour(operator.isupper(), where, found)
+    def _set_space(self, operator: str, operands: list[Any]) -> None:
+        space = self._page.resources.space(
+            self._context.resources, str(operands[-1]) if operands else ""
+        )
+        full = space.kind in ("Separation", "DeviceN")
+        paint = self._page.resources.paint(space, (1.0,) * space.components) if full else BLACK
+        self._set_colour(operator.isupper(), space, paint)
 
-    def _set_components(self, operator: str, given: list[Any]) -> None:
+    def _set_components(self, operator: str, operands: list[Any]) -> None:
         strokes = operator.isupper()
-        where = self._state.stroke_space if strokes else self._state.fill_space
-        if given and isinstance(given[-1], Name):
-            self._set_colour(strokes, where, PATTERN)
+        space = self._state.stroke_space if strokes else self._state.fill_space
+        if operands and isinstance(operands[-1], Name):
+            self._set_colour(strokes, space, PATTERN)
             return
-        numbers = tuple(one for one in given if isinstance(one, float))
-        self._set_colour(strokes, where, self._page.resources.paint(where, numbers))
+        numbers = tuple(one for one in operands if isinstance(one, float))
+        self._set_colour(strokes, space, self._page.resources.paint(space, numbers))
 
-    def _set_device_colour(self, operator: str, given: list[Any]) -> None:
-        where = _DEVICE[operator.lower()]
-        numbers = tuple(one for one in given if isinstance(one, float))
-        self._set_colour(operator.isupper(), where, self._page.resources.paint(where, numbers))
+    def _set_device_colour(self, operator: str, operands: list[Any]) -> None:
+        space = _DEVICE[operator.lower()]
+        numbers = tuple(one for one in operands if isinstance(one, float))
+        self._set_colour(operator.isupper(), space, self._page.resources.paint(space, numbers))
 
-    def _set_colour(self, strokes: bool, where: ColourSpace, found: Paint) -> None:
+    def _set_colour(self, strokes: bool, space: ColourSpace, paint: Paint) -> None:
         self._state = (
-            self._state._replace(stroke_space=where, stroke=found)
+            self._state._replace(stroke_space=space, stroke=paint)
             if strokes
-            else self._state._replace(fill_space=where, fill=found)
+            else self._state._replace(fill_space=space, fill=paint)
         )
 
     # ── Layers ────────────────────────────────────────────────────────────────────────────────
 
-    def _begin_marked(self, operator: str, given: list[Any]) -> None:
+    def _begin_marked(self, operator: str, operands: list[Any]) -> None:
         mark = self._marks[-1]
-        if operator == "BDC" and len(given) == 2 and given[0] == "OC":
-            name = str(given[1])
+        if operator == "BDC" and len(operands) == 2 and operands[0] == "OC":
+            name = str(operands[1])
             mark = self._nested_mark(
                 mark, self._page.resources.find(self._context.resources, "/Properties", name)
             )
@@ -284,7 +288,7 @@ class Stream:
         if len(self._marks) > _MAX_STACK:
             raise DrawingTooLarge("pdf.layers-too-deep", limit=_MAX_STACK)
 
-    def _nested_mark(self, mark: LayerMark, given: object) -> LayerMark:
+    def _nested_mark(self, mark: LayerMark, definition: object) -> LayerMark:
         """Return the layer mark of objects on a layer that is nested in another layer.
 
         The objects are hidden if one of the two layers is hidden.
@@ -293,30 +297,30 @@ class Stream:
         ----------
         mark
             Mark of the outer layer.
-        given
+        definition
             PDF object that defines the inner layer, None for no inner layer.
         """
-        if given is None:
+        if definition is None:
             return mark
-        layer = self._page.layers.layer(given)
+        layer = self._page.layers.layer(definition)
         name = layer.name or mark.layer
         return LayerMark(name, mark.hidden or ("" if layer.visible else name or "without a name"))
 
-    def _end_marked(self, _operator: str, _given: list[Any]) -> None:
+    def _end_marked(self, _operator: str, _operands: list[Any]) -> None:
         if len(self._marks) > 1:
             self._marks.pop()
 
     # ── Forms, images, texts ────────────────────────────────────────────────────────────────
 
-    def _draw_object(self, _operator: str, given: list[Any]) -> None:
+    def _draw_object(self, _operator: str, operands: list[Any]) -> None:
         """Interpret the form or image that the operator ``Do`` draws.
 
-        An image is not cut, so it is added to the import report as dropped.  ``given`` contains the
-        name of the form or image.
+        An image is added to the import report as dropped, because it is not cut.  ``operands``
+        contains the name of the form or image.
         """
         page, context = self._page, self._context
         page.file.check_time()
-        name = str(given[-1]) if given else ""
+        name = str(operands[-1]) if operands else ""
         raw = page.resources.find(context.resources, "/XObject", name)
         node = page.file.resolve(raw)
         if page.drawn.path.started:
@@ -329,31 +333,34 @@ class Stream:
         if kind == "/Image":
             self._row("image", Message("import.image"), _UNIT_SQUARE)
         elif kind != "/Form" or not isinstance(node, StreamObject):
-            why = Message("import.nothing-named", name=name[:40])
-            self._row("form", why, _UNIT_SQUARE[:1])
+            reason = Message("import.nothing-named", name=name[:40])
+            self._row("form", reason, _UNIT_SQUARE[:1])
         else:
             key = (raw.idnum, raw.generation) if isinstance(raw, IndirectObject) else id(node)
-            if key in context.inside:
+            if key in context.containing_forms:
                 self._row("form", Message("import.contains-itself"))
-            elif len(context.inside) >= page.file.limits.insert_depth:
+            elif len(context.containing_forms) >= page.file.limits.insert_depth:
                 raise DrawingTooLarge(
                     "reading.nested-too-deep", limit=page.file.limits.insert_depth, format="PDF"
                 )
             else:
                 inner = StreamContext(
-                    f"{context.path}{name}/", (*context.inside, key), mark, context.resources
+                    f"{context.path}{name}/",
+                    (*context.containing_forms, key),
+                    mark,
+                    context.resources,
                 )
                 page.form(node, self._state, inner)
         self._marks.pop()
 
-    def _inline_image(self, _operator: str, _given: list[Any]) -> None:
+    def _inline_image(self, _operator: str, _operands: list[Any]) -> None:
         self._row("image", Message("import.image"), _UNIT_SQUARE)
 
-    def _shade(self, _operator: str, _given: list[Any]) -> None:
+    def _shade(self, _operator: str, _operands: list[Any]) -> None:
         row = self._row("shading", Message("import.shading"))
         self._page.drawn.report.set_location(row, self._state.clip)
 
-    def _text(self, operator: str, _given: list[Any]) -> None:
+    def _text(self, operator: str, _operands: list[Any]) -> None:
         if operator == "BT":
             self._text_object.begin()
             return
@@ -361,8 +368,8 @@ class Stream:
             return
         placed = self._text_object.placed_text(self._state.matrix)
         if placed is None:
-            why = Message("import.text-unknown-letters")
-            self._row("text", why, self._text_object.begins)
+            reason = Message("import.text-unknown-letters")
+            self._row("text", reason, self._text_object.begins)
             return
         row = self._row("text", Message("import.text"), self._text_object.begins)
         mark = self._marks[-1]
@@ -370,15 +377,15 @@ class Stream:
             layer = self._page.drawn.report.layer[row]
             self._page.drawn.annotations.append(Annotation(*placed, math.nan, "text", layer))
 
-    def _operate_text(self, operator: str, given: list[Any]) -> None:
-        self._text_object.operate(operator, given)
+    def _operate_text(self, operator: str, operands: list[Any]) -> None:
+        self._text_object.operate(operator, operands)
 
-    def _font(self, _operator: str, given: list[Any]) -> None:
-        if len(given) == 2 and isinstance(given[1], float):
+    def _font(self, _operator: str, operands: list[Any]) -> None:
+        if len(operands) == 2 and isinstance(operands[1], float):
             self._text_object.font = self._page.resources.font(
-                self._context.resources, str(given[0])
+                self._context.resources, str(operands[0])
             )
-            self._text_object.size = given[1]
+            self._text_object.size = operands[1]
 
 
 _HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
@@ -411,14 +418,14 @@ def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
     return (min(x), min(y), max(x), max(y)) if points else _EMPTY_BOX
 
 
-def intersect(one: Box, other: Box) -> Box:
+def intersect(first: Box, second: Box) -> Box:
     """Return the intersection of two boxes: min x, min y, max x and max y.
 
-    If the intersection is empty, a minimum of the result exceeds the maximum.
+    If the intersection is empty, a minimum of the returned box is greater than its maximum.
     """
     return (
-        max(one[0], other[0]),
-        max(one[1], other[1]),
-        min(one[2], other[2]),
-        min(one[3], other[3]),
+        max(first[0], second[0]),
+        max(first[1], second[1]),
+        min(first[2], second[2]),
+        min(first[3], second[3]),
     )

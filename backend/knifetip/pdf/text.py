@@ -3,7 +3,7 @@
 For example, ``BT /F1 12 Tf 10 20 Td (A carton) Tj ET`` gives "A carton" at (10, 20), height 12.
 
 Texts are never cut, but they are evidence for the unit and the board.  The codes of a font are
-defined by a standard encoding or by a ToUnicode table; fonts with neither are not decoded.
+defined by a standard encoding or by a ToUnicode table; fonts without either are not decoded.
 
 Source: ISO 32000-1, chapters 9.6 and 9.10.
 """
@@ -58,7 +58,8 @@ UNDECODABLE: Final = Font("", 1, {})
 def parse_font(file: PdfFile, node: object) -> Font:
     """Return the encoding of the font that the PDF object ``node`` defines.
 
-    ``UNDECODABLE`` is returned if the encoding is unknown or ``node`` is not a dictionary.
+    The constant ``UNDECODABLE`` is returned if the encoding is unknown or ``node`` is not a
+    dictionary.
     """
     if not isinstance(node, DictionaryObject):
         return UNDECODABLE
@@ -76,11 +77,11 @@ def parse_font(file: PdfFile, node: object) -> Font:
 
 
 def _table(data: bytes) -> dict[int, str]:
-    found: dict[int, str] = {}
+    texts: dict[int, str] = {}
     for part in data.split(b"beginbf")[1:]:
         section = part.partition(b"endbf")[0]
         if section.startswith(b"char"):
-            found |= {int(code, 16): _letters(text) for code, text in _CHAR.findall(section)}
+            texts |= {int(code, 16): _letters(text) for code, text in _CHAR.findall(section)}
             continue
         for first, last, text, listed in _SPAN.findall(section):
             low = int(first, 16)
@@ -88,8 +89,8 @@ def _table(data: bytes) -> dict[int, str]:
             letters = [_letters(one) for one in _LISTED.findall(listed)]
             if text and (base := _letters(text)) and ord(base[-1]) + len(codes) < 0x110000:
                 letters = [base[:-1] + chr(ord(base[-1]) + k) for k in range(len(codes))]
-            found |= dict(zip(codes, letters, strict=False))
-    return found
+            texts |= dict(zip(codes, letters, strict=False))
+    return texts
 
 
 def _letters(digits: bytes) -> str:
@@ -119,12 +120,12 @@ class TextObject:
         self._parts.clear()
         self._unread = False
 
-    def operate(self, operator: str, given: list[Any]) -> None:
+    def operate(self, operator: str, operands: list[Any]) -> None:
         """Apply a text operator with its operands to the text.
 
-        ``operator`` is one of ``OPERATORS``; ``given`` are its operands.
+        ``operator`` is one of ``OPERATORS``.
         """
-        numbers = [one for one in given if isinstance(one, float)]
+        numbers = [one for one in operands if isinstance(one, float)]
         if operator == "Tm" and len(numbers) == 6:
             a, b, c, d, e, f = numbers
             self._move((a, b, c, d, e, f), new_line=f != self._line[5])
@@ -138,18 +139,18 @@ class TextObject:
         elif operator in ("T*", "'", '"'):
             down = (1.0, 0.0, 0.0, 1.0, 0.0, -self._leading)
             self._move(compose(self._line, down), new_line=True)
-        if operator in SHOW_OPERATORS and given:
-            self._show(given[-1])
+        if operator in SHOW_OPERATORS and operands:
+            self._show(operands[-1])
 
     def _move(self, line: Matrix, *, new_line: bool) -> None:
         if new_line and self._parts:
             self._parts.append(" ")
         self._line = line
 
-    def _show(self, what: object) -> None:
+    def _show(self, shown: object) -> None:
         if self._begin is None:
             self._begin = self._line
-        for part in what if isinstance(what, list) else [what]:
+        for part in shown if isinstance(shown, list) else [shown]:
             if isinstance(part, bytes):
                 text = self.font.decode(part)
                 self._unread |= text is None
@@ -159,20 +160,19 @@ class TextObject:
 
     @property
     def empty(self) -> bool:
-        """Whether no operator has shown text since the operator BT."""
+        """Whether no text was shown since the last operator BT."""
         return self._begin is None
 
     @property
     def begins(self) -> list[tuple[float, float]]:
-        """A list with the start point (x, y) of the text.
+        """A list that contains the start point (x, y) of the text, empty if no text was shown.
 
-        The coordinates are those that apply before the operator BT.  The list is empty if no text
-        was shown.
+        The coordinates are those that apply before the operator BT.
         """
         return [] if self._begin is None else [self._begin[4:]]
 
     def placed_text(self, matrix: Matrix) -> tuple[str, float, float, float] | None:
-        """Return the text between BT and ET, its start point x, y, and its height, in points.
+        """Return the text between BT and ET, x and y of its start point, and its height (points).
 
         None is returned if the text is blank, cannot be decoded or has no finite position.
 
@@ -185,8 +185,8 @@ class TextObject:
         if self._begin is None or self._unread or not text:
             return None
         a, b, c, d, e, f = compose(matrix, self._begin)
-        place = e, f, abs(self.size) * math.sqrt(abs(a * d - b * c))
-        return (text, *place) if all(map(math.isfinite, place)) else None
+        position = e, f, abs(self.size) * math.sqrt(abs(a * d - b * c))
+        return (text, *position) if all(map(math.isfinite, position)) else None
 
 
 #: Operators that show text, and all operators of text objects.

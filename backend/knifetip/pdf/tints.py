@@ -3,7 +3,7 @@
 A tint is the amount of a spot colour's ink, 0…1; the alternate colour space is the one in which
 programs display the ink.  The PDF defines the conversion by a function: a power of the tint, a
 table, or a PostScript program.  Programs with operators other than add, sub, mul, div, neg and
-stack operators are not evaluated.  Stitched functions are not evaluated either.
+stack operators, and stitched functions, are not evaluated.
 
 Source: ISO 32000-1, chapter 7.10.
 """
@@ -62,31 +62,32 @@ def evaluate_tint(file: PdfFile, function: object, tint: float) -> list[float]:
 
 
 def _look_up(file: PdfFile, function: StreamObject, tint: float) -> list[float]:
-    """Return the colour components of the sample in a function's table that is nearest to a tint.
+    """Return the colour components in the row of a table that is nearest to a tint.
 
-    The list is empty if the table is invalid or not supported.
+    ``function`` is the PDF function with the table.  The list is empty if the table is invalid or
+    not supported.
     """
     size = [number(file.resolve(one)) for one in file.array(function, "/Size")]
-    within = [number(file.resolve(one)) for one in file.array(function, "/Range")]
+    output_range = [number(file.resolve(one)) for one in file.array(function, "/Range")]
     bits = number(file.entry(function, "/BitsPerSample"))
     if len(size) != 1 or not 1.0 <= size[0] < math.inf or bits not in (8.0, 16.0):
         return []
-    spread = [number(file.resolve(one)) for one in file.array(function, "/Decode")] or within
+    spread = [number(file.resolve(one)) for one in file.array(function, "/Decode")] or output_range
     wide = int(bits) // 8
     outputs = len(spread) // 2
     first = round(tint * (int(size[0]) - 1)) * outputs * wide
     data = file.data(function)[first : first + outputs * wide]
     if len(data) != outputs * wide:
         return []
-    most = float(256**wide - 1)
+    max_sample = float(256**wide - 1)
     return [
-        low + int.from_bytes(data[k * wide : (k + 1) * wide], "big") / most * (high - low)
+        low + int.from_bytes(data[k * wide : (k + 1) * wide], "big") / max_sample * (high - low)
         for k, (low, high) in enumerate(zip(spread[::2], spread[1::2], strict=True))
     ]
 
 
 def _run_program(program: bytes, tint: float) -> list[float]:
-    """Return the numbers on the stack after the run of a PostScript program on a tint.
+    """Return the numbers that remain on the stack after a PostScript program was run on a tint.
 
     At the start, ``tint`` is the only number on the stack.  The list is empty if the program fails
     or has unsupported operators.
@@ -124,7 +125,7 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _natural(value: float) -> int:
-    """Return a number as an integer; it must be between 0 and the largest size of the stack.
+    """Return a number as an integer if it is between 0 and the largest size of the stack.
 
     Raises
     ------

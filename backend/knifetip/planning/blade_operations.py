@@ -136,7 +136,7 @@ def _cut(dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
         path, along = place_bridges(paths, closed, spacing, source, avoid, all_reachable(paths))
         paths, old_path, segment = insert_gaps(paths, path, along, board.bridge_width)
         has_bridges, source = closed[old_path], source[segment]
-    elif cuts.waste is not None and isinstance(tool, Knife) and tool.led:
+    elif cuts.waste is not None and isinstance(tool, Knife) and tool.has_lead:
         paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
         side = 1
     paths, segment = start_in_middle(paths, paths.closed)

@@ -1,1 +1,4 @@
-"""Presentation of records as JSON data and as columns, for REST, the command line and the store."""
+"""Presentation of records as JSON data and packed arrays.
+
+REST, the command line and the store use the same presentation.
+"""

@@ -1,4 +1,4 @@
-"""A drawing as JSON data: the one definition for REST, the command line and the store."""
+"""A drawing as JSON data; REST, the command line and the store use the same definition."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from knifetip.presentation.outcomes import EdgeOutcomes
 
 
 def drawing_json(drawing: Drawing) -> dict[str, Any]:
-    """Return unit, length, bounding box, number of edges and import outcomes of a drawing."""
+    """Return unit, length, bounding box, edge count and import outcomes of a drawing, as JSON."""
     min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
     return {
         "unit": drawing.unit or None,
@@ -43,11 +43,17 @@ def classified_json(
 ) -> dict[str, Any]:
     """Return the data of ``drawing_json``, and the results of classification and cleaning.
 
-    These are the counts by line type, the layers, the open questions, the number of overrides and
-    the report of the outcomes of all edges.
+    The results are the counts by line type, the layers, the open questions, the number of overrides
+    and the outcomes of all edges.
 
     Parameters
     ----------
+    drawing, dieline
+        The drawing, and its edges with their line types.
+    outcomes
+        Outcome and reason of each edge.
+    questions
+        The open questions.
     overrides : (n,)
         For each edge ``NO_OVERRIDE`` or the LineType that the user set.
     """
@@ -64,24 +70,24 @@ def classified_json(
 def _unit_finding(drawing: Drawing) -> dict[str, Any]:
     """Return the evidence for the unit of a drawing as JSON data.
 
-    It has the unit that the file states, all units ranked by likelihood, and the observations.
+    The data contain the unit in the file, all units ranked by likelihood, and the observations.
     """
     from knifetip.units.evidence import find_unit
 
-    found = find_unit(drawing)
+    finding = find_unit(drawing)
     return {
         "stated": drawing.stated,
-        "ranking": list(found.ranking),
-        "warnings": [warning.as_json() for warning in found.warnings],
+        "ranking": list(finding.ranking),
+        "warnings": [warning.as_json() for warning in finding.warnings],
         "evidence": [
             {"unit": one.unit, **one.message.as_json(), "weight": float(one.weight)}
-            for one in found.evidence
+            for one in finding.evidence
         ],
     }
 
 
 def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
-    """Return number and total length (mm) of the edges of each line type that occurs.
+    """Return the number and the total length (mm) of the edges of each line type that occurs.
 
     Parameters
     ----------
@@ -98,9 +104,10 @@ def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
 
 
 def _layers(drawing: Drawing, dieline: Dieline) -> list[dict[str, Any]]:
-    """Return one item for each pair of layer and colour that occurs, as JSON data.
+    """Return one item for each pair of layer and colour that occurs in a drawing, as JSON data.
 
-    An item has name and colour, and number, total length (mm) and line types of the edges.
+    An item contains the name and the colour, and number, total length (mm) and line types of the
+    edges with this layer and colour.
     """
     pairs, pair = np.unique(
         np.stack([drawing.layer, drawing.colour], axis=1), axis=0, return_inverse=True

@@ -1,6 +1,6 @@
-"""Edges of a classified drawing: as columns with one row per edge, and as JSON data.
+"""Edges of a classified drawing: as arrays with one row per edge, and as JSON data.
 
-The columns contain all data that questions, planning and verification need, so a drawing can be
+The arrays contain all data that questions, planning and verification need, so a drawing can be
 restored from them without reading its file again.
 """
 
@@ -25,13 +25,13 @@ _BATCH: Final = 1000
 
 
 class EdgeTable(NamedTuple):
-    """Columns with one row per edge of a drawing, and the names to which indices in them refer."""
+    """Arrays with one row per edge of a drawing, and the names to which indices in them refer."""
 
     columns: Mapping[str, NDArray[Any]]  #: each has one row per edge
     meta: Mapping[str, Any]  #: handles (n,), layers, linetypes, rules, outcomes, reasons, types
 
     @classmethod
-    def of(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
+    def from_drawing(cls, drawing: Drawing, dieline: Dieline, outcomes: EdgeOutcomes) -> EdgeTable:
         """Return the table of the edges of a drawing with their line types and outcomes."""
         return cls(
             {
@@ -69,7 +69,7 @@ class EdgeTable(NamedTuple):
     def unpack(cls, block: bytes) -> EdgeTable:
         """Return the table that ``pack`` wrote to a block of bytes.
 
-        Tables stored by older versions have no outcomes; all their edges count as kept.
+        Tables that older versions stored have no outcomes; all their edges count as kept.
         """
         columns, meta = unpack_columns(block)
         missing = np.zeros(len(columns["ends"]), np.int32)
@@ -79,7 +79,7 @@ class EdgeTable(NamedTuple):
         )
 
     def pack(self) -> bytes:
-        """Return the table as one block of bytes, see ``presentation.columns``."""
+        """Return the table as one block of bytes, in the layout of ``presentation.columns``."""
         return pack_columns(self.columns, self.meta)
 
     def rows(self, first: int = 0, last: int | None = None) -> list[dict[str, Any]]:
@@ -91,25 +91,25 @@ class EdgeTable(NamedTuple):
         meta = self.meta
         alternatives = meta["alternatives"]
         rows = []
-        for at, (start, end) in enumerate(values["ends"]):
-            rule = values["rule"][at]
+        for index, (start, end) in enumerate(values["ends"]):
+            rule = values["rule"][index]
             rows.append(
                 {
-                    "row": first + at,
-                    "handle": meta["handles"][first + at],
-                    "layer": meta["layers"][values["layer"][at]],
-                    "colour": values["colour"][at],
-                    "linetype": meta["linetypes"][values["linetype"][at]],
-                    "type": meta["types"][values["line_type"][at]],
+                    "row": first + index,
+                    "handle": meta["handles"][first + index],
+                    "layer": meta["layers"][values["layer"][index]],
+                    "colour": values["colour"][index],
+                    "linetype": meta["linetypes"][values["linetype"][index]],
+                    "type": meta["types"][values["line_type"][index]],
                     "rule": meta["rules"][rule] if rule >= 0 else "",
-                    "confidence": values["confidence"][at],
+                    "confidence": values["confidence"][index],
                     "alternatives": alternatives[rule] if alternatives and rule >= 0 else [],
-                    "outcome": meta["outcomes"][values["outcome"][at]],
-                    "reason": meta["reasons"][values["reason"][at]],
-                    "length": values["length"][at],
+                    "outcome": meta["outcomes"][values["outcome"][index]],
+                    "reason": meta["reasons"][values["reason"][index]],
+                    "length": values["length"][index],
                     "start": start,
                     "end": end,
-                    "bulge": values["bulge"][at],
+                    "bulge": values["bulge"][index],
                 }
             )
         return rows
@@ -172,7 +172,7 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
         columns["rule"],
         columns["confidence"],
         tuple(map(from_json, meta.get("rule_messages") or meta["rules"])),
-        tuple(tuple(LineType.of(word) for word in words) for words in meta["alternatives"]),
+        tuple(tuple(LineType.from_word(word) for word in words) for words in meta["alternatives"]),
         columns["face"],
         columns["part"],
     )

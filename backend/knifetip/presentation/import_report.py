@@ -1,7 +1,7 @@
 """The import report of a drawing as rows of JSON data.
 
-Each row has handle, kind, layer, outcome, reason and length of one entity.  Texts also have their
-content, and entities without edges their bounding box if the file states their location.
+Each row has handle, kind, layer, outcome, reason and length of one entity.  The row of a text also
+contains the text, and the row of an entity without edges its bounding box if its location is known.
 """
 
 from __future__ import annotations
@@ -60,9 +60,9 @@ def import_report_rows(drawing: Drawing) -> list[dict[str, Any]]:
 def annotations_by_row(drawing: Drawing) -> dict[int, Annotation]:
     """Return the annotations of a drawing by their rows in the import report.
 
-    Annotations have no handle.  They are matched with the report rows of the same kind and layer,
-    both in the order of the file.  If a kind and layer has more annotations than rows or fewer,
-    none of its annotations is matched, because a wrong location is worse than a missing one.
+    Annotations have no handle, so they are matched with the report rows of the same kind and layer
+    in the order of the file.  If the numbers of annotations and rows of a kind and layer differ,
+    none of these annotations is matched, because a wrong location is worse than a missing one.
     """
     report = drawing.import_report
     annotations: dict[tuple[str, str], list[Annotation]] = defaultdict(list)
@@ -99,7 +99,7 @@ def unpack_rows(content: bytes, limit: int | None = None) -> list[dict[str, Any]
 
 
 def _first_rows(text: str, limit: int) -> list[dict[str, Any]]:
-    """Return the first elements of a JSON list without parsing the elements that follow."""
+    """Return the first ``limit`` elements of a JSON list without parsing the other elements."""
     scan = json.JSONDecoder().raw_decode
     rows: list[dict[str, Any]] = []
     position = 1

@@ -35,7 +35,7 @@ _ORDER: Final = (ImportOutcome.DROPPED, ImportOutcome.MERGED, ImportOutcome.KEPT
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EdgeOutcomes:
-    """Outcome and reason of n edges, and a summary that also contains entities without edges."""
+    """Outcome and reason of each of n edges, and a summary that includes entities without edges."""
 
     outcome: U8  #: (n,) ImportOutcome of each edge
     reason: I32  #: (n,) index into ``reasons`` for each edge
@@ -51,7 +51,8 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
     dieline
         The edges of the drawing with their line types.
     cleaned
-        Result of cleaning the dieline.  None if it was not cleaned; then all edges are kept.
+        Result of cleaning the dieline.  If it is None, the dieline was not cleaned, and all edges
+        are kept.
     """
     lengths = drawing.lengths
     outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
@@ -60,14 +61,18 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
     if cleaned is not None:
         outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
         # Parts of kept edges may be merged or dropped; they are counted separately.
-        kept = outcome == ImportOutcome.KEPT
+        is_kept = outcome == ImportOutcome.KEPT
         parts = [
             (
                 ImportOutcome.MERGED,
                 CleaningReason.SHORTENED,
-                np.where(kept, cleaned.merged, 0.0),
+                np.where(is_kept, cleaned.merged, 0.0),
             ),
-            (ImportOutcome.DROPPED, CleaningReason.SPECK, np.where(kept, cleaned.dropped, 0.0)),
+            (
+                ImportOutcome.DROPPED,
+                CleaningReason.SPECK,
+                np.where(is_kept, cleaned.dropped, 0.0),
+            ),
         ]
     reasons = [code.message for code in CleaningReason]
     for line_type, message in _NOT_MACHINED.items():
@@ -93,7 +98,7 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
 
 
 def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
-    """Return the entities that import merged or dropped, in groups by outcome and reason."""
+    """Return the entities that import merged or dropped, grouped by outcome and reason."""
     report = drawing.import_report
     rows = np.flatnonzero(report.outcome != ImportOutcome.KEPT)
     examples: dict[str, Message] = {}
@@ -109,7 +114,7 @@ def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
 
 
 def _groups(
-    what: str,
+    row_kind: str,
     outcome: U8,
     reason: I32,
     reasons: Sequence[Message],
@@ -122,10 +127,12 @@ def _groups(
 
     Parameters
     ----------
-    what
-        "edges" or "entities", whichever the rows are.
+    row_kind
+        "edges" if the n rows are edges, "entities" if they are entities.
     outcome, reason, length, kinds : (n,)
         ImportOutcome, index into ``reasons``, length in mm and entity kind of each edge or entity.
+    reasons
+        Messages to which ``reason`` refers.
     """
     numbers: dict[str, int] = {}
     code = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)
@@ -142,7 +149,7 @@ def _groups(
             {
                 "outcome": ImportOutcome(word),
                 "reason": examples[example].as_json(),
-                "what": what,
+                "what": row_kind,
                 "kinds": [printable(kind) for kind, _ in common],
                 "count": int(rows.sum()),
                 "length": float(length[rows].sum()),
@@ -154,7 +161,8 @@ def _groups(
 def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return the groups after merging those with equal outcome and reason.
 
-    The number and the length of a merged group are the sums over its groups.
+    The number and the length of a merged group are the sums of the numbers and lengths of its
+    parts.
     """
     merged: dict[tuple[ImportOutcome, str], dict[str, Any]] = {}
     for group in groups:
@@ -166,7 +174,7 @@ def _merge_groups(groups: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _summary(groups: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return groups of edges and entities, sorted, and the total length (mm) of each outcome."""
+    """Return the groups in sorted order, and the total length (mm) of each outcome, as JSON."""
     groups = sorted(
         groups,
         key=lambda group: (_ORDER.index(group["outcome"]), -group["length"], -group["count"]),

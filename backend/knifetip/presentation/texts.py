@@ -11,8 +11,8 @@ from knifetip.messages import with_text
 def with_texts(data: Any) -> Any:
     """Return JSON data in which every message has its English text and hint.
 
-    A message is an object with code and arguments.  ``text`` and ``hint`` are added to it at every
-    depth, except to messages within the arguments of another message.
+    A message is an object with ``code`` and ``arguments``.  ``text`` and ``hint`` are added to
+    messages at every depth, but not to messages within the arguments of a message.
     """
     if isinstance(data, Mapping):
         if "code" in data and "arguments" in data:

@@ -1,4 +1,4 @@
-"""The tool path of a compiled job as columns for the page, and the stations that it uses."""
+"""The tool path of a compiled job as arrays for the page, and the stations that it uses."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
 
 
 def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
-    """Return the tool path as a block of columns, with the stations of the machine as metadata.
+    """Return the tool path as a block of bytes, with the stations of the machine as metadata.
 
-    The column ``line`` contains for each row of the path the number of the last program line that
-    moves along the row; the row is complete when the line has been executed.  It is -1 for rows
-    without a program line.
+    The array ``line`` contains for each row of the path the number of the last program line that
+    moves along the row; the row is complete when that line has been executed.  The number is -1 for
+    rows without a program line.
     """
     path = compiled.toolpath
     source = compiled.program.source

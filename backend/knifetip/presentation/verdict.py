@@ -1,4 +1,4 @@
-"""A verdict as JSON data and as columns: the one definition for REST, command line and store.
+"""A verdict as JSON data and as packed arrays, for REST, the command line and the store.
 
 All measures are finite, because JSON cannot represent infinity and NaN, see ``messages.finite``.
 """
@@ -33,7 +33,7 @@ EDGE_COLUMNS = (
 
 
 def finite_column(measures: F64) -> F64:
-    """Return the column with ±1e9 in place of ±infinity and 1e9 in place of NaN, shape (n,)."""
+    """Return the array with ±1e9 in place of ±infinity and 1e9 in place of NaN, shape (n,)."""
     column: F64 = np.nan_to_num(
         measures, nan=finite(np.nan), posinf=finite(np.inf), neginf=finite(-np.inf)
     )
@@ -107,8 +107,9 @@ def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
 def areas_json(areas: Unreached) -> list[dict[str, Any]]:
     """Return the areas that no cutter reaches as JSON data, largest first.
 
-    Each has its ``area`` (mm²), its centre ``x``, ``y`` (mean of the vertices, mm) and its
-    ``outline``: a list of [start, end, bulge] with one item for each line or arc.
+    Each area has its ``area`` (mm²), its centre ``x``, ``y`` (mean of the vertices, mm) and its
+    ``outline``: a list of [start, end, bulge], one for each line or arc; start and end are [x, y]
+    (mm).
     """
     ends, bulge = areas.ends.tolist(), areas.bulge.tolist()
     rows = []
@@ -121,9 +122,9 @@ def areas_json(areas: Unreached) -> list[dict[str, Any]]:
 
 
 def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
-    """Return the areas that no cutter reaches from the columns of a packed verdict.
+    """Return the areas that no cutter reaches from the arrays of a packed verdict.
 
-    There are none if the verdict was stored by an older version, which did not store them.
+    If an older version stored the verdict without these areas, the result is empty.
     """
     if "area_size" not in columns:
         return Unreached()
@@ -133,7 +134,7 @@ def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
 def pack_verdict(
     verdict: Verdict, findings: Sequence[Mapping[str, Any]], summary: Mapping[str, Any]
 ) -> bytes:
-    """Return a verdict as a block of columns, with findings and summary as metadata.
+    """Return a verdict as a block of bytes, with findings and summary as metadata.
 
     Parameters
     ----------

@@ -115,7 +115,7 @@ def _beam_switching(toolpath: Toolpath, machine: Machine) -> tuple[Bool, F64]:
     beams = np.zeros(256, np.bool_)
     pierce = np.zeros(256)
     for station in machine.stations:
-        beams[station.number] = station.beams
+        beams[station.number] = station.is_beam
         pierce[station.number] = station.tool.pierce_time
     beam_on = beams[toolpath.tool] & (toolpath.motion != Motion.RAPID)
     before = np.concatenate([[False], beam_on[:-1]])

@@ -1,6 +1,6 @@
 """document: parse an SVG into a tree, without loading other files or expanding it without limit.
 
-    bytes (XML, or gzip of XML) -> Node: tag, attributes, children, text
+``parse_document`` takes the bytes of a file, XML or gzip of XML, and returns a tree of ``Node``.
 
 The parser is Expat; this module restricts it.  A DOCTYPE is allowed, since older SVG files have
 one, but the files that the DOCTYPE names are never loaded.  Entities that contain short plain text,
@@ -85,11 +85,11 @@ def parse_document(data: bytes, limits: Limits) -> Node:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
-        what = expat.ErrorString(error.code) or "damaged"
+        reason = expat.ErrorString(error.code) or "damaged"
         if error.code in _TRUNCATED:
             raise NotADrawing("svg.cut-short", line=error.lineno, count=builder.count) from None
         raise NotADrawing(
-            "svg.damaged-at", line=error.lineno, column=error.offset, reason=what
+            "svg.damaged-at", line=error.lineno, column=error.offset, reason=reason
         ) from None
     if builder.root is None:
         raise NotADrawing("svg.empty")
@@ -115,7 +115,7 @@ def _unpack(data: bytes, limits: Limits) -> bytes:
     NotADrawing
         The data is truncated or damaged.
     DrawingTooLarge
-        The content exceeds the limit.
+        The unpacked content is larger than ``limits`` allow.
     """
     stream = zlib.decompressobj(31)
     try:

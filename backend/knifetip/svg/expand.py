@@ -2,7 +2,7 @@
 
 Each shape, text or image, and each ``use`` element that copies nothing, gets a row of the import
 report.  Each drawn shape also gets its path data, matrix and style in ``DrawnPaths``.  The copies
-are counted before any is made: ten nested ``use`` elements can make a billion copies.
+are counted before any copy is made: ten nested ``use`` elements can make a billion copies.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ _RULES: Final = 2000
 
 
 class OmittedShape(NamedTuple):
-    """The path of an element that gives no edge.
+    """The path of an element that has a row in the import report but gives no edge.
 
     The bounding box of the path becomes the location of the element in the import report.
     """
@@ -93,7 +93,7 @@ class OmittedShape(NamedTuple):
 class DrawnPaths:
     """The n drawn paths of an SVG in the order of the file, with their matrices and styles.
 
-    It also contains the shapes that give no edge, and the texts.
+    The shapes that give no edge, and the texts, are also stored here.
     """
 
     data: list[str] = field(default_factory=list)  #: path data
@@ -112,7 +112,7 @@ class _Context(NamedTuple):
     matrix: Matrix
     layer: layers.Layer
     path: str  #: handles of the containing ``use`` elements, each followed by a slash
-    inside: tuple[Node, ...]  #: containing elements with an id; a ``use`` must not copy them
+    ancestors: tuple[Node, ...]  #: containing elements with an id; a ``use`` must not copy them
     uses: int  #: number of containing ``use`` elements
     left_out: Message | None  #: reason why the content is not drawn, None if it is drawn
     window: shapes.Window
@@ -143,7 +143,7 @@ def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnP
 
 
 class _Expansion:
-    """Visits the elements of one document and collects their paths."""
+    """Visits the elements of an SVG document; collects the drawn paths and the import report."""
 
     def __init__(self, root: Node, page: Page, limits: Limits) -> None:
         self.report = ReportWriter()
@@ -172,8 +172,8 @@ class _Expansion:
         self._cascade = Cascade(style_sheet, root)
         if style_sheet.unsupported:
             rules = [selector[:40] for selector in style_sheet.unsupported[:5]]
-            why = Message("import.rules-not-read", rules=rules)
-            self.report.row("style", "style", layers.UNNAMED, why)
+            reason = Message("import.rules-not-read", rules=rules)
+            self.report.row("style", "style", layers.UNNAMED, reason)
         box = view_box(root)
         wide, high = box[2:] if box else (0.0, 0.0)
         self._start = _Context(
@@ -181,14 +181,14 @@ class _Expansion:
         )
 
     def _check_size(self) -> None:
-        """Raise DrawingTooLarge if the depth or number of ``use`` copies exceeds the limits.
+        """Raise DrawingTooLarge if the depth or number of copies by ``use`` elements is too large.
 
-        The copies are counted before any is made.
+        The copies are counted before any copy is made.
         """
         total = 0
         stack: list[tuple[Node, tuple[Node, ...], int]] = [(self._root, (), 0)]
         while stack:
-            node, inside, uses = stack.pop()
+            node, containing, uses = stack.pop()
             total += 1
             if total > self._limits.expanded:
                 raise DrawingTooLarge(
@@ -196,17 +196,17 @@ class _Expansion:
                 )
             if node.tag == "use":
                 target = self._target(node)
-                if target is not None and target not in inside:
+                if target is not None and target not in containing:
                     if uses >= self._limits.insert_depth:
                         raise DrawingTooLarge(
                             "reading.nested-too-deep", limit=self._limits.insert_depth, format="SVG"
                         )
-                    stack.append((target, (*inside, target), uses + 1))
+                    stack.append((target, (*containing, target), uses + 1))
                 continue
             if "id" in node.attributes:
-                inside = (*inside, node)
+                containing = (*containing, node)
             if node.tag not in _NOT_DRAWN or uses:
-                stack += [(child, inside, uses) for child in node.children if child.tag]
+                stack += [(child, containing, uses) for child in node.children if child.tag]
 
     def _target(self, node: Node) -> Node | None:
         """Return the element that a ``use`` element copies.
@@ -231,8 +231,8 @@ class _Expansion:
             inner = self._visit(node, context)
             if inner is not None:
                 stack += [(child, inner) for child in reversed(_children(node)) if child.tag]
-            elif node.tag == "use" and (found := self._follow_use(node, context)) is not None:
-                stack.append(found)
+            elif node.tag == "use" and (use_target := self._follow_use(node, context)) is not None:
+                stack.append(use_target)
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
         """Return the context that the children of a group inherit; None for all other elements.
@@ -263,18 +263,18 @@ class _Expansion:
             row = self.report.row(handle, node.tag, layer, cause)
             self._omit(row, shapes.frame_path_data, node, context)
             return None
-        why = context.left_out or (None if context.appearance.visible else _HIDDEN)
+        omit_reason = context.left_out or (None if context.appearance.visible else _HIDDEN)
         appearance = context.appearance
-        if not why and appearance.stroke is None and appearance.fill is None:
-            why = Message("import.no-paint")
+        if not omit_reason and appearance.stroke is None and appearance.fill is None:
+            omit_reason = Message("import.no-paint")
         data = ""
-        if not why:
+        if not omit_reason:
             try:
                 data = shapes.shape_path_data(node, context.window)
             except shapes.Undrawable as reason:
-                why = reason.message
-        row = self.report.row(handle, node.tag, layer, why)
-        if why:
+                omit_reason = reason.message
+        row = self.report.row(handle, node.tag, layer, omit_reason)
+        if omit_reason:
             self._omit(row, shapes.shape_path_data, node, context)
         else:
             self._add_path(row, data, layer, context)
@@ -283,7 +283,7 @@ class _Expansion:
     def _omit(
         self, row: int, shape: Callable[[Node, shapes.Window], str], node: Node, context: _Context
     ) -> None:
-        """Store the path of an element that gives no edge, from which its location is computed.
+        """Store the path of an element that gives no edge; its bounding box becomes the location.
 
         Parameters
         ----------
@@ -302,9 +302,9 @@ class _Expansion:
             )
 
     def _context_of(self, node: Node, context: _Context) -> _Context:
-        """Return the context of an element, with its own appearance and transform.
+        """Return the properties that apply to an element, given those that it inherits.
 
-        ``context`` is the context that the element inherits.
+        The inherited properties, ``context``, are changed by the attributes of the element.
         """
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
@@ -314,9 +314,9 @@ class _Expansion:
                 outer = compose(outer, parse_transform(text))
             except InvalidValue as invalid:
                 left_out = left_out or Message("import.bad-transform", reason=invalid.message)
-        inside = (*context.inside, node) if "id" in node.attributes else context.inside
+        ancestors = (*context.ancestors, node) if "id" in node.attributes else context.ancestors
         return context._replace(
-            appearance=appearance, matrix=outer, left_out=left_out, inside=inside
+            appearance=appearance, matrix=outer, left_out=left_out, ancestors=ancestors
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
@@ -336,12 +336,17 @@ class _Expansion:
         """
         try:
             x, y = (
-                0.0 if sizes is not node else to_pixels(node.attributes.get(name, "0"), whole)
-                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
+                0.0 if sizes is not node else to_pixels(node.attributes.get(name, "0"), full_length)
+                for name, full_length in (("x", context.window[0]), ("y", context.window[1]))
             )
             wide, high = (
-                to_pixels(sizes.attributes.get(name, node.attributes.get(name, "100%")), whole)
-                for name, whole in (("width", context.window[0]), ("height", context.window[1]))
+                to_pixels(
+                    sizes.attributes.get(name, node.attributes.get(name, "100%")), full_length
+                )
+                for name, full_length in (
+                    ("width", context.window[0]),
+                    ("height", context.window[1]),
+                )
             )
         except InvalidValue as invalid:
             return context._replace(
@@ -372,24 +377,24 @@ class _Expansion:
         layer = layers.layer_of_element(node, context.layer)
         href = _href(node)
         target = self._target(node)
-        why = context.left_out
-        if not why and target is None:
-            why = (
+        reason = context.left_out
+        if not reason and target is None:
+            reason = (
                 Message("import.missing-id", id=href[1:41])
                 if href.startswith("#")
                 else Message("import.other-file", file=href[:60])
             )
-        if not why and target in context.inside:
-            why = Message("import.contains-itself")
+        if not reason and target in context.ancestors:
+            reason = Message("import.contains-itself")
         try:
             x, y = (
-                to_pixels(node.attributes.get(name, "0"), whole)
-                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
+                to_pixels(node.attributes.get(name, "0"), full_length)
+                for name, full_length in (("x", context.window[0]), ("y", context.window[1]))
             )
         except InvalidValue as invalid:
-            why = why or Message("import.bad-place", reason=invalid.message)
-        if why or target is None:
-            row = self.report.row(context.path + handle, "use", layer, why)
+            reason = reason or Message("import.bad-place", reason=invalid.message)
+        if reason or target is None:
+            row = self.report.row(context.path + handle, "use", layer, reason)
             self._omit(row, shapes.point_path_data, node, context)
             return None
         context = context._replace(
@@ -407,9 +412,9 @@ class _Expansion:
         return target, context
 
     def _handle(self, node: Node) -> str:
-        """Return the id of an element, by which the import report names it.
+        """Return the handle of an element in the import report: the id of the element.
 
-        If the element has no id, or an earlier element has the same id, the result is "#" and the
+        If the element has no id, or an earlier element has the same id, the handle is "#" and the
         number of the next row of the report.
         """
         identity = node.attributes.get("id", "")
@@ -432,8 +437,8 @@ class _Expansion:
             Properties that apply to the element.
         """
         appearance = context.appearance
-        drawn = appearance.stroke if appearance.stroke is not None else appearance.fill
-        colour = UNKNOWN_COLOUR if drawn is None else drawn
+        paint = appearance.stroke if appearance.stroke is not None else appearance.fill
+        colour = UNKNOWN_COLOUR if paint is None else paint
         if appearance.stroke is None:
             self._fills.append(len(self.drawn.row))
         else:
@@ -466,15 +471,17 @@ class _Expansion:
             else:
                 self.report.notes.setdefault(row, []).append(Message("import.area-outline"))
         if self._stroked and self._fills:
-            dropped = set(self._fills)
+            dropped_paths = set(self._fills)
             self.drawn.omitted += [
                 OmittedShape(self.drawn.row[one], self.drawn.data[one], self.drawn.matrix[one])
                 for one in self._fills
             ]
-            kept = [number for number in range(len(self.drawn.row)) if number not in dropped]
+            kept_paths = [
+                number for number in range(len(self.drawn.row)) if number not in dropped_paths
+            ]
             for name in ("data", "matrix", "row", "style"):
                 column = getattr(self.drawn, name)
-                column[:] = [column[number] for number in kept]
+                column[:] = [column[number] for number in kept_paths]
 
     def _add_text(self, node: Node, context: _Context, layer: str) -> None:
         """Add a text element to the annotations if it is visible and not empty."""
@@ -484,8 +491,8 @@ class _Expansion:
         first = next((one for one in (node, *node.children) if "x" in one.attributes), node)
         try:
             x, y = (
-                to_pixels(_first_length(first.attributes.get(name, "0")), whole)
-                for name, whole in (("x", context.window[0]), ("y", context.window[1]))
+                to_pixels(_first_length(first.attributes.get(name, "0")), full_length)
+                for name, full_length in (("x", context.window[0]), ("y", context.window[1]))
             )
         except InvalidValue:
             x = y = 0.0
@@ -495,24 +502,25 @@ class _Expansion:
             if first is not node
             else context.appearance
         )
-        place = a * x + c * y + e, b * x + d * y + f
+        position = a * x + c * y + e, b * x + d * y + f
         height = appearance.font_size * math.sqrt(abs(a * d - b * c))
-        if text and all(math.isfinite(value) for value in (*place, height)):
+        if text and all(math.isfinite(value) for value in (*position, height)):
             self.drawn.annotations.append(
-                Annotation(text, *place, height, math.nan, node.tag, layer)
+                Annotation(text, *position, height, math.nan, node.tag, layer)
             )
 
 
 def _window(wide: float, high: float) -> shapes.Window:
-    """Return width, height, and diagonal divided by √2, of a window; percentages refer to them.
+    """Return width, height and reference diagonal of a window, to which percentages refer.
 
-    ``wide`` and ``high`` are the width and the height.
+    The reference diagonal is the diagonal divided by √2.  ``wide`` and ``high`` are the width and
+    the height.
     """
     return wide, high, math.sqrt((wide * wide + high * high) / 2.0)
 
 
 def _all_nodes(root: Node) -> Iterator[Node]:
-    """Yield an element and all its descendants in the order of the file, without texts."""
+    """Yield an element and all elements inside it, in the order of the file, without texts."""
     stack = [root]
     while stack:
         node = stack.pop()
@@ -521,7 +529,7 @@ def _all_nodes(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return the children of an element that are drawn, including texts between them.
+    """Return the children of an element that are to be drawn, including texts between them.
 
     For a ``switch`` element only the first child without the attribute ``requiredExtensions`` is
     returned.
@@ -550,18 +558,18 @@ def _href(node: Node) -> str:
     """Return the value of the attribute ``href`` of an element.
 
     If there is none, the value of an attribute with a prefix, such as ``xlink:href``, is returned,
-    or an empty text.
+    or "" if there is no such attribute either.
     """
-    given = node.attributes
-    return next((value for key, value in given.items() if key == "href"), None) or next(
-        (value for key, value in given.items() if key.endswith(":href")), ""
+    attributes = node.attributes
+    return next((value for key, value in attributes.items() if key == "href"), None) or next(
+        (value for key, value in attributes.items() if key.endswith(":href")), ""
     )
 
 
 def _first_length(text: str) -> str:
-    """Return the first item of the value of ``x`` or ``y`` of a text element, "0" if it is empty.
+    """Return the first position in the attribute ``x`` or ``y`` of a text element, "0" if none.
 
-    The attribute may contain one position per character of the text.
+    ``text`` is the value of the attribute, which may contain one position per character.
     """
     parts = text.replace(",", " ").split()
     return parts[0] if parts else "0"

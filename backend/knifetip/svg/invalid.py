@@ -11,7 +11,7 @@ class InvalidValue(ValueError):
     Parameters
     ----------
     code, arguments
-        Code and arguments of the message that states the reason.
+        Code and arguments of the message that contains the reason.
     """
 
     def __init__(self, code: str, /, **arguments: Argument) -> None:

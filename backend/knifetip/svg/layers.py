@@ -16,7 +16,7 @@ from knifetip.svg.document import Node
 
 
 class Layer(NamedTuple):
-    """The name of a layer, and whether the file marks the group that gives the name as a layer."""
+    """The name of a layer, and whether the file marks the group with this name as a layer."""
 
     name: str
     marked: bool
@@ -50,13 +50,13 @@ def layer_of_group(node: Node, inherited: Layer) -> Layer:
 
     ``inherited`` is the layer that the group itself inherits from the elements that contain it.
     """
-    given = node.attributes
+    attributes = node.attributes
     name = _label(node)
     if _is_layer(node):
-        return Layer(name or original_name(given.get("id", "")) or inherited.name, True)
+        return Layer(name or original_name(attributes.get("id", "")) or inherited.name, True)
     if inherited.marked:
         return inherited
-    for candidate in (name, original_name(given.get("id", ""))):
+    for candidate in (name, original_name(attributes.get("id", ""))):
         if candidate and not _GENERATED.fullmatch(candidate):
             return Layer(candidate, False)
     return inherited
@@ -69,25 +69,26 @@ def layer_of_element(node: Node, inherited: Layer) -> str:
     """
     if inherited.name:
         return inherited.name
-    given = node.attributes
-    if not given.keys() - _GEOMETRY_ATTRIBUTES:
+    attributes = node.attributes
+    if not attributes.keys() - _GEOMETRY_ATTRIBUTES:
         return UNNAMED
     # crease1, crease2 … all become the layer crease; names of classes keep their numbers.
     names = [
-        _TRAILING_NUMBER.sub("", one) for one in (_label(node), original_name(given.get("id", "")))
+        _TRAILING_NUMBER.sub("", one)
+        for one in (_label(node), original_name(attributes.get("id", "")))
     ]
-    for candidate in (*names, *given.get("class", "").split()):
+    for candidate in (*names, *attributes.get("class", "").split()):
         if candidate and not _GENERATED.fullmatch(candidate):
             return candidate
     return UNNAMED
 
 
 def original_name(identity: str) -> str:
-    """Return the name that a user gave, from the id that a drawing program wrote.
+    """Return the name that a user entered in a drawing program, from the id that the program wrote.
 
-    Escapes, prefixes such as "Layer " and suffixes of duplicates are removed.
+    Escapes, prefixes such as "Layer " and suffixes of duplicates are removed from ``identity``.
     """
-    name = _ESCAPED.sub(lambda found: _character(int(found[1], 16)), identity)
+    name = _ESCAPED.sub(lambda match: _character(int(match[1], 16)), identity)
     return _PREFIX.sub("", _DUPLICATE.sub("", name)).strip()
 
 

@@ -37,21 +37,21 @@ def parse_length(text: str) -> tuple[float, str]:
     InvalidValue
         The text is not a finite number with an optional unit.
     """
-    found = _LENGTH.fullmatch(text)
-    if found is None or not math.isfinite(value := float(found[1])):
+    match = _LENGTH.fullmatch(text)
+    if match is None or not math.isfinite(value := float(match[1])):
         raise InvalidValue("import.bad-value", value=text[:30])
-    return value, found[2].lower()
+    return value, match[2].lower()
 
 
-def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
-    """Return a length, parsed from ``text``, in CSS pixels (1/96 inch).
+def to_pixels(text: str, full_length: float = 0.0, font_size: float = 16.0) -> float:
+    """Return the length that is written in ``text``, in CSS pixels (1/96 inch).
 
     Parameters
     ----------
     text
         Number with an optional unit, such as "12.5mm" or "50%".
-    whole
-        The length that percentages refer to (pixels).
+    full_length
+        The length to which percentages refer (pixels).
     font_size
         The length of one ``em`` (pixels).
 
@@ -68,7 +68,7 @@ def to_pixels(text: str, whole: float = 0.0, font_size: float = 16.0) -> float:
         pass
     value, unit = parse_length(text)
     if unit == "%":
-        return value * whole / 100.0
+        return value * full_length / 100.0
     if unit in ("em", "rem"):
         return value * font_size
     if unit == "ex":

@@ -1,6 +1,7 @@
 """page: find the physical size of an SVG.
 
-    width, height and viewBox of the root element -> Page: a matrix with y upwards, and the unit
+``read_page`` returns the unit, and a matrix with y upwards, from the attributes ``width``,
+``height`` and ``viewBox`` of the root element.
 
 Only the physical units mm, cm, in, pt, pc and Q define the size.  Numbers without a unit and
 numbers in px do not: browsers and Inkscape use 96 pixels per inch, Illustrator 72, and older
@@ -48,7 +49,7 @@ class Page:
     hints: tuple[UnitHint, ...] = ()  #: other settings that depend on the unit
 
 
-def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
+def read_page(root: Node, unit: str, millimetres_per_unit: float, illustrator: bool) -> Page:
     """Return the unit of an SVG and the matrix of its page, from the root element.
 
     Parameters
@@ -58,7 +59,7 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
     unit
         The unit that the user gives, "" if the user gives none.  If width or height of the page has
         a physical unit, ``unit`` replaces this unit; otherwise it is the unit of the coordinates.
-    given
+    millimetres_per_unit
         Number of millimetres in ``unit``, 0 if the user gives no unit.
     illustrator
         Whether the file was written by Adobe Illustrator.
@@ -73,26 +74,26 @@ def read_page(root: Node, unit: str, given: float, illustrator: bool) -> Page:
         if illustrator:
             hints.append(UnitHint("points", Message("unit.page-in-points")))
         upright = (1.0, 0.0, 0.0, -1.0, 0.0, top)
-        return Page(upright, given, unit, source, "", tuple(hints))
-    stated, _, millimetres = _PHYSICAL[physical[1]]
-    across, down = (_in_unit(side, millimetres) for side in (wide, high))
+        return Page(upright, millimetres_per_unit, unit, source, "", tuple(hints))
+    file_unit, _, millimetres = _PHYSICAL[physical[1]]
+    width, height = (_in_unit(side, millimetres) for side in (wide, high))
     written = _written_size(
         root, [name for name, side in (("width", wide), ("height", high)) if side]
     )
     if box is None:
         # Without a viewBox the coordinates are CSS pixels.
         size = _PIXEL / millimetres
-        matrix = (size, 0.0, 0.0, -size, 0.0, down or 0.0)
+        matrix = (size, 0.0, 0.0, -size, 0.0, height or 0.0)
         evidence = Message("unit.svg-size-in-pixels", size=written)
     else:
-        matrix = _flipped(view_box_matrix(box, across, down, root), box, across, down)
+        matrix = _flipped(view_box_matrix(box, width, height, root), box, width, height)
         evidence = Message("unit.svg-size", size=written, width=box[2], height=box[3])
     source = Message("unit.given") if unit else evidence
-    return Page(matrix, given or millimetres, unit or stated, source, stated)
+    return Page(matrix, millimetres_per_unit or millimetres, unit or file_unit, source, file_unit)
 
 
 def view_box(node: Node) -> tuple[float, float, float, float] | None:
-    """Return x, y, width and height of an element's viewBox, the area of its content that is shown.
+    """Return x, y, width and height of the viewBox of an element: the visible area of its content.
 
     None is returned if the element has no viewBox or an invalid one.
     """
@@ -104,7 +105,10 @@ def view_box(node: Node) -> tuple[float, float, float, float] | None:
 
 
 def view_box_matrix(
-    box: tuple[float, float, float, float], across: float | None, down: float | None, node: Node
+    box: tuple[float, float, float, float],
+    window_width: float | None,
+    window_height: float | None,
+    node: Node,
 ) -> Matrix:
     """Return the matrix that fits a viewBox into a window with its upper left corner at (0, 0).
 
@@ -114,14 +118,16 @@ def view_box_matrix(
     ----------
     box
         x, y, width and height of the viewBox.
-    across, down
+    window_width, window_height
         Width and height of the window; None if the file does not state them.
     node
         The element whose attribute ``preserveAspectRatio`` is used.
     """
     x, y, width, height = box
-    x_scale = across / width if across else down / height if down else 1.0
-    y_scale = down / height if down else x_scale
+    x_scale = (
+        window_width / width if window_width else window_height / height if window_height else 1.0
+    )
+    y_scale = window_height / height if window_height else x_scale
     words = node.attributes.get("preserveAspectRatio", "xMidYMid").split()
     align = words[0] if words else "xMidYMid"
     left = top = 0.0
@@ -136,8 +142,8 @@ def view_box_matrix(
 def _flipped(
     matrix: Matrix,
     box: tuple[float, float, float, float],
-    across: float | None,
-    down: float | None,
+    page_width: float | None,
+    page_height: float | None,
 ) -> Matrix:
     """Return the matrix of a page with y upwards and y = 0 at the lower edge of the page.
 
@@ -147,18 +153,18 @@ def _flipped(
         Matrix of the page with y downwards and y = 0 at the upper edge.
     box
         x, y, width and height of the viewBox.
-    across, down
+    page_width, page_height
         Width and height of the page (file units); None if the file does not state them.
     """
     a, _, _, d, e, f = matrix
-    high = down or (across or 0.0) * box[3] / box[2]
+    high = page_height or (page_width or 0.0) * box[3] / box[2]
     return a, 0.0, 0.0, -d, e, high - f
 
 
 def _side_length(root: Node, name: str) -> tuple[float, str] | None:
     """Return number and unit of the attribute ``name``, "width" or "height", of the root element.
 
-    The unit is empty if the attribute has none.  None is returned if the attribute is missing,
+    The unit is empty if the attribute has no unit.  None is returned if the attribute is missing,
     invalid, not positive or a percentage.
     """
     try:
@@ -169,7 +175,7 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
 
 
 def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None:
-    """Return the length of a side of the page in a unit of ``millimetres`` mm.
+    """Return the length of a side of the page in a unit that is ``millimetres`` mm long.
 
     ``side`` is the number and the unit of the side; a number without a unit is in CSS pixels.  None
     is returned if ``side`` is None.
@@ -186,7 +192,7 @@ def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None
 def _unknown_unit(root: Node, illustrator: bool) -> Message:
     """Return the message that explains why the unit of a page is unknown.
 
-    ``illustrator`` states whether the file was written by Adobe Illustrator.
+    ``root`` is the root element, and ``illustrator`` is True if Adobe Illustrator wrote the file.
     """
     written = _written_size(root, [name for name in ("width", "height") if name in root.attributes])
     pixel = Message("unit.svg-pixel-illustrator" if illustrator else "unit.svg-pixel")
@@ -196,8 +202,8 @@ def _unknown_unit(root: Node, illustrator: bool) -> Message:
 
 
 def _written_size(root: Node, names: Sequence[str]) -> list[str]:
-    """Return the attributes ``names`` of the root element as written in the file.
+    """Return attributes of the root element as text, as in the file: for example 'width="90mm"'.
 
-    An example of an item of the list is 'width="90mm"'.
+    ``names`` are the names of the attributes; an attribute that is missing is left out.
     """
     return [f'{name}="{root.attributes[name].strip()[:20]}"' for name in names]

@@ -1,9 +1,8 @@
 """path_data: parse the path data of many paths into lines, cubic curves and elliptic arcs.
 
-    "M0 0h10a5 5 0 0 1 5 5z" -> kind (n,), numbers (n, 8), path (n,)
-
-For each of the n segments, ``kind`` is line, curve or arc, ``numbers`` contains its coordinates,
-and ``path`` is the index of its path.
+For example, "M0 0h10a5 5 0 0 1 5 5z" has three segments.  For each of the n segments, ``kind`` is
+line, curve or arc, ``numbers`` (n, 8) contains its coordinates, and ``path`` is the index of its
+path.
 
 A kernel parses the bytes.  Relative coordinates become absolute; H, V, S, T and Z become explicit
 lines and curves; quadratic curves become cubic ones.
@@ -35,74 +34,78 @@ class ScannedPaths(Table):
     wrong: I64  #: (paths,) index of the first invalid character, -1 if none
 
 
-def scan_paths(paths: Sequence[str], most: int) -> ScannedPaths | None:
-    """Return the segments of paths; None if there are more than ``most`` segments.
+def scan_paths(paths: Sequence[str], max_segments: int) -> ScannedPaths | None:
+    """Return the segments of paths; None if there are more than ``max_segments`` segments.
 
     ``paths`` contains the path data of each path, such as "M0 0h10".
     """
     pieces = [path.encode("ascii", "replace") for path in paths]
     size = np.array([0, *(len(piece) for piece in pieces)], np.int64)
     data = np.frombuffer(b"".join(pieces), np.uint8)
-    kind, numbers, path, wrong, count = _scan(data, np.cumsum(size), most)
+    kind, numbers, path, wrong, count = _scan(data, np.cumsum(size), max_segments)
     if count == _TOO_MANY:
         return None
     return ScannedPaths(kind[:count], numbers[:count], path[:count], wrong)
 
 
 @kernel
-def _skip_separators(data: U8_1, at: int, last: int) -> int:
-    """Return the index of the first byte from ``at`` that is not white space or a comma.
+def _skip_separators(data: U8_1, position: int, last: int) -> int:
+    """Return the index of the first byte, from ``position`` on, that is not white space or a comma.
 
     ``data`` are the bytes of the path data; ``last`` is the index after the last byte of the path,
     which is returned if there is no such byte.
     """
-    while at < last and (
-        data[at] == 32 or data[at] == 44 or data[at] == 10 or data[at] == 13 or data[at] == 9
+    while position < last and (
+        data[position] == 32
+        or data[position] == 44
+        or data[position] == 10
+        or data[position] == 13
+        or data[position] == 9
     ):
-        at += 1
-    return at
+        position += 1
+    return position
 
 
 @kernel
-def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
-    """Return a number and the index of the byte after it; the index is -1 if there is no number.
+def _parse_number(data: U8_1, position: int, last: int) -> tuple[float, int]:
+    """Return the next number of a path and the index of the byte after it, -1 for no number.
 
-    ``data`` are the bytes of the path data; the number is searched from the index ``at``, after
-    separators.  ``last`` is the index after the last byte of the path.
+    ``data`` are the bytes of the path data; separators at the index ``position`` are skipped before
+    the number.  ``last`` is the index after the last byte of the path.
     """
-    at = _skip_separators(data, at, last)
+    position = _skip_separators(data, position, last)
     negative = False
-    if at < last and (data[at] == 45 or data[at] == 43):
-        negative = data[at] == 45
-        at += 1
+    if position < last and (data[position] == 45 or data[position] == 43):
+        negative = data[position] == 45
+        position += 1
     w: Any = np.int64(0)
     digits = 0
     power = 0
-    some = False
-    while at < last and 48 <= data[at] <= 57:
-        some = True
+    has_digit = False
+    while position < last and 48 <= data[position] <= 57:
+        has_digit = True
         if digits < 18:
-            w = w * 10 + np.int64(data[at] - 48)
+            w = w * 10 + np.int64(data[position] - 48)
             digits += w > 0
         else:
             power += 1
-        at += 1
-    if at < last and data[at] == 46:
-        at += 1
-        while at < last and 48 <= data[at] <= 57:
-            some = True
+        position += 1
+    if position < last and data[position] == 46:
+        position += 1
+        while position < last and 48 <= data[position] <= 57:
+            has_digit = True
             if digits < 18:
-                w = w * 10 + np.int64(data[at] - 48)
+                w = w * 10 + np.int64(data[position] - 48)
                 digits += w > 0
                 power -= 1
-            at += 1
-    if not some:
+            position += 1
+    if not has_digit:
         return 0.0, -1
-    if at + 1 < last and (data[at] == 69 or data[at] == 101):
-        ahead = at + 1
-        less = False
+    if position + 1 < last and (data[position] == 69 or data[position] == 101):
+        ahead = position + 1
+        has_minus = False
         if data[ahead] == 45 or data[ahead] == 43:
-            less = data[ahead] == 45
+            has_minus = data[ahead] == 45
             ahead += 1
         # "1em" has no exponent; the caller refuses the letter.
         if ahead < last and 48 <= data[ahead] <= 57:
@@ -110,8 +113,8 @@ def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
             while ahead < last and 48 <= data[ahead] <= 57:
                 raised = min(raised * 10 + int(data[ahead] - 48), 100_000)
                 ahead += 1
-            power += -raised if less else raised
-            at = ahead
+            power += -raised if has_minus else raised
+            position = ahead
     value = float(w)
     if w > 0 and power != 0:
         # Beyond 600 every number of 18 digits is 0 or infinite.
@@ -122,19 +125,19 @@ def _parse_number(data: U8_1, at: int, last: int) -> tuple[float, int]:
             value = value * 10.0**power if power > 0 else value / 10.0**-power
         else:
             value = value * 10.0**half * 10.0 ** (power - half)
-    return -value if negative else value, at
+    return -value if negative else value, position
 
 
 @kernel
-def _parse_flag(data: U8_1, at: int, last: int) -> tuple[int, int]:
-    """Return a flag of an arc (0 or 1) and the index of the byte after it; -1 if there is no flag.
+def _parse_flag(data: U8_1, position: int, last: int) -> tuple[int, int]:
+    """Return the next flag of an arc (0 or 1) and the index of the byte after it, -1 for no flag.
 
-    ``data`` are the bytes of the path data; the flag is searched from the index ``at``, after
-    separators.  ``last`` is the index after the last byte of the path.
+    ``data`` are the bytes of the path data; separators at the index ``position`` are skipped before
+    the flag.  ``last`` is the index after the last byte of the path.
     """
-    at = _skip_separators(data, at, last)
-    if at < last and (data[at] == 48 or data[at] == 49):
-        return int(data[at] - 48), at + 1
+    position = _skip_separators(data, position, last)
+    if position < last and (data[position] == 48 or data[position] == 49):
+        return int(data[position] - 48), position + 1
     return 0, -1
 
 
@@ -163,8 +166,8 @@ def _argument_count(command: int) -> int:
 def _place_cubic(
     row: OutF64_1,
     command: int,
-    before: int,
-    given: F64_1,
+    previous_command: int,
+    arguments: F64_1,
     base_x: float,
     base_y: float,
     handle_x: float,
@@ -172,17 +175,17 @@ def _place_cubic(
 ) -> tuple[float, float, float, float]:
     """Write the two control points of a curve that command C, S, Q or T draws into ``row``.
 
-    Returns x and y of the end of the curve, and x and y of its last control point as the command
-    states it; for Q and T this is the control point of the quadratic curve.
+    Returns x and y of the end of the curve, and x and y of its last control point as written in the
+    command; for Q and T this is the control point of the quadratic curve.
 
     Parameters
     ----------
     row : (8,)
         Numbers of the curve's segment: x and y of its start in columns 0 and 1.  The control points
         are written into columns 4 to 7.
-    command, before
+    command, previous_command
         ASCII codes of the lower-case letters of the command and of the preceding command.
-    given
+    arguments
         Arguments of the command.
     base_x, base_y
         Added to the arguments: the start of the curve for a relative command, else 0.
@@ -192,25 +195,25 @@ def _place_cubic(
     x, y = row[0], row[1]
     if command == 99 or command == 115:
         if command == 99:
-            row[4], row[5] = base_x + given[0], base_y + given[1]
-        elif before == 99 or before == 115:
+            row[4], row[5] = base_x + arguments[0], base_y + arguments[1]
+        elif previous_command == 99 or previous_command == 115:
             row[4], row[5] = 2.0 * x - handle_x, 2.0 * y - handle_y
         else:
             row[4], row[5] = x, y
         rest = 2 if command == 99 else 0
-        row[6], row[7] = base_x + given[rest], base_y + given[rest + 1]
-        to_x, to_y = base_x + given[rest + 2], base_y + given[rest + 3]
+        row[6], row[7] = base_x + arguments[rest], base_y + arguments[rest + 1]
+        to_x, to_y = base_x + arguments[rest + 2], base_y + arguments[rest + 3]
         handle_x, handle_y = row[6], row[7]
     else:
         if command == 113:
-            handle_x, handle_y = base_x + given[0], base_y + given[1]
-            to_x, to_y = base_x + given[2], base_y + given[3]
+            handle_x, handle_y = base_x + arguments[0], base_y + arguments[1]
+            to_x, to_y = base_x + arguments[2], base_y + arguments[3]
         else:
-            if before == 113 or before == 116:
+            if previous_command == 113 or previous_command == 116:
                 handle_x, handle_y = 2.0 * x - handle_x, 2.0 * y - handle_y
             else:
                 handle_x, handle_y = x, y
-            to_x, to_y = base_x + given[0], base_y + given[1]
+            to_x, to_y = base_x + arguments[0], base_y + arguments[1]
         row[4], row[5] = x + (handle_x - x) * 2.0 / 3.0, y + (handle_y - y) * 2.0 / 3.0
         row[6] = to_x + (handle_x - to_x) * 2.0 / 3.0
         row[7] = to_y + (handle_y - to_y) * 2.0 / 3.0
@@ -218,58 +221,58 @@ def _place_cubic(
 
 
 @kernel
-def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
+def _scan(data: U8_1, bounds: OutI64_1, max_segments: int) -> Any:
     paths = len(bounds) - 1
     capacity = 64
     kind = np.empty(capacity, np.uint8)
     numbers = np.empty((capacity, 8))
     path_of = np.empty(capacity, np.int64)
     wrong = np.full(paths, -1, np.int64)
-    given = np.empty(7)
+    arguments = np.empty(7)
     count = 0
     for path in range(paths):
         first, last = bounds[path], bounds[path + 1]
         x = y = start_x = start_y = handle_x = handle_y = 0.0
         # S and T mirror the last handle only after a curve of the same kind.
-        before = 0
+        previous_command = 0
         command = 0
         relative = False
-        at = _skip_separators(data, first, last)
-        while at < last:
-            letter = data[at] | 32
+        position = _skip_separators(data, first, last)
+        while position < last:
+            letter = data[position] | 32
             if 97 <= letter <= 122:
                 if _argument_count(letter) < 0 or (command == 0 and letter != 109):
-                    wrong[path] = at - first
+                    wrong[path] = position - first
                     break
                 command = letter
-                relative = data[at] >= 97
-                at += 1
+                relative = data[position] >= 97
+                position += 1
             elif command == 0 or command == 122:
-                wrong[path] = at - first
+                wrong[path] = position - first
                 break
-            before_arguments = at
+            before_arguments = position
             argument_count = _argument_count(command)
             for k in range(argument_count):
                 if command == 97 and 3 <= k <= 4:
-                    flag, at = _parse_flag(data, at, last)
-                    given[k] = float(flag)
+                    flag, position = _parse_flag(data, position, last)
+                    arguments[k] = float(flag)
                 else:
-                    given[k], at = _parse_number(data, at, last)
-                if at < 0:
+                    arguments[k], position = _parse_number(data, position, last)
+                if position < 0:
                     break
-            if at < 0:
+            if position < 0:
                 wrong[path] = _skip_separators(data, before_arguments, last) - first
                 break
             if command == 109:
-                x = given[0] + (x if relative else 0.0)
-                y = given[1] + (y if relative else 0.0)
+                x = arguments[0] + (x if relative else 0.0)
+                y = arguments[1] + (y if relative else 0.0)
                 start_x, start_y = x, y
-                before = command
+                previous_command = command
                 command = 108  # further coordinates without a letter are lines
-                at = _skip_separators(data, at, last)
+                position = _skip_separators(data, position, last)
                 continue
             if count == capacity:
-                if count > most:
+                if count > max_segments:
                     return kind, numbers, path_of, wrong, _TOO_MANY
                 capacity *= 2
                 more_kind = np.empty(capacity, np.uint8)
@@ -288,31 +291,31 @@ def _scan(data: U8_1, bounds: OutI64_1, most: int) -> Any:
             path_of[count] = path
             to_x, to_y = x, y
             if command == 108:
-                to_x, to_y = base_x + given[0], base_y + given[1]
+                to_x, to_y = base_x + arguments[0], base_y + arguments[1]
             elif command == 104:
-                to_x = base_x + given[0]
+                to_x = base_x + arguments[0]
             elif command == 118:
-                to_y = base_y + given[0]
+                to_y = base_y + arguments[0]
             elif command == 122:
                 to_x, to_y = start_x, start_y
             elif command == 97:
-                to_x, to_y = base_x + given[5], base_y + given[6]
-                if given[0] != 0.0 and given[1] != 0.0:
+                to_x, to_y = base_x + arguments[5], base_y + arguments[6]
+                if arguments[0] != 0.0 and arguments[1] != 0.0:
                     kind[count] = ARC
-                    row[4], row[5], row[6] = abs(given[0]), abs(given[1]), given[2]
-                    row[7] = given[3] + 2.0 * given[4]
+                    row[4], row[5], row[6] = abs(arguments[0]), abs(arguments[1]), arguments[2]
+                    row[7] = arguments[3] + 2.0 * arguments[4]
             else:
                 kind[count] = CUBIC
                 to_x, to_y, handle_x, handle_y = _place_cubic(
-                    row, command, before, given, base_x, base_y, handle_x, handle_y
+                    row, command, previous_command, arguments, base_x, base_y, handle_x, handle_y
                 )
             row[2], row[3] = to_x, to_y
-            before = command
+            previous_command = command
             x, y = to_x, to_y
             # A closing line of zero length is omitted; other segments of zero length are debris.
             if command != 122 or row[0] != row[2] or row[1] != row[3]:
                 count += 1
-            at = _skip_separators(data, at, last)
-    if count > most:
+            position = _skip_separators(data, position, last)
+    if count > max_segments:
         count = _TOO_MANY
     return kind, numbers, path_of, wrong, count

@@ -1,10 +1,9 @@
 """read: read an SVG, plain or packed (.svgz).
 
-    bytes -> Drawing: segments in mm, and a row of the import report for every drawable element
-
-Line types are distinguished by colour and dashes of the stroke, and by layer, group or id.  The
-modules are called in this order: ``document`` (tree of elements), ``page`` (size), ``expand``
-(copies of ``use``), ``segments`` (columns of lines and arcs).
+``read`` returns a Drawing with segments in mm, and a row of the import report for every drawable
+element.  Line types are distinguished by colour and dashes of the stroke, and by layer, group or
+id.  The modules are called in this order: ``document`` (tree of elements), ``page`` (size),
+``expand`` (copies of ``use``), ``segments`` (arrays of lines and arcs).
 """
 
 from __future__ import annotations
@@ -36,14 +35,18 @@ def read(
     data
         Content of the file, which may be packed with gzip.
     unit
-        The unit that the user gives, "mm", "px" …, or None; see ``page.read_page``.
+        The unit that the user gives, "mm", "px" …; None if the user gives no unit.  If width or
+        height of the page has a physical unit, ``unit`` replaces this unit; otherwise it is the
+        unit of the coordinates.
+    limits
+        Limits of the size of the file and of the drawing.
 
     Returns
     -------
     Drawing
-        In mm, or in coordinates of the file with ``unit`` empty if neither the file nor the user
-        states a unit.  The lower left corner of the page is (0, 0) if the height of the page is
-        known; y is upwards.
+        In mm.  If neither the file nor the user gives a unit, the drawing is in coordinates of the
+        file and its attribute ``unit`` is empty.  The lower left corner of the page is (0, 0) if
+        the height of the page is known; y is upwards.
 
     Raises
     ------
@@ -54,15 +57,15 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    given = factor(unit) if unit else 0.0
+    millimetres = factor(unit) if unit else 0.0
     limits.admit(len(data))
     try:
         root = parse_document(data, limits)
-        page = read_page(root, unit or "", given, b"Adobe Illustrator" in data[:_HEAD])
-        report, drawn = expand(root, page, limits)
-        columns = segment_columns(report, drawn, page.scale, limits)
+        page = read_page(root, unit or "", millimetres, b"Adobe Illustrator" in data[:_HEAD])
+        report, paths = expand(root, page, limits)
+        columns = segment_columns(report, paths, page.scale, limits)
         known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
-        return assemble(report, columns, drawn.styles, drawn.annotations, known)
+        return assemble(report, columns, paths.styles, paths.annotations, known)
     except KnifetipError:
         raise
     except (ValueError, ArithmeticError, LookupError) as error:

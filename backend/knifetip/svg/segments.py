@@ -1,6 +1,6 @@
-"""segments: convert path data and matrices to columns of lines and arcs.
+"""segments: convert path data and matrices to arrays of lines and arcs.
 
-The columns contain the ends, the bulge and the style of each line or arc, in file order.
+The arrays contain the ends, the bulge and the style of each line or arc, in file order.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from knifetip.svg.path_data import scan_paths
 
 
 def segment_columns(
-    report: ReportWriter, drawn: DrawnPaths, scale: float, limits: Limits
+    report: ReportWriter, drawn_paths: DrawnPaths, scale: float, limits: Limits
 ) -> Columns:
     """Return the segments of all drawn paths as lines and arcs.
 
@@ -31,7 +31,7 @@ def segment_columns(
     report
         Import report, which is changed: it gets notes on errors in path data, reasons for dropped
         paths, and the locations of elements that give no edge.
-    drawn
+    drawn_paths
         Paths of the drawn elements.
     scale
         Millimetres in one file unit, 0 if unknown.
@@ -43,24 +43,28 @@ def segment_columns(
     DrawingTooLarge
         The number of segments or the time exceeds the limits.
     """
-    table = scan_paths(drawn.data, limits.segments)
+    table = scan_paths(drawn_paths.data, limits.segments)
     if table is None:
         raise too_many(limits, "SVG")
     for path in np.flatnonzero(table.wrong >= 0).tolist():
-        text = drawn.data[path]
-        at = int(table.wrong[path])
+        text = drawn_paths.data[path]
+        error_position = int(table.wrong[path])
         note = (
-            Message("import.bad-path-data", character=at + 1, text=text[at : at + 12])
-            if at < len(text)
+            Message(
+                "import.bad-path-data",
+                character=error_position + 1,
+                text=text[error_position : error_position + 12],
+            )
+            if error_position < len(text)
             else Message("import.short-path-data")
         )
-        report.notes.setdefault(drawn.row[path], []).append(note)
-    if drawn.omitted:
-        report.location_boxes.append(_location_boxes(drawn.omitted, limits))
+        report.notes.setdefault(drawn_paths.row[path], []).append(note)
+    if drawn_paths.omitted:
+        report.location_boxes.append(_location_boxes(drawn_paths.omitted, limits))
     placed = Paths(
-        np.array(drawn.row, np.int32),
-        np.array(drawn.style, np.int32),
-        np.array(drawn.matrix, np.float64).reshape(-1, 6),
+        np.array(drawn_paths.row, np.int32),
+        np.array(drawn_paths.style, np.int32),
+        np.array(drawn_paths.matrix, np.float64).reshape(-1, 6),
     )
     return columns(report, table, placed, scale, limits, "SVG")
 

@@ -17,7 +17,7 @@ from knifetip.svg.lengths import to_pixels
 class Undrawable(Exception):
     """Raised for an SVG element that gives no edge; ``svg.expand`` catches it.
 
-    Its message becomes the reason in the element's row of the import report.
+    The message of the exception becomes the reason in the element's row of the import report.
     """
 
     def __init__(self, message: Message) -> None:
@@ -32,7 +32,7 @@ Window = tuple[float, float, float]
 def shape_path_data(node: Node, window: Window) -> str:
     """Return the path data of a shape: an element whose tag is a key of ``SHAPES``.
 
-    ``window`` contains the lengths that percentages in the attributes of the element refer to.
+    ``window`` contains the lengths to which percentages in the attributes of the element refer.
 
     Raises
     ------
@@ -43,10 +43,10 @@ def shape_path_data(node: Node, window: Window) -> str:
 
 
 def frame_path_data(node: Node, window: Window) -> str:
-    """Return the path data of the diagonal of an element with x, y, width and height.
+    """Return the path data of the diagonal of an element with attributes x, y, width and height.
 
     The bounding box of the diagonal is the bounding box of the element.  ``window`` contains the
-    lengths that percentages refer to.
+    lengths to which percentages in the attributes refer.
     """
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     return f"{point_path_data(node, window)}l{wide!r} {high!r}"
@@ -55,17 +55,17 @@ def frame_path_data(node: Node, window: Window) -> str:
 def point_path_data(node: Node, window: Window) -> str:
     """Return the path data of a line of zero length at the position (x, y) of an element.
 
-    ``window`` contains the lengths that percentages refer to.
+    ``window`` contains the lengths to which percentages in the attributes refer.
     """
     return f"M{_size(node, 'x', window[0])!r} {_size(node, 'y', window[1])!r}l0 0"
 
 
-def _size(node: Node, name: str, whole: float, default: float = 0.0) -> float:
+def _size(node: Node, name: str, full_length: float, default: float = 0.0) -> float:
     text = node.attributes.get(name)
     if text is None:
         return default
     try:
-        return to_pixels(text, whole)
+        return to_pixels(text, full_length)
     except InvalidValue as invalid:
         raise Undrawable(Message("import.bad-size", name=name, reason=invalid.message)) from None
 
@@ -101,21 +101,21 @@ def _rect(node: Node, window: Window) -> str:
     wide, high = _size(node, "width", window[0]), _size(node, "height", window[1])
     if not (wide > 0.0 and high > 0.0):
         raise Undrawable(Message("import.no-size", width=wide, height=high))
-    given = node.attributes
+    attributes = node.attributes
     rx, ry = (
-        None if given.get(name, "auto") == "auto" else _size(node, name, whole)
-        for name, whole in (("rx", window[0]), ("ry", window[1]))
+        None if attributes.get(name, "auto") == "auto" else _size(node, name, full_length)
+        for name, full_length in (("rx", window[0]), ("ry", window[1]))
     )
-    across = min(max((rx if rx is not None else ry) or 0.0, 0.0), wide / 2.0)
+    rx_ = min(max((rx if rx is not None else ry) or 0.0, 0.0), wide / 2.0)
     down = min(max((ry if ry is not None else rx) or 0.0, 0.0), high / 2.0)
     right, low = x + wide, y + high
-    if not (across > 0.0 and down > 0.0):
+    if not (rx_ > 0.0 and down > 0.0):
         return f"M{x!r} {y!r}H{right!r}V{low!r}H{x!r}Z"
-    bend = f"A{across!r} {down!r} 0 0 1 "
+    bend = f"A{rx_!r} {down!r} 0 0 1 "
     return (
-        f"M{x + across!r} {y!r}H{right - across!r}{bend}{right!r} {y + down!r}V{low - down!r}"
-        f"{bend}{right - across!r} {low!r}H{x + across!r}{bend}{x!r} {low - down!r}"
-        f"V{y + down!r}{bend}{x + across!r} {y!r}"
+        f"M{x + rx_!r} {y!r}H{right - rx_!r}{bend}{right!r} {y + down!r}V{low - down!r}"
+        f"{bend}{right - rx_!r} {low!r}H{x + rx_!r}{bend}{x!r} {low - down!r}"
+        f"V{y + down!r}{bend}{x + rx_!r} {y!r}"
     )
 
 
@@ -125,22 +125,22 @@ def _circle(node: Node, window: Window) -> str:
 
 
 def _ellipse(node: Node, window: Window) -> str:
-    given = node.attributes
+    attributes = node.attributes
     rx, ry = (
-        None if given.get(name, "auto") == "auto" else _size(node, name, whole)
-        for name, whole in (("rx", window[0]), ("ry", window[1]))
+        None if attributes.get(name, "auto") == "auto" else _size(node, name, full_length)
+        for name, full_length in (("rx", window[0]), ("ry", window[1]))
     )
-    across = rx if rx is not None else ry
+    rx_ = rx if rx is not None else ry
     down = ry if ry is not None else rx
-    return _round(node, window, across or 0.0, down or 0.0)
+    return _round(node, window, rx_ or 0.0, down or 0.0)
 
 
-def _round(node: Node, window: Window, across: float, down: float) -> str:
-    if not (across > 0.0 and down > 0.0):
-        raise Undrawable(Message("import.bad-radius", radius=min(across, down)))
+def _round(node: Node, window: Window, radius_x: float, radius_y: float) -> str:
+    if not (radius_x > 0.0 and radius_y > 0.0):
+        raise Undrawable(Message("import.bad-radius", radius=min(radius_x, radius_y)))
     x, y = _size(node, "cx", window[0]), _size(node, "cy", window[1])
-    half = f"A{across!r} {down!r} 0 0 1 "
-    return f"M{x + across!r} {y!r}{half}{x - across!r} {y!r}{half}{x + across!r} {y!r}"
+    half = f"A{radius_x!r} {radius_y!r} 0 0 1 "
+    return f"M{x + radius_x!r} {y!r}{half}{x - radius_x!r} {y!r}{half}{x + radius_x!r} {y!r}"
 
 
 #: Elements that give lines, and the function that returns their path data.

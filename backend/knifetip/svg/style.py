@@ -1,7 +1,5 @@
 """style: compute how an element is drawn, from attributes, style sheet and inherited values.
 
-    Node, style sheet, Appearance of the element's parent -> Appearance of the element
-
 tinycss2 parses style sheets and declarations, cssselect2 matches selectors.  Only properties that
 decide whether and how a line is drawn are used.
 """
@@ -104,7 +102,10 @@ class StyleSheet:
         self.simple &= all(_is_simple(one.parsed_tree) for one in parsed)
 
     def matching(self, element: cssselect2.ElementWrapper) -> list[Declaration]:
-        """Return the declarations that apply to an element, in ascending order of priority."""
+        """Return the declarations that apply to an element, in ascending order of priority.
+
+        A declaration is a property and its value, such as ``stroke: red``.
+        """
         return [
             declaration
             for _, _, pseudo, declared in self._matcher.match(element)
@@ -125,9 +126,9 @@ def _comma_separated(tokens: list[tinycss2.ast.Node]) -> Iterator[list[tinycss2.
 
 
 def _is_supported(tree: object) -> bool:
-    """Return whether a selector, given as its parsed tree, is supported.
+    """Return whether a selector is supported: it depends only on an element and its ancestors.
 
-    It is supported if it depends only on the element and its ancestors, not on siblings.
+    ``tree`` is the selector as parsed by cssselect2.
     """
     if isinstance(tree, selectors.CombinedSelector):
         return (
@@ -160,7 +161,7 @@ def _declarations(content: list[tinycss2.ast.Node]) -> tuple[Declaration, ...]:
 
 
 class Cascade:
-    """Computes the appearance of the elements of one document, and caches it."""
+    """Computes the appearance of the elements of one document, and caches the results."""
 
     def __init__(self, sheet: StyleSheet, root: Node) -> None:
         self._sheet = sheet
@@ -177,25 +178,25 @@ class Cascade:
         """Return the appearance of an element; its parent has the appearance ``inherited``."""
         if not self._sheet.simple:
             return self._compute(node, inherited)
-        given = node.attributes
-        identity = given.get("id", "")
+        attributes = node.attributes
+        identity = attributes.get("id", "")
         key = (
             inherited,
             node.tag if self._sheet.count else "",
             identity if identity in self._sheet.ids else "",
-            given.get("class"),
-            given.get("style"),
-            *map(given.get, _PROPERTIES),
+            attributes.get("class"),
+            attributes.get("style"),
+            *map(attributes.get, _PROPERTIES),
         )
-        found = self._known.get(key)
-        if found is None:
-            found = self._known[key] = self._compute(node, inherited)
-        return found
+        cached = self._known.get(key)
+        if cached is None:
+            cached = self._known[key] = self._compute(node, inherited)
+        return cached
 
     def _compute(self, node: Node, inherited: Appearance) -> Appearance:
-        given = node.attributes
-        values = {name: given[name] for name in _PROPERTIES if name in given}
-        text = given.get("style", "")
+        attributes = node.attributes
+        values = {name: attributes[name] for name in _PROPERTIES if name in attributes}
+        text = attributes.get("style", "")
         inline = self._inline.get(text)
         if inline is None:
             inline = self._inline[text] = parse_style_attribute(text)

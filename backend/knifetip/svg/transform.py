@@ -13,19 +13,21 @@ from knifetip.geometry.affine import IDENTITY, Matrix, compose
 from knifetip.svg.invalid import InvalidValue
 
 _CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
-_BETWEEN: Final = re.compile(r"[\s,]+")
+_SEPARATOR: Final = re.compile(r"[\s,]+")
 _NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
 def parse_numbers(text: str) -> list[float]:
-    """Return the numbers in a text, separated by blanks or commas, or only by a sign ("3-4").
+    """Return the numbers in a text.
+
+    They are separated by blanks or commas, or only by the sign of the second number ("3-4").
 
     Raises
     ------
     InvalidValue
         The text contains something that is not a number.
     """
-    rest = _BETWEEN.sub("", _NUMBER.sub("", text))
+    rest = _SEPARATOR.sub("", _NUMBER.sub("", text))
     if rest:
         raise InvalidValue("import.value-not-numbers", value=rest[:20])
     return [float(number) for number in _NUMBER.findall(text)]
@@ -41,39 +43,41 @@ def parse_transform(text: str) -> Matrix:
     InvalidValue
         The text is not a valid list of transforms.
     """
-    found = IDENTITY
-    at = 0
-    while at < len(text):
-        call = _CALL.match(text, at)
+    matrix = IDENTITY
+    position = 0
+    while position < len(text):
+        call = _CALL.match(text, position)
         if call is None:
-            if not text[at:].strip(" \t\r\n,"):
+            if not text[position:].strip(" \t\r\n,"):
                 break
-            raise InvalidValue("import.value-not-transform", value=text[at : at + 30].strip())
-        found = compose(found, _matrix_of(call[1], parse_numbers(call[2])))
-        at = call.end()
-    return found
+            raise InvalidValue(
+                "import.value-not-transform", value=text[position : position + 30].strip()
+            )
+        matrix = compose(matrix, _matrix_of(call[1], parse_numbers(call[2])))
+        position = call.end()
+    return matrix
 
 
-def _matrix_of(name: str, given: list[float]) -> Matrix:
-    count = len(given)
+def _matrix_of(name: str, arguments: list[float]) -> Matrix:
+    count = len(arguments)
     if name == "matrix" and count == 6:
-        a, b, c, d, e, f = given
+        a, b, c, d, e, f = arguments
         return a, b, c, d, e, f
     if name == "translate" and count in (1, 2):
-        return 1.0, 0.0, 0.0, 1.0, given[0], given[1] if count == 2 else 0.0
+        return 1.0, 0.0, 0.0, 1.0, arguments[0], arguments[1] if count == 2 else 0.0
     if name == "scale" and count in (1, 2):
-        return given[0], 0.0, 0.0, given[-1], 0.0, 0.0
+        return arguments[0], 0.0, 0.0, arguments[-1], 0.0, 0.0
     if name == "rotate" and count in (1, 3):
-        cosine, sine = cosine_and_sine(given[0])
+        cosine, sine = cosine_and_sine(arguments[0])
         turn = (cosine, sine, -sine, cosine, 0.0, 0.0)
         if count == 1:
             return turn
-        _, x, y = given
+        _, x, y = arguments
         return compose((1.0, 0.0, 0.0, 1.0, x, y), compose(turn, (1.0, 0.0, 0.0, 1.0, -x, -y)))
     if name == "skewX" and count == 1:
-        return 1.0, 0.0, math.tan(math.radians(given[0])), 1.0, 0.0, 0.0
+        return 1.0, 0.0, math.tan(math.radians(arguments[0])), 1.0, 0.0, 0.0
     if name == "skewY" and count == 1:
-        return 1.0, math.tan(math.radians(given[0])), 0.0, 1.0, 0.0, 0.0
+        return 1.0, math.tan(math.radians(arguments[0])), 0.0, 1.0, 0.0, 0.0
     raise InvalidValue("import.value-transform-numbers", name=name, count=count)
 
 

@@ -43,7 +43,7 @@ class Named:
         dieline = pipeline.classify(drawing, load.profile(self.profile))
         if self.answer:
             unclassified = dieline.line_type == LineType.UNCLASSIFIED
-            overrides = np.where(unclassified, LineType.of(self.answer), NO_OVERRIDE).astype(
+            overrides = np.where(unclassified, LineType.from_word(self.answer), NO_OVERRIDE).astype(
                 np.uint8
             )
             dieline = pipeline.classify(drawing, load.profile(self.profile), overrides)

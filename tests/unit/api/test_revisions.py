@@ -138,7 +138,7 @@ def test_a_job_uses_the_ordered_revision_and_no_later_one(
         if task is tasks.open_questions:
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
-            flipped = bytes([LineType.of("crease")]) + row.overrides[1:]
+            flipped = bytes([LineType.from_word("crease")]) + row.overrides[1:]
             store.drawings.change(id, row.version, stored("x"), overrides=flipped, unit_given="in")
             between.append(row.version)
         return run(task, *arguments, **named)
@@ -167,7 +167,7 @@ def test_of_two_simultaneous_changes_both_are_made_or_one_is_refused(
             others[0] -= 1
             store = client.service.store
             row = store.drawings.get_with(id, "overrides")
-            mine = row.overrides[:1] + bytes([LineType.of("crease")]) + row.overrides[2:]
+            mine = row.overrides[:1] + bytes([LineType.from_word("crease")]) + row.overrides[2:]
             store.drawings.change(id, row.version, stored("x"), overrides=mine)
         return found
 

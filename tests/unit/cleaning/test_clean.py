@@ -58,7 +58,7 @@ def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     assert reasons(made) == ["AS_DRAWN", "TWICE", "TWICE"]
     assert made.kept.tolist() == [100, 0, 0]
     assert made.merged.tolist() == [0, 100, 100]
-    assert [made.into(row) for row in range(3)] == [0, 0, 0]
+    assert [made.replacement_row(row) for row in range(3)] == [0, 0, 0]
     assert render(made.describe(1)) == "the edge was merged into edge 0, on which it lies"
 
 
@@ -262,7 +262,7 @@ def test_debris_is_dropped_with_its_length() -> None:
     made = clean(lines((CUT, 0, 0, 100, 0), (CUT, 40, 20, 40.03, 20), (CREASE, 50, 0, 50, 0.04)))
     assert reasons(made) == ["AS_DRAWN", "SPECK", "SPECK"]
     np.testing.assert_allclose(made.dropped, [0, 0.03, 0.04])
-    assert made.of.tolist() == [0, -1, -1]
+    assert made.cleaned_row.tolist() == [0, -1, -1]
     assert (
         render(made.describe(1))
         == "the edge was dropped, because it is only 0.03 mm long and connects no other edges"
@@ -368,4 +368,4 @@ def test_stretches_cover_every_edge_that_is_worked() -> None:
     assert parts.begin[first].tolist() == pytest.approx([0, 0.6, 0.7, 0.9, 0.95])
     assert parts.end[first].tolist() == pytest.approx([0.6, 0.7, 0.9, 0.95, 1])
     assert parts.cleaned[first].tolist() == [0, 1, 3, 2, 4]
-    assert parts.given[first].tolist() == [False, True, False, True, False]
+    assert parts.by_other_edge[first].tolist() == [False, True, False, True, False]

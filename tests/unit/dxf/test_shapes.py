@@ -8,10 +8,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.dxf.shapes import (
     arc_segment_count,
+    map_points,
     mirror_segments,
     polyline_segment_count,
     sweep_angle,
-    transform_points,
     write_arc,
     write_polyline,
 )
@@ -72,6 +72,4 @@ def test_mirrored_rows_count_x_to_the_left_and_turn_the_other_way() -> None:
 
 def test_points_are_turned_and_shifted() -> None:
     quarter = np.array([[0.0, -1.0], [1.0, 0.0]])
-    assert_array_equal(
-        transform_points(quarter, np.array([10.0, 0.0]), np.array([2.0, 3.0])), [7.0, 2.0]
-    )
+    assert_array_equal(map_points(quarter, np.array([10.0, 0.0]), np.array([2.0, 3.0])), [7.0, 2.0])

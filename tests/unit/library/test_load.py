@@ -433,7 +433,7 @@ def routed(text: str) -> str:
 def test_a_router_has_a_default_lead_of_one_and_a_half_radii(put: Put) -> None:
     (station,) = load.machine(put(routed(CUTTER))).stations
     assert station.tool == Cutter(3.0, 9000.0, 1500.0, speed=18000.0)
-    assert station.tool.set_up == 4.5
+    assert station.tool.lead_in == 4.5
 
 
 @pytest.mark.parametrize(

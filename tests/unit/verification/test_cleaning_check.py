@@ -121,7 +121,11 @@ def test_a_stretch_without_a_record_is_found() -> None:
     parts = made.stretches
     keep = np.arange(len(parts)) != np.flatnonzero(parts.row == 6)[-1]
     short = Stretches(
-        parts.row[keep], parts.begin[keep], parts.end[keep], parts.cleaned[keep], parts.given[keep]
+        parts.row[keep],
+        parts.begin[keep],
+        parts.end[keep],
+        parts.cleaned[keep],
+        parts.by_other_edge[keep],
     )
     assert (
         "Edge 6: Internal error in cleaning: the kept, merged and dropped parts"

@@ -28,7 +28,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.profile import LineRule, LineRules
-from knifetip.model.words import numbered
+from knifetip.model.words import number_words
 
 #: Confidence of a rule, by the most specific of its conditions.
 LAYER_AND_COLOUR: Final = 1.0
@@ -76,8 +76,8 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
     A style combines layer, colour, linetype, kind of entity and block.
     """
     report = drawing.import_report
-    kinds, kind = numbered(report.kind)
-    blocks, block = numbered(report.block or ("",))
+    kinds, kind = number_words(report.kind)
+    blocks, block = number_words(report.block or ("",))
     entity_key = np.zeros(len(report), np.int32)
     entity_key[:] = kind if len(blocks) == 1 else kind * len(blocks) + block
     # All attributes except the colours are combined in one number.

@@ -30,7 +30,7 @@ from knifetip.dxf.ezdxf_reader.entities import (
 )
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.location_boxes import transformed_box
-from knifetip.dxf.shapes import cos_sin, transform_points
+from knifetip.dxf.shapes import cos_sin, map_points
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64, freeze
@@ -374,14 +374,12 @@ class BlockExpansion:
         steps = np.stack(
             [np.tile(np.arange(columns), rows), np.repeat(np.arange(rows), columns)], axis=1
         )
-        corner = transform_points(turned, position, steps * spacing) @ side.T
-        shift = corner - transform_points(linear, np.zeros(2), block.base)
+        corner = map_points(turned, position, steps * spacing) @ side.T
+        shift = corner - map_points(linear, np.zeros(2), block.base)
         outer_linear, outer_shift = placements
         inner_placements = (
             np.repeat(_product(outer_linear, linear), cells, axis=0),
-            transform_points(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(
-                -1, 2
-            ),
+            map_points(outer_linear[:, None], outer_shift[:, None], shift[None]).reshape(-1, 2),
         )
         for child in block.entries:
             self._entry(child, f"{handle}/", inner_placements, style)
@@ -393,7 +391,7 @@ def _product(outer: F64, inner: F64) -> F64:
     The maps are matrices: ``outer`` and the returned array have the shape (k, 2, 2), ``inner`` has
     the shape (2, 2).
     """
-    columns = transform_points(outer[:, None], np.zeros(2), inner.T[None])
+    columns = map_points(outer[:, None], np.zeros(2), inner.T[None])
     return columns.transpose(0, 2, 1)
 
 

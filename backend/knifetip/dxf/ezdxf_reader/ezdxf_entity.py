@@ -35,7 +35,7 @@ class EzdxfEntity:
         return bool(self._entity.dxf.get("invisible", 0))
 
     def style(self, styles: Styles, insert_style: Style | None) -> Style:
-        return styles.of(self._entity, insert_style)
+        return styles.entity_style(self._entity, insert_style)
 
     def shape(self) -> EntityShape:
         return shape_of(self._entity)

@@ -21,7 +21,7 @@ from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
 from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, Placed
 from knifetip.dxf.ezdxf_reader.entities import Lines, Shape
-from knifetip.dxf.shapes import transform_points
+from knifetip.dxf.shapes import map_points
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
@@ -205,7 +205,7 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     if not (straight or even.all()):
         return None
     side = np.sign(linear[:, 0, 0] * linear[:, 1, 1] - linear[:, 0, 1] * linear[:, 1, 0])
-    ends = transform_points(linear[:, None, None], shift[:, None, None], shape.ends[None])
+    ends = map_points(linear[:, None, None], shift[:, None, None], shape.ends[None])
     return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1)
 
 

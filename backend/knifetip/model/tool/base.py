@@ -18,7 +18,7 @@ NotNegative: TypeAlias = Annotated[float, Ge(0)]
 
 
 class Reversal(IntEnum):
-    """The ends of a track at which a tool may start."""
+    """Which ends of a track are permitted as the start of a tool: one or both."""
 
     ONE = 0  #: only at the start
     EITHER = 1  #: at both ends; the reverse direction has the same poses in reverse order
@@ -43,11 +43,13 @@ class TipCircle:
 
 @dataclass(frozen=True, slots=True)
 class Footprint:
-    """Shape of the mark of a tool on the board, and position of its tip, which the page draws.
+    """The mark that a tool leaves on the board and the position of its tip, shown on the page.
 
-    The shape ``line`` has no width.  ``disc`` is a disc of ``radius`` about the tip.  ``groove`` is
-    a flank that widens by ``slope`` per mm of depth along the edge ``blade``.  ``wheel`` is a rim
-    of ``width`` on a wheel of ``radius``.
+    ``shape`` is the shape of the mark:
+
+    - ``line``: no width.  - ``disc``: a disc with radius ``radius`` about the tip.  - ``groove``: a
+    flank along the cutting edge of length ``blade``, ``slope`` mm wide per mm of depth.  -
+    ``wheel``: the rim, of width ``width``, of a wheel with radius ``radius``.
     """
 
     shape: Literal["line", "disc", "groove", "wheel"] = "line"
@@ -61,7 +63,7 @@ class Footprint:
 
 
 class Tool(ABC):
-    """Base class of tools: dimensions, and the behaviour on which the stages depend.
+    """Base class of tools: dimensions, and the behaviour that depends on the kind of tool.
 
     Subclasses are frozen dataclasses of dimensions.  Each is registered by one row of
     ``knifetip.model.tool.KINDS``.
@@ -93,13 +95,16 @@ class Tool(ABC):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the tool may start, and an angle (degrees).
 
-        The angle is added to C if the tool starts at the end of the track.
+        The angle is added to the C axis if the tool starts at the end of the track.
         """
         return Reversal.ONE, 0.0
 
     @property
     def spindle(self) -> int:
-        """S word while the tool's spindle, oscillation or laser is on; 0 if there is none."""
+        """S word of the program while the tool is on; 0 if the tool needs none.
+
+        The tool is on while its spindle, its oscillation or its laser is on.
+        """
         return 0
 
     @property
@@ -109,12 +114,12 @@ class Tool(ABC):
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Message if the tool needs a spindle word and its dimensions give none, otherwise None."""
+        """Error message if the tool needs an S word and its dimensions give none, else None."""
         return None
 
     @property
     def outputs(self) -> tuple[int, ...]:
-        """Numbers of the tool's own digital outputs that are on while it is in use."""
+        """Numbers of the digital outputs that belong to the tool and are on while it is in use."""
         return ()
 
     @property
@@ -129,12 +134,12 @@ class Tool(ABC):
 
     @property
     def footprint(self) -> Footprint:
-        """Shape of the mark of the tool on the board, which the page draws."""
+        """The mark that the tool leaves on the board, shown on the page."""
         return Footprint()
 
     @property
     def dimensions(self) -> dict[str, float | bool]:
-        """Fields of the tool by name, as in the file of a machine."""
+        """Values of the fields of the tool by name, as in the TOML file of a machine."""
         return {str(name): getattr(self, name) for name in self.__slots__}
 
     @property
@@ -142,28 +147,31 @@ class Tool(ABC):
         """Dimensions that are calculated from the fields of the tool, by name."""
         return {}
 
-    def settle(self, usual: float) -> float:
+    def settle(self, machine_dwell: float) -> float:
         """Return the dwell after the tool is switched on (s).
 
         Parameters
         ----------
-        usual
-            Dwell in the file of the machine (s), which most tools return.
+        machine_dwell
+            Dwell in the file of the machine (s).  The base class returns it unchanged.
         """
-        return usual
+        return machine_dwell
 
-    def clearance(self, usual: float) -> float:
+    def clearance(self, machine_height: float) -> float:
         """Return the height of the tip above the board between cuts (mm).
 
         Parameters
         ----------
-        usual
-            Height in the file of the machine (mm), which most tools return.
+        machine_height
+            Height in the file of the machine (mm).  The base class returns it unchanged.
         """
-        return usual
+        return machine_height
 
     @classmethod
-    def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return the index of the tool in ``held`` that suits a board ``caliper`` mm thick best."""
-        del held, caliper  # all are equally good
+    def best_for(cls, tools: Sequence[Tool], caliper: float) -> int:
+        """Return the index of the tool in ``tools`` that is best for a board of a given thickness.
+
+        ``caliper`` is the thickness of the board (mm).
+        """
+        del tools, caliper  # all are equally good
         return 0

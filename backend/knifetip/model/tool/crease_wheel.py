@@ -35,9 +35,9 @@ class CreaseWheel(Tool):
         return math.sqrt(max(depth * (2.0 * self.radius - depth), 0.0))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle that contains the contact between the wheel and the board at a depth.
+        """Return the circle that contains the contact of wheel and board at a depth (mm).
 
-        The contact is a rectangle with the length of the contact and the width of the rim.
+        The contact is a rectangle as long as the wheel touches the board and as wide as the rim.
         """
         return TipCircle(math.hypot(self.contact(max(depth, 0.0)), self.width / 2.0), 0.0, 0.0)
 
@@ -45,8 +45,8 @@ class CreaseWheel(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the wheel may start, and an angle (degrees).
 
-        The angle is added to C if the wheel starts at the end of the track.  The wheel may start at
-        both ends, because it rolls in both directions.
+        The angle is added to the C axis if the wheel starts at the end of the track.  The wheel may
+        start at both ends, because it rolls in both directions.
         """
         return Reversal.EITHER, 0.0
 
@@ -57,16 +57,16 @@ class CreaseWheel(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the wheel: that of a rim of ``width`` on a wheel of ``radius``."""
+        """The mark that the wheel leaves on the board: that of its rim."""
         return Footprint("wheel", radius=self.radius, width=self.width)
 
     @classmethod
-    def best_for(cls, held: Sequence[Tool], caliper: float) -> int:
-        """Return the index of the wheel in ``held`` that suits a board ``caliper`` mm thick.
+    def best_for(cls, tools: Sequence[Tool], caliper: float) -> int:
+        """Return the index of the wheel in ``tools`` that is best for a board ``caliper`` mm thick.
 
         This is the narrowest rim that is at least as wide as the board is thick, so that the inside
         of the fold has room for the board, or the widest rim if none is wide enough.
         """
-        rims = [wheel.width for wheel in held if isinstance(wheel, CreaseWheel)]
+        rims = [wheel.width for wheel in tools if isinstance(wheel, CreaseWheel)]
         enough = [rim for rim in rims if rim >= caliper - POINT]
         return rims.index(min(enough, default=max(rims)))

@@ -13,7 +13,7 @@ from knifetip.model.tool.base import NotNegative, Positive
 from knifetip.model.tool.disc import DiscTool
 
 #: Maximum number of passes; more indicate an error in the ``step`` of the tool.
-_MOST: Final = 200
+_MAX_PASSES: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,28 +34,30 @@ class Cutter(DiscTool):
 
     @property
     def spindle(self) -> int:
-        """S word while the spindle is on: its speed (rpm)."""
+        """S word of the program while the spindle is on: the speed of the spindle (rpm)."""
         return round(self.speed)
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Message if the speed of the spindle is 0, otherwise None."""
+        """Error message if the speed of the spindle is 0, otherwise None."""
         return None if self.spindle >= 1 else Message("tool.without-speed")
 
-    def settle(self, usual: float) -> float:
+    def settle(self, machine_dwell: float) -> float:
         """Return the dwell after the spindle is switched on (s).
 
-        It is the longer of ``usual``, the dwell in the file of the machine, and the time until the
-        spindle has its full speed.
+        It is the longer of ``machine_dwell``, the dwell in the file of the machine (s), and the
+        time until the spindle has its full speed.
         """
-        return max(usual, self.spin_up)
+        return max(machine_dwell, self.spin_up)
 
-    def passes(self, through: float) -> F64:
-        """Return the depths of the k passes of a cut that is ``through`` mm deep, (k,) (mm).
+    def passes(self, cut_depth: float) -> F64:
+        """Return the depths of the k passes of a cut that is ``cut_depth`` mm deep, (k,) (mm).
 
         All passes have the same increment, which is at most the field ``step`` of the cutter
         unless the cut would then have more than 200 passes.
         """
-        count = 1 if self.step == 0.0 else min(_MOST, int(np.ceil(through / self.step - 1e-9)))
-        depths: F64 = through * np.arange(1, count + 1) / count
+        count = (
+            1 if self.step == 0.0 else min(_MAX_PASSES, int(np.ceil(cut_depth / self.step - 1e-9)))
+        )
+        depths: F64 = cut_depth * np.arange(1, count + 1) / count
         return depths

@@ -12,7 +12,10 @@ from knifetip.model.tool.base import Footprint, TipCircle, Tool
 
 
 class DiscTool(Tool):
-    """Base class of tools that remove a disc; their path is offset by its radius r."""
+    """Base class of tools that remove a disc of board about their axis, with radius r.
+
+    The path of the tool is offset from the edge by r.
+    """
 
     __slots__ = ()
 
@@ -25,9 +28,9 @@ class DiscTool(Tool):
 
         @property
         def lead(self) -> float:
-            """Length of the straight lead-in (mm), or 0 for the default length.
+            """Length of the straight lead-in in the machine file (mm); 0 for the default length.
 
-            For 0, ``set_up`` returns the default length, 1.5 times ``radius``.
+            The property ``lead_in`` replaces 0 by the default length, 1.5 times ``radius``.
             """
 
         @property
@@ -47,7 +50,7 @@ class DiscTool(Tool):
             """
 
     @property
-    def set_up(self) -> float:
+    def lead_in(self) -> float:
         """Length of the straight lead-in (mm): ``lead``, or 1.5 ``radius`` if ``lead`` is 0."""
         return self.lead or 1.5 * self.radius
 
@@ -58,12 +61,12 @@ class DiscTool(Tool):
             return Message("tool.short-lead", lead=self.lead, radius=self.radius)
         return None
 
-    def passes(self, through: float) -> F64:
-        """Return the depths of the k passes of a cut that is ``through`` mm deep, (k,) (mm).
+    def passes(self, cut_depth: float) -> F64:
+        """Return the depths of the k passes of a cut that is ``cut_depth`` mm deep, (k,) (mm).
 
-        A tool of the base class cuts in one pass.
+        In the base class k is 1: the tool cuts in one pass.
         """
-        return np.array([through])
+        return np.array([cut_depth])
 
     def tip_circle(self, depth: float) -> TipCircle:
         """Return the circle of the disc, which does not depend on ``depth``."""
@@ -77,5 +80,5 @@ class DiscTool(Tool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the tool: the disc."""
+        """The mark that the tool leaves on the board: a disc."""
         return Footprint("disc", radius=self.radius)

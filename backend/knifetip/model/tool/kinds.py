@@ -1,6 +1,6 @@
 """The registry of tools: one row for each kind, with its line types, planners and engine.
 
-To add a kind, write its class, its row in this module, and its checks in
+To add a kind of tool, write its class, its row in this module, and its checks in
 ``knifetip.verification.tools``.
 """
 
@@ -42,7 +42,7 @@ class Engine(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """One row of the registry: a class of tools with its name, line types, planners and engine."""
+    """A kind of tool: its class, name, line types, planners and engine; one row of the registry."""
 
     name: str  #: name in files of machines and in REST
     tool: type[Tool]

@@ -13,7 +13,7 @@ from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, T
 
 @dataclass(frozen=True, slots=True)
 class Knife(Tool):
-    """A tangential knife, static or oscillating; with ``trail`` > 0 a drag knife."""
+    """A tangential knife, static or oscillating; a drag knife if ``trail`` is greater than 0."""
 
     #: slant of the leading edge from the vertical (degrees)
     blade_angle: Annotated[float, Ge(0), Lt(80)]
@@ -27,7 +27,7 @@ class Knife(Tool):
     lead_out: float = 0.0  #: length of the arc from an outer contour to the waste (mm)
 
     @property
-    def led(self) -> bool:
+    def has_lead(self) -> bool:
         """Whether the knife has a lead-in or a lead-out in the waste at outer contours."""
         return self.lead_in > 0.0 or self.lead_out > 0.0
 
@@ -44,9 +44,10 @@ class Knife(Tool):
         return thickness * math.tan(math.radians(self.blade_angle))
 
     def tip_circle(self, depth: float) -> TipCircle:
-        """Return the circle about the head's axis that contains the blade, the same at every depth.
+        """Return the circle about the axis of the head that contains the blade.
 
-        Its radius is the trail of the tip plus the width of the blade.
+        Its radius is the trail of the tip plus the width of the blade; it does not depend on
+        ``depth``.
         """
         del depth  # the same at any depth
         return TipCircle(self.trail + self.blade_width, 0.0, 0.0)
@@ -55,8 +56,8 @@ class Knife(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the knife may start, and an angle (degrees).
 
-        The angle is added to C if the knife starts at the end of the track.  A slanted or trailing
-        blade starts only at the start of a track, other blades at both ends.
+        The angle is added to the C axis if the knife starts at the end of the track.  A slanted or
+        trailing blade may start only at the start of a track, other blades at both ends.
         """
         if self.blade_angle == 0.0 and self.trail == 0.0:
             return Reversal.EITHER, 180.0
@@ -64,10 +65,16 @@ class Knife(Tool):
 
     @property
     def spindle(self) -> int:
-        """S word: 1 for an oscillating knife, since controllers treat M3 S0 as off; otherwise 0."""
+        """S word of the program: 1 for an oscillating knife, otherwise 0.
+
+        The word is not 0 for an oscillating knife, since controllers treat M3 S0 as off.
+        """
         return int(self.oscillating)
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the knife: a line; the tip of a drag knife is behind the axis of the head."""
+        """The mark that the knife leaves on the board: a line.
+
+        The tip of a drag knife is behind the axis of the head.
+        """
         return Footprint(behind=self.trail)

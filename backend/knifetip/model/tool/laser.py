@@ -28,22 +28,22 @@ class Laser(DiscTool):
 
     @property
     def radius(self) -> float:
-        """Radius r of the laser's disc (mm), which is half the kerf."""
+        """Radius of the disc of board that the laser removes (mm): half the kerf."""
         return self.kerf / 2.0
 
     @property
     def plunge(self) -> float:
-        """Feed of the laser while it changes its height (mm/min), which is its feed in cuts."""
+        """Feed of the laser while its height changes (mm/min); it equals the feed in cuts."""
         return self.feed
 
     @property
     def spindle(self) -> int:
-        """S word while the laser is on: its power."""
+        """S word of the program while the laser is on: the power of the laser."""
         return round(self.power)
 
     @property
     def spindle_missing(self) -> Message | None:
-        """Message if the power is 0, which controllers treat as off, otherwise None."""
+        """Error message if the power is 0, which controllers treat as off, otherwise None."""
         return None if self.spindle >= 1 else Message("tool.without-power")
 
     @property
@@ -58,21 +58,22 @@ class Laser(DiscTool):
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the laser: a disc as wide as the kerf."""
+        """The mark that the laser leaves on the board: a disc as wide as the kerf."""
         return Footprint("disc", radius=self.radius, any_height=True)
 
-    def clearance(self, usual: float) -> float:
+    def clearance(self, machine_height: float) -> float:
         """Return the height of the focus above the board between cuts (mm).
 
-        It is the same as in cuts; ``usual``, the height in the file of the machine, is not used.
+        It is the same as in cuts; ``machine_height``, the height in the file of the machine, is not
+        used.
         """
-        del usual
+        del machine_height
         return self.focus
 
-    def passes(self, through: float) -> F64:
+    def passes(self, cut_depth: float) -> F64:
         """Return the depth of the focus in the only pass of a cut, (1,) (mm).
 
-        It is negative if the focus is above the board; ``through`` is not used.
+        It is negative if the focus is above the board; ``cut_depth`` is not used.
         """
-        del through
+        del cut_depth
         return np.array([-self.focus])

@@ -32,7 +32,7 @@ class VCutter(Tool):
 
     @property
     def slope(self) -> float:
-        """Horizontal distance of the flank per mm of depth: tan(``tilt``)."""
+        """Width of the flank of the groove per mm of depth, in plan view: tan(``tilt``)."""
         return math.tan(math.radians(self.tilt))
 
     def tip_circle(self, depth: float) -> TipCircle:
@@ -47,14 +47,14 @@ class VCutter(Tool):
     def reversal(self) -> tuple[Reversal, float]:
         """The ends of a track at which the V-cutter may start, and an angle (degrees).
 
-        The angle is added to C if the V-cutter starts at the end of the track.  Both ends are
-        possible, because either flank can be cut first.
+        The angle is added to the C axis if the V-cutter starts at the end of the track.  It may
+        start at both ends, because either flank can be cut first.
         """
         return Reversal.SIDES, 0.0
 
     @property
     def footprint(self) -> Footprint:
-        """The mark of the V-cutter: one flank of the groove."""
+        """The mark that the V-cutter leaves on the board in one pass: one flank of the groove."""
         return Footprint(
             "groove",
             slope=self.slope,
@@ -65,5 +65,5 @@ class VCutter(Tool):
 
     @property
     def derived(self) -> dict[str, float]:
-        """The calculated dimension ``length``: length of the blade (mm)."""
+        """A dictionary with the calculated dimension ``length``, the length of the blade (mm)."""
         return {"length": self.length}

@@ -87,7 +87,7 @@ def write_program(
         text, source = gcode.format_lines(
             toolpath, first, last, _datum(station, dialect), machine, dialect, blending
         )
-        if station.beams:
+        if station.is_beam:
             height = _datum(station, dialect)[2]
             text, source = switch_beam(text, source, toolpath, station.tool, height)
         texts.append(text)
@@ -164,7 +164,7 @@ def _station_change(
             yield f"M65 P{previous.output}"
         for output in previous.tool.outputs:
             yield f"M65 P{output}"
-        if previous.tool.spindle and not previous.beams:
+        if previous.tool.spindle and not previous.is_beam:
             yield "M5"
     if dialect.tool_table:
         yield f"T{station.number} M6 G43"
@@ -173,7 +173,7 @@ def _station_change(
         yield f"M64 P{output}"
     if station.output >= 0:
         yield f"M64 P{station.output}"
-    if (speed := station.tool.spindle) and not station.beams:
+    if (speed := station.tool.spindle) and not station.is_beam:
         yield f"M3 S{speed}"
     if (pause := station.tool.settle(machine.settle)) > 0:
         yield gcode.dwell_line(pause)

@@ -86,7 +86,7 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     table = np.zeros((len(LineType), len(LineType)), np.bool_)
     for one, others in _REPLACES.items():
         table[one, list(others)] = True
-    right = (first == second) | (parts.given[there] & table[first, second])
+    right = (first == second) | (parts.by_other_edge[there] & table[first, second])
     for at in np.flatnonzero(~right):
         cleaned_type, drawn_type = LineType(first[at]).word, LineType(second[at]).word
         message = Message("verify.cleaning-type", drawn=drawn_type, worked=cleaned_type)
@@ -97,7 +97,7 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     far, along = _measure_stretches(drawn, after, row, target, parts.begin[there], parts.end[there])
     for at in np.flatnonzero(far > limit + _ROUNDING):
         report(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
-    own = ~parts.given[there]
+    own = ~parts.by_other_edge[there]
     _check_added_work(after, target[own], along[own], report)
     return findings
 
