@@ -38,7 +38,9 @@ def missing_requirement() -> str:
 
 
 class Machine:
-    """A connection to a running LinuxCNC, which switches it on and homes it."""
+    """A TCP connection to a running LinuxCNC; opening it switches LinuxCNC on and homes its
+    axes.
+    """
 
     def __init__(self, port: int, directory: Path) -> None:
         self.directory = directory
@@ -65,7 +67,7 @@ class Machine:
         return line.strip()
 
     def get(self, variable: str) -> str:
-        """Return the value of a variable of linuxcncrsh."""
+        """Return the value of a variable that LinuxCNC's remote shell (linuxcncrsh) can report."""
         self.send(f"get {variable}")
         while not (line := self.read()).startswith(variable.upper()):
             pass
@@ -103,7 +105,7 @@ class Machine:
 
 @contextmanager
 def running(tool_table: str) -> Iterator[Machine]:
-    """Start a homed LinuxCNC with a tool table; stop it at the end."""
+    """Start LinuxCNC with the text of a tool table, home it and yield it; stop it at the end."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -159,8 +161,9 @@ def _connect(process: subprocess.Popen[bytes], port: int, directory: Path) -> Ma
 
 
 def _stop(process: subprocess.Popen[bytes], machine: Machine | None, port: int) -> None:
-    """Shut LinuxCNC down by its own command, because its script ignores SIGTERM; kill it if it
-    hangs.
+    """Shut LinuxCNC down by a TCP command, because its script ignores SIGTERM; kill it if it hangs.
+
+    ``machine`` is None if the connection to ``port`` was never opened.
     """
     try:
         if machine is None:

@@ -348,7 +348,7 @@ def verify_by_interpreter(
 
 
 def _motion_errors(moves: Moves, tools: Mapping[int, TipTool]) -> list[str]:
-    """Return errors that do not depend on the drawing: rapids in the board, outputs, tool
+    """Return texts about errors that need no drawing: rapids in the board, wrong outputs and
     offsets.
     """
     errors = []
@@ -374,8 +374,13 @@ def _motion_errors(moves: Moves, tools: Mapping[int, TipTool]) -> list[str]:
 
 
 def _polylines(edges: F64, bulge: F64) -> tuple[F64, NDArray[np.int64]]:
-    """Return points on the edges, at most 0.5 mm apart, (m, 2), and the edge of each point,
-    (m,).
+    """Sample edges at distances of at most 0.5 mm.
+
+    Returns
+    -------
+    points : (m, 2)
+    edge : (m,)
+        The row of the edge on which each point lies.
     """
     sweep = 4 * np.arctan(bulge)
     chord = edges[:, 1] - edges[:, 0]
@@ -397,7 +402,11 @@ def _polylines(edges: F64, bulge: F64) -> tuple[F64, NDArray[np.int64]]:
 
 
 def _greatest_gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
-    """Return the greatest distance of the edges from the worked pieces, less ``reach`` (mm)."""
+    """Return the greatest distance of a point of the edges from the worked pieces, less ``reach``
+    (mm).
+
+    ``pieces`` is (k, 2, 2): start and end points of the tip's path; ``inf`` if there are none.
+    """
     if len(pieces) == 0:
         return np.inf
     points, _ = _polylines(edges, bulge)
@@ -409,7 +418,10 @@ def _greatest_gap(edges: F64, bulge: F64, pieces: F64, reach: float) -> float:
 
 
 def _greatest_distances(points: F64, edges: F64, bulge: F64, overrun: float) -> tuple[float, float]:
-    """Return the greatest distance of the points beside the edges and past their ends (mm)."""
+    """Return how far points are at most beside the edges, and past the ends of edges (mm).
+
+    Points up to ``overrun`` past an end are compared with the extension of the edge.
+    """
     if len(edges) == 0:
         return np.inf, np.inf
     places, which = _polylines(edges, bulge)
@@ -435,8 +447,12 @@ def _greatest_distances(points: F64, edges: F64, bulge: F64, overrun: float) -> 
 
 
 def distances_beside_and_past(points: F64, edges: F64, bulge: F64) -> tuple[F64, F64]:
-    """Return the distance of each point beside its line or arc, (n,), and past its ends, (n,)
-    mm.
+    """Return how far each point is from the edge in the same row (mm).
+
+    Returns
+    -------
+    beside, past : (n,)
+        Distance perpendicular to the line or arc, and distance beyond its nearer end (at least 0).
     """
     start, end = edges[:, 0], edges[:, 1]
     chord = end - start

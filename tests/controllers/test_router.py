@@ -46,7 +46,7 @@ def program(corner: str) -> bytes:
 
 
 def way(moves: Moves, row: int) -> F64:
-    """Return points along a move, as LinuxCNC interprets it."""
+    """Return points along the move in a row of ``moves``, as LinuxCNC interprets it, (n, 2)."""
     start, end, middle = moves.start[row, :2], moves.end[row, :2], moves.centre[row]
     share = np.linspace(0.0, 1.0, 33)[:, None]
     if moves.kind[row] != ARC:

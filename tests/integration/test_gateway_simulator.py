@@ -72,7 +72,7 @@ G0 Z20.0000
 
 
 def off_the_slots(samples: np.ndarray) -> np.ndarray:
-    """Return the distance of each sample from the outline of the nearest slot (mm)."""
+    """Return the distance of each sample (time, x, y) from the outline of the nearest slot (mm)."""
     x, y = samples[:, 1], (samples[:, 2] - 100.0) % 20.0
     ends = np.hypot(x - np.clip(x, 100.0, 300.0), y - 5.0)
     return np.abs(np.where((x < 100.0) | (x > 300.0), ends, np.abs(y - 5.0)) - 5.0)
@@ -82,7 +82,19 @@ def off_the_slots(samples: np.ndarray) -> np.ndarray:
 async def joined(
     *, speed: float = 50.0, faults: Faults | None = None, sample: float = 0.0, window: int = 128
 ) -> AsyncIterator[tuple[Table, Grbl]]:
-    """Start a simulated table and connect a controller; yield both."""
+    """Start a simulated table and connect a controller to it; yield both.
+
+    Parameters
+    ----------
+    speed
+        Speed of the table as a multiple of a real one.
+    faults
+        Faults that the table simulates.
+    sample
+        Period with which the table records its position (s), 0 for no records.
+    window
+        Size of the controller's receive buffer in bytes.
+    """
     async with await simulator.serve(
         MACHINE, speed=speed, faults=faults, sample=sample, window=window
     ) as server:

@@ -53,8 +53,8 @@ def peak_memory(server: Running) -> int:
 
 @contextmanager
 def unharmed(server: Running) -> Iterator[None]:
-    """Check that the context takes little time and memory, and that the server serves
-    afterwards.
+    """Check that the code in the context takes little time and memory, and that the server works
+    after it.
     """
     before, start = peak_memory(server), time.monotonic()
     yield
@@ -249,7 +249,7 @@ def test_a_name_with_special_characters_is_kept_as_plain_text(server: Running) -
 
 
 def test_many_hostile_uploads_at_once_leave_a_working_server(server: Running) -> None:
-    """Eight clients send bombs while one sends a carton."""
+    """Eight clients send files that expand without limit, while one client sends a carton."""
     bombs = [made for _, _, made in hostile.REFUSED.values() if made.__name__ != "<lambda>"]
     statuses: list[int] = []
 

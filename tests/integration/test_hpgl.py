@@ -96,7 +96,7 @@ BREAKS: dict[str, Callable[[bytes], bytes]] = {
 
 
 def _outline_first(text: bytes) -> bytes:
-    """Return the program with the cuts before the creases."""
+    """Return the HPGL program with the cuts moved before the creases."""
     head, rest = text.split(b"PU;\nSP2;", 1)
     first, last = rest.rsplit(b"PU;\nSP1;", 1)
     cuts, end = last.rsplit(b"PU;\nSP0;", 1)

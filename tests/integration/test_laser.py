@@ -27,7 +27,9 @@ def verdict_of(text: bytes, dialect: str = "grblhal", machine: Machine = LASER) 
 
 
 def findings(text: str) -> str:
-    """Return the texts of all findings about a program, which must be refused."""
+    """Return the texts of all findings about a program in one string; the program must be
+    refused.
+    """
     verdict = verdict_of(text.encode())
     assert not verdict.accepted
     return "\n".join(finding.text for finding in verdict.findings)
@@ -44,7 +46,7 @@ def with_laser(**dimensions: Any) -> Machine:
 
 @pytest.fixture(scope="module")
 def text() -> str:
-    """Return the program of the job for grblHAL."""
+    """Return the program of the laser job for grblHAL as text."""
     return program("grblhal").text.decode()
 
 

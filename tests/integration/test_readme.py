@@ -47,7 +47,10 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
 
 
 def run_in_shell(commands: str, folder: Path, server: httpx.Client, **variables: str) -> str:
-    """Run commands of the README with a server's address; return the last printed line."""
+    """Run commands of the README in a shell, in a folder; return the last line that they print.
+
+    The address of the server replaces that in the commands.
+    """
     address = f"{server.base_url.host}:{server.base_url.port}"
     done = subprocess.run(
         ["bash", "-euo", "pipefail", "-c", commands.replace(PRINTED_SERVER, address)],

@@ -183,7 +183,9 @@ def test_a_program_from_one_wrong_input_is_refused(right: Engine, wrong: Engine)
 
 
 def with_ends(old: End, new: End) -> Callable[[list[Operation]], list[Operation]]:
-    """Return a function that replaces one kind of path end by another in operations."""
+    """Return a function that replaces path ends of kind ``old`` by ``new`` in a list of
+    operations.
+    """
 
     def change(operations: list[Operation]) -> list[Operation]:
         return [

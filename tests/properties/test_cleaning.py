@@ -29,7 +29,7 @@ def drawn(ends: F64, bulge: F64, kind: U8) -> Dieline:
 
 
 def worked(line: Dieline) -> Dieline:
-    """Return the edges that are not ignored."""
+    """Return the dieline without its ignored edges."""
     rows = np.flatnonzero(~np.isin(line.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED)))
     return drawn(line.ends[rows], line.bulge[rows], line.line_type[rows])
 
@@ -61,7 +61,9 @@ def dielines(draw: st.DrawFn) -> Dieline:
 
 
 def assert_same_edges(one: Dieline, other: Dieline, within: float) -> None:
-    """Assert that each edge of either drawing equals one edge of the other."""
+    """Assert that each edge of either dieline equals an edge of the other within a distance
+    (mm).
+    """
     one, other = worked(one), worked(other)
     assert len(one) == len(other)
     left = list(range(len(other)))
@@ -101,7 +103,10 @@ def assert_adds_up(line: Dieline, made: Cleaned) -> None:
 
 
 def split(line: Dieline, row: int, fractions: list[float]) -> Dieline:
-    """Split an edge at fractions of its length; the pieces are appended in reverse order."""
+    """Return the dieline with one edge split at fractions of its length.
+
+    The pieces are appended at the end, in reverse order.
+    """
     places = np.array([0.0, *sorted(fractions), 1.0])
     n = len(places) - 1
     start, end, bulge = (

@@ -35,7 +35,10 @@ def made(kind: LineType, ends: F64, bulge: float = 0.0, grain: float = 90.0) -> 
 
 
 def tips(path: Toolpath, kind: LineType) -> F64:
-    """Return the positions of the tip, (n, 2), computed from the toolpath without the engines."""
+    """Return the positions of the tip of the tool for a line type, (n, 2).
+
+    They are computed from the toolpath without code of the engines.
+    """
     c = np.radians(path.pose[:, 3])
     ahead, right = np.column_stack([np.cos(c), np.sin(c)]), np.column_stack([np.sin(c), -np.cos(c)])
     if kind == LineType.V_GROOVE:

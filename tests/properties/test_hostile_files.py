@@ -72,7 +72,9 @@ FILES = {"dxf": carton(), "svg": svg_text.carton(), "cf2": cf2_text.carton()}
 
 @st.composite
 def damage(draw: st.DrawFn, whole: bytes) -> bytes:
-    """Draw a damaged version of a file, with up to four changes to its lines or numbers."""
+    """Draw a damaged version of the file ``whole``, with up to four changes to its lines or
+    numbers.
+    """
     lines = re.split(rb"(?<=[\n>])", whole)
     for _ in range(draw(st.integers(1, 4))):
         how = draw(
@@ -100,7 +102,7 @@ def damage(draw: st.DrawFn, whole: bytes) -> bytes:
 
 
 def check_import(data: bytes, unit: str) -> bool:
-    """Process a file like the server does; return whether it was read."""
+    """Read, classify and clean a file like the server does; return whether it was not refused."""
     try:
         reading = tasks.read(lambda _stage, _share: None, data, Interpretation(unit))
     except KnifetipError as error:

@@ -202,10 +202,9 @@ def _annotations(plan: Plan) -> tuple[Annotation, ...]:
 
 
 def misplaced_edge(drawing: Drawing, truth: U8, kind: LineType, seed: int) -> int | None:
-    """Return the row of an edge with a line type, chosen by the seed; None if there is no such
-    edge.
+    """Return the row of a random edge whose correct line type is ``kind``, None if there is none.
 
-    The caller moves the edge to a wrong layer with ``on_layer``.
+    ``truth`` has the correct line types, (n,).  The caller moves the edge to a wrong layer.
     """
     rows = np.flatnonzero((truth == kind) & (drawing.lengths > 10.0))
     return int(np.random.default_rng(seed).choice(rows)) if len(rows) else None

@@ -185,9 +185,9 @@ def _router_displacement(
 ) -> float:
     """Return how much nearer a router's path comes to the parts, or how much farther it stays (mm).
 
-    Moves through the whole board are compared at the edges, nearer and farther; moves at any depth
-    are compared at points inside the parts too, only nearer.  ``low`` is z of a cut through the
-    board.
+    ``before`` and ``after`` are its paths of the two programs.  Moves through the whole board,
+    below ``low``, are compared at the edges, nearer and farther; moves at any depth are also
+    compared at points inside the parts, nearer only.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     rings = [

@@ -276,8 +276,9 @@ def test_hosts_are_parsed(text: str, expected: tuple[str, int | None] | None) ->
 
 
 def asking(rules: AccessRules, peer: str = "192.168.1.77") -> httpx.AsyncClient:
-    """Return an HTTP client with an address, of an application that accepts all that the rules
-    accept.
+    """Return an HTTP client with address ``peer``, of an application behind the access rules.
+
+    The application answers all requests that the rules accept.
     """
     transport = httpx.ASGITransport(
         Access(PlainTextResponse("inside"), rules), client=(peer, 40000)

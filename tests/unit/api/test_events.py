@@ -25,7 +25,10 @@ class Heard:
 
 @contextmanager
 def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Queue[Heard]]:
-    """Connect to the stream of events; yield a queue of the received ones."""
+    """Connect to the stream of events and yield a queue of the received ones.
+
+    ``last`` is the number of the last event that the client has already received.
+    """
     heard: queue.Queue[Heard] = queue.Queue()
     headers = {} if last is None else {"Last-Event-ID": str(last)}
     opened, over = threading.Event(), threading.Event()

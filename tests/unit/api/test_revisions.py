@@ -30,7 +30,7 @@ CUT = {"overrides": [{"type": "cut", "edges": [0]}]}
 
 
 def stale(answer: httpx.Response, revision: int) -> None:
-    """Assert that a request was refused because the drawing has this newer revision."""
+    """Assert that a request was refused because the drawing has the newer ``revision``."""
     assert answer.status_code == 412, answer.text
     said = answer.json()
     assert said["type"] == "urn:knifetip:problem:stale-revision"

@@ -36,7 +36,7 @@ def test_a_contour_round_a_carton_at_varying_distance_is_enclosing() -> None:
 
 
 def letters(x: float, y: float) -> list[tuple[float, float, float, float]]:
-    """Return a T, an L and a V, 5 mm high."""
+    """Return the lines of the letters T, L and V, 5 mm high, at (x, y)."""
     t = [(x, y + 5, x + 3, y + 5), (x + 1.5, y, x + 1.5, y + 5)]
     ell = [(x + 5, y, x + 5, y + 5), (x + 5, y, x + 8, y)]
     return [*t, *ell, (x + 10, y + 5, x + 11.5, y), (x + 11.5, y, x + 13, y + 5)]

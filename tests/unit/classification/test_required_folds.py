@@ -10,7 +10,7 @@ from tests.support.cartons.plan import Plan
 
 
 def required_folds(plan: Plan) -> dict[str, list[bool]]:
-    """Return whether each line must be a fold, by the kind of line in the plan."""
+    """Return whether each line of a plan must be a fold, grouped by the name of its part."""
     ends = np.array([((s.x0, s.y0), (s.x1, s.y1)) for s in plan.strokes])
     features = extract_shape_features(ends, np.array([s.bulge for s in plan.strokes]))
     required: dict[str, list[bool]] = {}

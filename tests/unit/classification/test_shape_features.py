@@ -76,7 +76,9 @@ def test_a_small_closed_shape_outside_is_a_mark() -> None:
 
 
 def test_creases_inside_an_open_outline_are_no_outline() -> None:
-    """A tray whose outline lacks a piece: its creases close, and are no outline."""
+    """The outline of a tray lacks a piece; its creases form a closed contour, but are no
+    outline.
+    """
     walls = [(-40, -40, 340, -40), (340, -40, 340, 240), (340, 240, -40, 240), (-40, 240, -40, 20)]
     creases = [*box(0, 0, 300, 200), (0, 0, 0, -40), (300, 0, 300, -40)]
     classified = roles([*walls, *creases])

@@ -19,7 +19,9 @@ RunClean = Callable[..., tuple[int, str]]
 def run_clean(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> RunClean:
-    """Return a function that runs the command on lines and returns exit code and stdout."""
+    """Return a function that runs ``knifetip clean`` on a DXF file; it returns exit code and
+    stdout.
+    """
 
     def run(*lines: str, options: Sequence[str] = (), units: int | None = 4) -> tuple[int, str]:
         file = tmp_path / "sheet.dxf"

@@ -18,7 +18,9 @@ _COMPILER = ("numba.cpython.printimpl", "numba.misc.cffiimpl")
 
 
 def _loaded(*arguments: object, modules: tuple[str, ...]) -> tuple[str, list[str]]:
-    """Run a command in its own process; return its output and which of some modules it imports."""
+    """Run a command in its own process; return its output and those of ``modules`` that it
+    imports.
+    """
     program = (
         "import sys\n"
         "from knifetip.cli.main import app\n"

@@ -19,7 +19,7 @@ layer = "CUT"
 
 @pytest.fixture
 def knifetip(knifetip: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Command:
-    """Return the command, run in a temporary folder."""
+    """Return the function that runs ``knifetip``; it runs in a temporary folder."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("KNIFETIP_DATABASE", raising=False)
     return knifetip

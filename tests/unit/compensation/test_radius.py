@@ -41,7 +41,17 @@ def contour(
     r: float = 3.0,
     **changes: Any,
 ) -> Operation:
-    """Return an operation with one closed contour, with the cutter on one side."""
+    """Return an operation that mills one closed contour through some corners.
+
+    Parameters
+    ----------
+    bulge
+        Bulges of the edges, None for a polygon.
+    side
+        Side of the cutter: 1 for left of travel, -1 for right.
+    r
+        Radius of the cutter (mm).
+    """
     xy = np.array(points, float)
     count = len(xy)
     bent = np.zeros(count) if bulge is None else np.asarray(bulge, float)
@@ -81,7 +91,11 @@ def sampled(
     motions: Sequence[Motion] = (Motion.LEAD_IN, Motion.FEED, Motion.LEAD_OUT),
     step: float = 0.5,
 ) -> F64:
-    """Return points of the centre's path in the board, including the ends of moves."""
+    """Return points of the centre's path about every ``step`` mm, including the ends of moves, (n,
+    2).
+
+    Only moves with one of ``motions`` are sampled.
+    """
     points = []
     for row in np.flatnonzero(np.isin(path.motion, motions)):
         a, b, bend = path.pose[row, :2], path.pose[row + 1, :2], path.bulge[row]

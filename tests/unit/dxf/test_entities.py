@@ -29,7 +29,7 @@ def rows(drawing: Drawing) -> F64:
 
 
 def only(drawing: Drawing, outcome: ImportOutcome = ImportOutcome.KEPT) -> str:
-    """Return the reason in the only row of the import report, which must have this outcome."""
+    """Return the reason in the only row of the import report; its outcome must be ``outcome``."""
     assert len(drawing.import_report) == 1
     assert drawing.import_report.outcome[0] == outcome
     return report_reasons(drawing)[0]

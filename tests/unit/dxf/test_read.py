@@ -28,9 +28,7 @@ def reasons(drawing: Drawing) -> dict[str, str]:
 
 
 def counted(data: bytes) -> Counter[str]:
-    """Return the number of entities of each type between ENTITIES and ENDSEC, by simple text
-    search.
-    """
+    """Return the number of entities of each type in the section ENTITIES, by simple text search."""
     lines = [text.strip() for text in data.decode("latin-1").split("\n")]
     pairs = list(zip(lines[0::2], lines[1::2], strict=False))
     kinds: Counter[str] = Counter()
@@ -440,7 +438,9 @@ def test_more_segments_than_the_limit_are_refused() -> None:
 
 
 def bomb(levels: int, columns: int) -> bytes:
-    """Return blocks that contain grids of the next block, nested ``levels`` deep."""
+    """Return a DXF file with blocks nested ``levels`` deep; each is a ``columns`` × ``columns``
+    grid.
+    """
     blocks = [block("B0", line(0, 0, 1, 0))]
     grid = ((70, columns), (71, columns), (44, 1), (45, 1))
     for level in range(1, levels):

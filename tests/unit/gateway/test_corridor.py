@@ -29,7 +29,10 @@ def report(
 
 
 def verdict(corridor: Corridor, status: Status, reports: int = REPORTS) -> ControllerError | None:
-    """Return the result of the last of several equal reports: the fault, None if there is none."""
+    """Pass equal reports to a corridor; return the fault that the last one gives, None for none.
+
+    ``reports`` is the number of reports, each with the position in ``status``.
+    """
     for _ in range(reports - 1):
         assert corridor.observe(status) is None
     return corridor.observe(status)

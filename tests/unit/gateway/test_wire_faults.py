@@ -129,7 +129,9 @@ class Bench:
             return [progress async for progress in steps][-1]
 
     def at_answer(self, spoil: SpoilAnswer, number: int = MIDDLE) -> None:
-        """Replace the answer to one line of the program by the result of ``spoil``."""
+        """Modify the answer to the program line ``number``: ``spoil`` returns the lines sent
+        instead.
+        """
 
         def spoil_answer(line: str) -> list[str]:
             if line == "ok" and self.wire.oks == number and self.wire.checked:
@@ -140,7 +142,9 @@ class Bench:
         self.wire.spoil_answer = spoil_answer
 
     def at_move(self, spoil: SpoilLine, number: int = 3) -> None:
-        """Replace one move of the program on its way to the table by the result of ``spoil``."""
+        """Modify the move ``number`` on its way to the table: ``spoil`` returns the bytes sent
+        instead.
+        """
 
         def spoil_line(line: bytes) -> bytes:
             return spoil(line) if self.wire.moves == number else line

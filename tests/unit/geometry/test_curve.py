@@ -36,7 +36,7 @@ def sample_points(segments: tuple[F64, F64, F64]) -> F64:
 
 
 def deviation(segments: tuple[F64, F64, F64], points: F64) -> float:
-    """Return the largest distance of points of a true curve from the segments."""
+    """Return the largest distance from the segments of points on the true curve (mm)."""
     walk = sample_points(segments)
     pieces = np.stack([walk[:-1], walk[1:]], axis=1)
     chord = pieces[:, 1] - pieces[:, 0]
@@ -71,7 +71,11 @@ def fit_ellipse(
     last: float = 2.0 * np.pi,
     tolerance: float = CURVE,
 ) -> tuple[F64, F64, F64]:
-    """Fit an elliptic arc, given one half axis and the ratio of the other one to it."""
+    """Fit arcs to an elliptic arc; return start points, end points and bulges of the segments.
+
+    ``major`` is one half axis as a vector, ``ratio`` the length of the other half axis relative to
+    it; ``first`` and ``last`` are the parameters of the ends (radians).
+    """
     u = np.array(major, np.float64)
     v = np.array([-u[1], u[0]]) * ratio
     return Ellipse(np.array(centre, np.float64), u, v, first, last).to_segments(tolerance)
@@ -302,7 +306,10 @@ Cubics = Callable[[I64, F64], F64]
 
 
 def cubics(control: F64) -> tuple[Cubics, Cubics]:
-    """Return functions for the points and derivatives of cubic Bézier curves, (n, 4, 2)."""
+    """Return two functions for n cubic Bézier curves with control points (n, 4, 2).
+
+    The first gives points and the second derivatives, for numbers of curves and their parameters.
+    """
 
     def point(k: I64, s: F64) -> F64:
         p, t, r = control[k], s[:, None], 1.0 - s[:, None]

@@ -19,7 +19,10 @@ def shared(
     one: tuple[tuple[float, float], tuple[float, float], float],
     two: tuple[tuple[float, float], tuple[float, float], float],
 ) -> F64:
-    """Return the common points of one pair, sorted, with their parameters on both segments."""
+    """Return the common points of two segments (start, end, bulge), sorted.
+
+    Each row has x, y and the parameters of the point on both segments.
+    """
     columns = [np.array([value]) for value in (*one, *two)]
     a, b, bend, c, d, turn = columns
     found = intersect_pairs(a, b, bend, c, d, turn)

@@ -65,7 +65,7 @@ def ordered(store: Store, machine: str = "demo-table") -> Job:
 
 @pytest.fixture
 def compiles_by(monkeypatch: pytest.MonkeyPatch) -> Callable[[object], None]:
-    """Return a function that replaces the compile task by another task."""
+    """Return a function that makes the service run another task in place of the compilation."""
     monkeypatch.setattr(tasks, "missing_kernels", crew_tasks.nothing_missing)
     return lambda task: monkeypatch.setattr(tasks, "compile", task)
 

@@ -5,7 +5,7 @@ from knifetip.jobs.transitions import LEASE
 
 
 def seconds(grace: Grace, start: float, count: float) -> bool:
-    """Call ``grace`` every second for ``count`` seconds; return its last result."""
+    """Ask ``grace`` every second for ``count`` seconds; return whether it is over at the end."""
     now = start
     over = grace.is_over(now)
     while now < start + count:

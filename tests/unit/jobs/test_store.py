@@ -113,7 +113,7 @@ def execute(store: Store, statement: str, **parameters: str) -> None:
 
 
 def hint_of(job: Job) -> str:
-    """Return the hint of a job's message."""
+    """Return the hint in the message of a job."""
     assert job.message is not None
     return hint(job.message)
 

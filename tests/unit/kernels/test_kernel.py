@@ -73,7 +73,7 @@ def _wide(x: U64, rows: I32_1) -> int:
 
 @pytest.fixture(autouse=True, scope="module")
 def _compiled_here() -> None:
-    """Use an empty cache, without machine code of another version of ``knifetip.kernels``."""
+    """Disable the cache of all test kernels, so that they are compiled in this process."""
     for each in (_at, _sum, _count, _sum_of_sums, _half, _checked_half, _wide):
         assert isinstance(each, Kernel)
         vars(each)["_cache"] = NullCache()

@@ -75,7 +75,7 @@ layer = "RIEFE"
 
 
 class Put(Protocol):
-    """Writes a file and returns its path."""
+    """A function that writes a text to a file and returns the path."""
 
     def __call__(self, text: str, name: str = ...) -> str:
         """Write ``text`` to a file of this name."""

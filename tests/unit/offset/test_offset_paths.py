@@ -42,7 +42,7 @@ def rings(
 
 
 def strip(*corners: tuple[float, float], bulge: Sequence[float] | None = None) -> Paths:
-    """Return one open path."""
+    """Return one open path through some corners, with arcs where ``bulge`` is not zero."""
     xy = np.array(corners, float)
     bent = np.zeros(len(xy) - 1) if bulge is None else np.array(bulge, float)
     return paths_of(xy[:-1], xy[1:], bent, [0, len(bent)])

@@ -22,7 +22,7 @@ def box(x: float, y: float, wide: float, high: float) -> F64:
 
 
 def layers(*groups: F64, bulge: F64 | None = None) -> list[list[int]]:
-    """Return the layers of the edges of each group of cuts."""
+    """Return the sorted layer numbers of the cuts in each group, (n, 2, 2) per group."""
     ends = np.concatenate(groups)
     bent = np.zeros(len(ends)) if bulge is None else bulge
     found = cut_layers(ends, bent, cut_sides(ends, bent).face)

@@ -21,7 +21,11 @@ REACH = 1.3
 def damaged_beside_groove(
     *edges: tuple[LineType, float, float, float, float, float], out: float = 0.0
 ) -> DamagedCuts:
-    """Return the damaged cuts beside a groove from (0, 0) to (100, 0), or beside other grooves."""
+    """Return the cuts that a flank damages beside a groove from (0, 0) to (100, 0), or other
+    grooves.
+
+    ``out`` is the run-out of the grooves at both ends (mm).
+    """
     grooves = [edge for edge in edges if edge[0] == GROOVE] or [(GROOVE, 0, 0, 100, 0, 0.0)]
     drawn = place_edges(dieline(*grooves, *(e for e in edges if e[0] != GROOVE)), (0.0, 0.0))
     spare = np.full((len(grooves), 2), out)
