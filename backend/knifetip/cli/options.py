@@ -39,7 +39,7 @@ def expand(command: Callable[..., None]) -> Callable[..., None]:
         command(**values)
 
     call.__name__, call.__doc__ = command.__name__, command.__doc__
-    call.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    call.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]  # typer reads it
     call.__annotations__ = {each.name: each.annotation for each in parameters}
     return call
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, TypeVar, overload
+from typing import Any, TypeVar, cast, overload
 
 from numba import typeof
 from numba.core import errors, typing
@@ -129,11 +129,11 @@ class Kernel(CPUDispatcher):
 
 
 def _compiled(function: _Function, **options: Any) -> _Function:
-    dispatcher: Any = Kernel(
+    dispatcher = Kernel(
         function, targetoptions={"nopython": True, "no_cfunc_wrapper": True, **options}
     )
     dispatcher.enable_caching()
-    return dispatcher  # type: ignore[no-any-return]
+    return cast(_Function, dispatcher)
 
 
 @overload

@@ -262,7 +262,7 @@ def board_toml(name: str) -> str:
     """
     board(name)
     if name in names("boards"):
-        return (resources.files(__package__) / "boards" / f"{name}.toml").read_text("utf-8")
+        return _library_file("boards", name).read_text("utf-8")
     return Path(name).read_text("utf-8")
 
 

@@ -68,7 +68,7 @@ def fake_server() -> Iterator[FakeServer]:
             self.end_headers()
             self.wfile.write(data)
 
-        do_GET = do_POST = _any  # noqa: N815
+        do_GET = do_POST = _any  # noqa: N815  # names that http.server calls
 
         def log_message(self, format: str, *args: object) -> None:
             pass

@@ -7,12 +7,13 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from typing import cast
 
 import pytest
 
 from knifetip.errors import CurvedGroove
 from knifetip.jobs import warm_up
-from knifetip.jobs.process_pool import TaskCancelled, Watch
+from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, Watch
 from knifetip.jobs.warm_up import WarmUp, WarmUpProgress
 from knifetip.model.stage import Stage
 from knifetip.warming import Part
@@ -70,7 +71,7 @@ def pool(monkeypatch: pytest.MonkeyPatch) -> FakePool:
 
 
 def started(warm: WarmUp, pool: FakePool) -> None:
-    warm.start(pool)  # type: ignore[arg-type]
+    warm.start(cast(ProcessPool, pool))
 
 
 def until(condition: Callable[[], bool]) -> None:
@@ -151,7 +152,7 @@ def test_a_module_that_does_not_compile_does_not_stop_the_others(
     pool.fails.update(fails)
     pool.allowed.release(4)
     warm = WarmUp()
-    assert warm.run(pool) is not bool(fails)  # type: ignore[arg-type]
+    assert warm.run(cast(ProcessPool, pool)) is not bool(fails)
     warm.wait("drawings", "jobs", "offsets")
     assert warm.progress.finished
     assert pool.started == ["scan", "faces", "plan", "trim"]

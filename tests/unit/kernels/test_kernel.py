@@ -122,7 +122,7 @@ def test_constants_and_slices_inside_kernels_use_one_signature() -> None:
 @pytest.mark.parametrize(
     ("call", "named"),
     [
-        (lambda: _sum(VALUES, 1.5, 0.0, False), "argument first is float64, declared is int64"),  # type: ignore[arg-type]
+        (lambda: _sum(VALUES, 1.5, 0.0, False), "argument first is float64, declared is int64"),  # type: ignore[arg-type]  # wrong on purpose
         (lambda: _sum(VALUES.astype(np.float32), 1, 0.0, False), "argument values is array"),
         (lambda: _sum(VALUES[::2], 1, 0.0, False), "argument values is array"),
         (lambda: _wide(np.uint64(1), np.zeros(1, np.int64)), "argument rows is array"),

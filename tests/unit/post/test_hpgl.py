@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -38,14 +39,14 @@ def toolpath(*moves: Move, start: tuple[float, float] = (0.0, 0.0)) -> Toolpath:
     return toolpath_of(pose, rows, bulge=[move[5] for move in moves])
 
 
-def instructions(path: Toolpath, machine: Machine = MACHINE, **options: object) -> list[str]:
-    return process(path, machine, **options).text.decode("ascii").splitlines()  # type: ignore[arg-type]
+def instructions(path: Toolpath, machine: Machine = MACHINE, **options: Any) -> list[str]:
+    return process(path, machine, **options).text.decode("ascii").splitlines()
 
 
-def with_device(**changes: object) -> Machine:
+def with_device(**changes: Any) -> Machine:
     plotter = MACHINE.controller
     assert isinstance(plotter, Plotter)
-    device = replace(plotter.device, **changes)  # type: ignore[arg-type]
+    device = replace(plotter.device, **changes)
     pens = plotter.pens if device.force else tuple(replace(pen, force=0) for pen in plotter.pens)
     return replace(MACHINE, controller=Plotter(device, pens))
 

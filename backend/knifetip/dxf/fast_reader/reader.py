@@ -90,7 +90,7 @@ class _ScannedEntity:
         self._reader = reader
         self._row = row
 
-    def style(self, styles: Styles, insert_style: Style | None) -> Style:  # noqa: ARG002
+    def style(self, styles: Styles, insert_style: Style | None) -> Style:  # noqa: ARG002  # as SourceEntity.style
         # ``tables`` contains its own ``Styles`` of this file, equal to the argument.
         return self._reader.tables.style(self._row, insert_style)
 
