@@ -167,11 +167,11 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     # The machine does not move before the operator has confirmed the sheet.
     expect(page.get_by_test_id("job-state")).to_have_text("Waiting for operator")
     card = page.get_by_test_id("confirmation")
-    expect(card).to_contain_text("Waiting for the operator")
+    expect(card).to_contain_text("waits for the operator")
     for word in (board, *tools):
         expect(card).to_contain_text(word)
     page.screenshot(path=screenshots / f"{stem}-3-confirm.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("Table checked: start machine")
+    expect(page.get_by_test_id("confirm")).to_have_text("Table is ready: start machine")
     page.get_by_test_id("confirm").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
     expect(card).to_be_hidden()
@@ -195,10 +195,10 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     state = page.get_by_test_id("job-state")
     expect(state).to_have_text("Waiting for new sheet", timeout=120_000)
     card = page.get_by_test_id("confirmation")
-    expect(card).to_contain_text("Copy 1 of 2 is finished.")
+    expect(card).to_contain_text("Copy 1 of 2 of the job is finished.")
     expect(page.get_by_test_id("resume")).to_be_hidden()
     page.screenshot(path=screenshots / "copies-1-sheet.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("New sheet loaded: start machine")
+    expect(page.get_by_test_id("confirm")).to_contain_text("New sheet is on the table")
     page.get_by_test_id("confirm").click()
     expect(state).to_have_text("Running")
     page.get_by_test_id("hold").click()
@@ -431,5 +431,5 @@ def test_the_inspector_shows_the_section_of_a_groove(page: Page, screenshots: Pa
             break
     # A groove 1.3 mm deep with flanks at 45° in a board of 2 mm.
     expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
-    expect(tip).to_contain_text(re.compile(r"Board left under groove\s*0\.70\smm"))
+    expect(tip).to_contain_text(re.compile(r"Board thickness under groove\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")

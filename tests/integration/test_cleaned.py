@@ -118,9 +118,9 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(
     monkeypatch.setattr(pipeline, "clean", careless)
     verdict = pipeline.compile(drawing, line, TABLE, board).verdict
     assert not verdict.accepted
-    assert (
-        "Edge 3: Internal error in cleaning: the drawn edge has the line type"
-    ) in verdict.findings[0].text
+    assert ("Edge 3: Internal error in cleaning: the edge has the line type") in verdict.findings[
+        0
+    ].text
 
 
 def test_flaws_in_a_file_by_another_author_are_reported_for_each_edge(corpus: Path) -> None:

@@ -208,7 +208,9 @@ async def test_a_thousand_lines_arrive_in_order_at_a_thousandfold_speed() -> Non
 
 async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up() -> None:
     async with joined(faults=Faults(drop_ok=frozenset({TAKEOVER + 20}))) as (table, controller):
-        with pytest.raises(ControllerSilent, match=r"no response to line \d+ .*was received"):
+        with pytest.raises(
+            ControllerSilent, match=r"no response to program line \d+ .*was received"
+        ):
             await finished(slots(1), controller)
         assert table.state == "Idle"
         assert table.position[2] == 20.0

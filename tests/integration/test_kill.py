@@ -73,7 +73,7 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
         found = wait_for_state(client, job, "interrupted")
         assert found["line"] >= line > 0
         assert (
-            f"The job was interrupted at line {found['line']} of {found['lines']}. "
+            f"The job was interrupted at program line {found['line']} of {found['lines']}. "
             in found["reason"]
         )
         assert "switched off" in found["reason"]

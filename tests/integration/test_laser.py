@@ -129,8 +129,8 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
     "on at the end": (
         lambda text: text.replace("M5\nG49", "M3 S800\nG49"), "while a tool oscillates"
     ),
-    "no power": (lambda text: text.replace("M3 S800", "M3", 1), "not the speed of the tool"),
-    "less power": (lambda text: text.replace("M3 S800", "M3 S700", 1), "not the speed of the tool"),
+    "no power": (lambda text: text.replace("M3 S800", "M3", 1), "differs from the speed"),
+    "less power": (lambda text: text.replace("M3 S800", "M3 S700", 1), "differs from the speed"),
     "no pierce": (lambda text: text.replace("M3 S800\nG4 P0.2\n", "M3 S800\n", 1), "reached its"),
     "short pierce": (lambda text: text.replace("G4 P0.2\n", "G4 P0.1\n", 1), "is shorter than"),
     "never on": (lambda text: text.replace("M3 S800\nG4 P0.2\n", ""), "not cut"),

@@ -63,7 +63,7 @@ PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), 
     ids=[
         "notch",
         "notch, slanted",
-        "meets the edge of the board at only",
+        "meets the edge of the board at an angle of only",
         "inner corner",
         "outer corner",
     ],

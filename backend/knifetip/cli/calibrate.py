@@ -74,26 +74,36 @@ def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, 
 
 def calibrate(
     file: Annotated[
-        Path, typer.Argument(metavar="POINTS", help="CSV: azimuth,dx,dy in degrees and mm.")
+        Path,
+        typer.Argument(
+            metavar="POINTS",
+            help="CSV file with the heading azimuth,dx,dy; each other line has the values of one "
+            "point, in degrees, mm and mm.",
+        ),
     ],
     target: TargetOptions,
     tool: Annotated[
         str | None,
         typer.Option(
-            help="Name of the station of the cutter. Default: the only station with a cutter."
+            help="Name of the station that carries the cutter. Default: the only station with a "
+            "cutter."
         ),
     ] = None,
     side: Annotated[
         Side,
         typer.Option(
-            help="Side on which the cutter ran, in travel direction; left in knifetip's programs."
+            help="Side of the contour on which the cutter moved, seen in the "
+            "direction of travel. In "
+            "programs of knifetip it is the left side."
         ),
     ] = Side.LEFT,
     store: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="Write the board as TOML with the result to FILE, which --board accepts.",
+            help="Write a board file (TOML) that contains the deflection to "
+            "FILE; the option --board "
+            "of all commands accepts it. Default: print only.",
         ),
     ] = None,
     json: Json = False,

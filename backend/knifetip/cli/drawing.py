@@ -39,11 +39,14 @@ _MAX_LINES: Final = 40
 _MAX_HANDLES: Final = 3
 
 _NAMES: Final = ", ".join(one.name.upper() for one in FORMATS)
-DrawingFile = Annotated[Path, typer.Argument(metavar="FILE", help=f"Drawing ({_NAMES}).")]
+DrawingFile = Annotated[
+    Path, typer.Argument(metavar="FILE", help=f"File with the drawing ({_NAMES}).")
+]
 Unit = Annotated[
     str | None,
     typer.Option(
-        help="Unit of the drawing: mm, cm, m, in, ft, pt or px; overrides the unit of the file."
+        help="Unit of the drawing: mm, cm, m, in, ft, pt or px. Default: the unit that the file "
+        "states or the drawing shows."
     ),
 ]
 Profile = Annotated[str, typer.Option(help="Name of a classification profile, or its TOML file.")]
@@ -52,7 +55,7 @@ Layers = Annotated[
     typer.Option(
         "--layer",
         metavar="NAME=TYPE",
-        help="Set the line type of a layer, such as FOLD=crease; may be repeated.",
+        help="Give all edges on a layer a line type, such as FOLD=crease; may be repeated.",
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]

@@ -20,12 +20,15 @@ from knifetip.errors import JobError
 from knifetip.messages import from_json, hint, render
 
 Server = Annotated[
-    str, typer.Option(envvar="KNIFETIP_SERVER", help="URL of the server.", show_default=True)
+    str,
+    typer.Option(envvar="KNIFETIP_SERVER", help="URL of the knifetip server.", show_default=True),
 ]
 Key = Annotated[
-    str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
+    str, typer.Option(envvar="KNIFETIP_KEY", help="Access key of the server. Default: no key.")
 ]
-Id = Annotated[str, typer.Argument(metavar="JOB", help="Job id.")]
+Id = Annotated[
+    str, typer.Argument(metavar="JOB", help="Id of the job, as `knifetip job list` prints it.")
+]
 Yes = Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmation.")]
 
 SERVER = "http://127.0.0.1:8080"
@@ -128,7 +131,8 @@ def register(app: typer.Typer) -> None:
         state: Annotated[
             list[str] | None,
             typer.Option(
-                help="List only jobs in this state, such as queued or running; may be repeated."
+                help="List only jobs in this state, such as queued or running; may be repeated. "
+                "Default: all jobs."
             ),
         ] = None,
         limit: Annotated[
@@ -167,11 +171,16 @@ def register(app: typer.Typer) -> None:
         board: Annotated[
             str,
             typer.Option(
-                help="Name of the board on the table; refused if the job needs a different board."
+                help="Name of the board on the table; the server refuses the "
+                "confirmation if the job "
+                "needs a different board. Default: not checked."
             ),
         ] = "",
         by: Annotated[
-            str, typer.Option(help="Name of the person who confirms; stored with the job.")
+            str,
+            typer.Option(
+                help="Name of the person who confirms, which is stored with the job. Default: none."
+            ),
         ] = "",
     ) -> None:
         """Confirm that table, board and tools are ready.
@@ -208,10 +217,10 @@ def register(app: typer.Typer) -> None:
 
 
 _PLAIN_COMMANDS = {
-    "hold": "Pause a running job until it is resumed.",
-    "resume": "Continue a held job.",
-    "finish": "Declare an interrupted job finished: all its sheets are complete.",
-    "requeue": "Queue an interrupted job again, from its first program line.",
+    "hold": "Pause a running job; the command resume continues it.",
+    "resume": "Continue a paused job (state held).",
+    "finish": "Mark an interrupted job as finished, because all its sheets are completely cut.",
+    "requeue": "Queue an interrupted job again; a new sheet is cut from the first program line.",
 }
 
 

@@ -58,7 +58,11 @@ def register(app: typer.Typer) -> None:
         ] = "demo-table",
         json: Json = False,
         table: Annotated[
-            bool, typer.Option("--tool-table", help="Print a tool table for LinuxCNC.")
+            bool,
+            typer.Option(
+                "--tool-table",
+                help="Print the tool table of the machine in the format of LinuxCNC.",
+            ),
         ] = False,
     ) -> None:
         """Show the stations of a machine, with their positions and tools."""

@@ -37,12 +37,20 @@ COMMANDS: Final[dict[str, _Command]] = {
         "calibrate", "Compute the deflection of a cutter from a measured test cut."
     ),
     "job": _Command("job", "List and control the jobs of a server."),
-    "serve": _Command("service", "Run the server with page, workers and a simulated machine."),
+    "serve": _Command(
+        "service", "Run the server with its page, a compile worker and a simulated machine."
+    ),
     "worker": _Command("service", "Run a compile worker for a database until Ctrl-C."),
-    "gateway": _Command("service", "Claim the jobs of a machine and send them to its controller."),
-    "simulator": _Command("service", "Run a simulated controller that executes programs."),
+    "gateway": _Command(
+        "service", "Fetch the jobs of a machine from the server and send them to its controller."
+    ),
+    "simulator": _Command(
+        "service", "Run a simulated controller, to try programs without a machine."
+    ),
     "schema": _Command("schema", "Print the JSON Schema of machine, board or profile files."),
-    "profile": _Command("profile", "Classification profiles: list, show, export, import."),
+    "profile": _Command(
+        "profile", "List, show, export and import classification profiles (rules for line types)."
+    ),
 }
 
 
@@ -87,7 +95,7 @@ class _Commands(TyperGroup):
 
 app = _Commands(
     name="knifetip",
-    help="Compile carton dielines to compensated, verified machine programs.",
+    help="Compile dielines (flat drawings of cartons) to compensated, verified machine programs.",
     commands={name: TyperCommand(name, help=command.help) for name, command in COMMANDS.items()},
     no_args_is_help=True,
     rich_markup_mode=None,

@@ -30,7 +30,8 @@ Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of a profile, or
 Database = Annotated[
     str | None,
     typer.Option(
-        help=f"SQLAlchemy URL. Default: ${DATABASE_VARIABLE}, then ./{DATABASE_FILE} if it exists."
+        help=f"SQLAlchemy URL of the database of a server. Default: ${DATABASE_VARIABLE}, then "
+        f"./{DATABASE_FILE} if it exists."
     ),
 ]
 
@@ -47,7 +48,8 @@ def profile_json(name: str, rules: LineRules) -> dict[str, Any]:
 def register(app: typer.Typer) -> None:
     """Add the command ``profile`` with its subcommands to a Typer application."""
     profile = typer.Typer(
-        help="Classification profiles: list, show, export, import.", no_args_is_help=True
+        help="List, show, export and import classification profiles (rules for line types).",
+        no_args_is_help=True,
     )
     app.add_typer(profile, name="profile")
 
@@ -91,7 +93,10 @@ def register(app: typer.Typer) -> None:
     def export(
         name: Name,
         output: Annotated[
-            Path | None, typer.Option("-o", "--output", help="File to write. Default: stdout.")
+            Path | None,
+            typer.Option(
+                "-o", "--output", help="File to write the profile to. Default: standard output."
+            ),
         ] = None,
         database: Database = None,
     ) -> None:
@@ -109,7 +114,10 @@ def register(app: typer.Typer) -> None:
     def import_profile(
         file: Annotated[Path, typer.Argument(metavar="FILE", help="TOML file of the profile.")],
         name: Annotated[
-            str | None, typer.Option(help="Name of the profile. Default: the file name.")
+            str | None,
+            typer.Option(
+                help="Name under which the profile is stored. Default: the name of the file."
+            ),
         ] = None,
         database: Database = None,
         replace: Annotated[

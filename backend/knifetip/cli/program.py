@@ -107,26 +107,35 @@ class CornerOptions:
     corner: Annotated[
         CornerType | None,
         typer.Option(
-            help="Path of a cutter round outer corners: B is an arc, C lines with a stop, D lines "
-            "with an arc between them, auto the fastest."
+            help="Path of the cutter at outer corners: B moves on an arc; C "
+            "moves straight and stops "
+            "at the corner; D moves straight with a small arc at the "
+            "corner; auto takes the fastest "
+            "of the three. Default: auto."
         ),
     ] = None
     k: Annotated[
         float | None,
-        typer.Option(help="Fraction of type C in corners of type D: 0 equals B, 1 equals C."),
+        typer.Option(
+            help="Shape of corners of type D, without a unit: 0 gives the "
+            "path of type B, 1 the path of "
+            "type C. Default: 0.5."
+        ),
     ] = None
     interference: Annotated[
         Interference | None,
         typer.Option(
-            help="If a cutter cannot reach parts of a contour: leave these parts uncut (trim), or "
-            "write no program (refuse)."
+            help="What to do if a cutter cannot reach parts of a contour: leave these parts uncut "
+            "(trim), or write no program (refuse). Default: trim."
         ),
     ] = None
     corner_at: Annotated[
         list[str] | None,
         typer.Option(
             metavar="X,Y=TYPE[:K]",
-            help="Type of the corner at X,Y (mm in the drawing); may be repeated.",
+            help="Type (B, C, D or auto) of the corner at the position X,Y of "
+            "the drawing, in mm; may be "
+            "repeated. Default: the type in --corner.",
         ),
     ] = None
 
@@ -204,12 +213,18 @@ def program(
     dialect: Annotated[
         str,
         typer.Option(
-            help="Controller language of the program. Default: the language of the machine."
+            help="Controller language of the program, such as linuxcnc, "
+            "grblhal or hpgl. Default: the "
+            "language in the machine file."
         ),
     ] = "",
     report: Annotated[
         Path | None,
-        typer.Option(help="File to write figures and verdict of the program to, as JSON."),
+        typer.Option(
+            help="File to write a JSON report of the program to, with its "
+            "figures and the verdict of "
+            "the verifier. Default: no report."
+        ),
     ] = None,
 ) -> None:
     """Compile a drawing to a verified machine program.
@@ -274,8 +289,10 @@ def _compiled_json(result: pipeline.Compiled, drawing: Drawing) -> dict[str, Any
 
 
 def verify(
-    program: Annotated[Path, typer.Argument(metavar="PROGRAM", help="Program to verify.")],
-    drawing: Annotated[Path, typer.Option(help="Drawing that the program should make.")],
+    program: Annotated[
+        Path, typer.Argument(metavar="PROGRAM", help="File with the machine program to verify.")
+    ],
+    drawing: Annotated[Path, typer.Option(help="Drawing with which the program is compared.")],
     target: TargetOptions,
     reading: ReadingOptions,
     placement_option: Annotated[
@@ -283,7 +300,8 @@ def verify(
         typer.Option(
             "--placement",
             metavar="X,Y",
-            help="Position of the drawing on the sheet (mm); required if the program does not "
+            help="Position of the origin of the drawing on the sheet, in mm; "
+            "required if the program does not "
             "contain it.",
         ),
     ] = "",

@@ -24,7 +24,10 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def schema(
-        file: Annotated[File, typer.Argument(metavar="FILE", help="machine, board or profile.")],
+        file: Annotated[
+            File,
+            typer.Argument(metavar="FILE", help="Kind of TOML file: machine, board or profile."),
+        ],
     ) -> None:
         """Print the JSON Schema of machine, board or profile files.
 

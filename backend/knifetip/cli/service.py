@@ -17,11 +17,15 @@ from knifetip.errors import StoreError
 from knifetip.library import load
 
 Database = Annotated[str, typer.Option(help="SQLAlchemy URL of an SQLite or PostgreSQL database.")]
-Host = Annotated[str, typer.Option(help="Address to listen on.")]
+Host = Annotated[
+    str, typer.Option(help="IP address or host name to listen on; 0.0.0.0 for all networks.")
+]
 MachineName = Annotated[str, typer.Option("--machine", help="Name of a machine of the library.")]
 Speed = Annotated[
     float,
-    typer.Option(min=0.01, max=100_000.0, help="Speed of the simulated machine; 1 is real time."),
+    typer.Option(
+        min=0.01, max=100_000.0, help="Speed of the simulated machine as a multiple of real time."
+    ),
 ]
 
 DATABASE = "sqlite:///knifetip.sqlite"
@@ -43,7 +47,8 @@ class PartOptions:
     compiles: Annotated[
         bool,
         typer.Option(
-            help="Compile jobs in this process; with --no-compiles, `knifetip worker` must run."
+            help="Compile jobs in this process. With --no-compiles, the command `knifetip worker` "
+            "must run in another process."
         ),
     ] = True
 
@@ -58,14 +63,18 @@ class AccessOptions:
     key: Annotated[
         str,
         typer.Option(
-            envvar="KNIFETIP_KEY", help="Key that requests from other computers must send."
+            envvar="KNIFETIP_KEY",
+            help="Access key that requests from other computers must send. Default: no key; the "
+            "server then accepts only requests from this computer.",
         ),
     ] = ""
     key_file: Annotated[
         Path | None,
         typer.Option(
             envvar="KNIFETIP_KEY_FILE",
-            help="File with the key; created with a random key if it does not exist.",
+            help="File that contains the access key. If the file does not "
+            "exist, the server creates "
+            "it with a random key.",
         ),
     ] = None
     allow_host: Annotated[
@@ -81,14 +90,14 @@ class AccessOptions:
 def serve(
     host: Host = "127.0.0.1",
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Port to listen on; 0 for a free port.")
+        int, typer.Option(min=0, max=65535, help="TCP port to listen on; 0 chooses a free port.")
     ] = 8080,
     database: Database = DATABASE,
     *,
     parts: PartOptions,
     access: AccessOptions,
 ) -> None:
-    """Run the server with page, workers and a simulated machine.
+    """Run the server with its page, a compile worker and a simulated machine.
 
     All parts run until Ctrl-C.
     """
@@ -109,7 +118,8 @@ def worker(
     name: Annotated[
         str,
         typer.Option(
-            help="Name of the worker; use the same name after a restart. Default: the host name."
+            help="Name of the worker; give the same name after a restart. "
+            "Default: the name of this computer."
         ),
     ] = "",
     processes: Annotated[
@@ -135,20 +145,28 @@ def worker(
 
 
 def gateway(
-    server: Annotated[str, typer.Option(help="URL of the server.")] = "http://127.0.0.1:8080",
+    server: Annotated[
+        str, typer.Option(help="URL of the knifetip server.")
+    ] = "http://127.0.0.1:8080",
     machine: MachineName = "demo-table",
     controller: Annotated[
-        str, typer.Option(help="HOST:PORT of the controller.")
+        str, typer.Option(help="Network address of the controller, as HOST:PORT.")
     ] = "127.0.0.1:2323",
-    name: Annotated[str, typer.Option(help="Name of this gateway.")] = "gateway",
+    name: Annotated[
+        str, typer.Option(help="Name of this gateway, which the server shows.")
+    ] = "gateway",
     journal: Annotated[
-        Path | None, typer.Option(help="File that records the program lines sent and executed.")
+        Path | None,
+        typer.Option(
+            help="File that records the program lines sent and executed, so that the gateway can "
+            "report them after a power failure."
+        ),
     ] = None,
     key: Annotated[
-        str, typer.Option(envvar="KNIFETIP_KEY", help="Key of the server, if it requires one.")
+        str, typer.Option(envvar="KNIFETIP_KEY", help="Access key of the server. Default: no key.")
     ] = "",
 ) -> None:
-    """Claim the jobs of a machine and send them to its controller."""
+    """Fetch the jobs of a machine from the server and send them to its controller."""
     from knifetip.gateway import claim
     from knifetip.gateway.job_server import GatewaySettings
     from knifetip.languages.registry import find_language
@@ -168,12 +186,12 @@ def gateway(
 def simulator(
     host: Host = "127.0.0.1",
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Port to listen on; 0 for a free port.")
+        int, typer.Option(min=0, max=65535, help="TCP port to listen on; 0 chooses a free port.")
     ] = 2323,
     machine: MachineName = "demo-table",
     speed: Speed = 1.0,
 ) -> None:
-    """Run a simulated controller that executes programs."""
+    """Run a simulated controller, to try programs without a machine."""
     from knifetip.gateway import simulator as table
 
     try:

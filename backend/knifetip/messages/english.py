@@ -47,7 +47,7 @@ TOOLS: Final[Mapping[str, str]] = {
     "cutter": "cutter",
     "knife": "knife",
     "v-cutter": "V-cutter",
-    "wheel": "wheel",
+    "wheel": "creasing wheel",
 }
 
 #: Text of each message: what is wrong, and where.

@@ -60,7 +60,7 @@ describe("an error", () => {
       vi.fn(async () => Promise.reject(new TypeError("Failed to fetch"))),
     );
     await expect(service.jobs()).rejects.toMatchObject({
-      problem: { status: 0, detail: "The knifetip server does not answer." },
+      problem: { status: 0, detail: "The knifetip server does not respond." },
     });
   });
 

@@ -41,8 +41,8 @@ export const pageProblem = (status: number, title: string, detail: string, hint:
 export const noAnswer = (): ServiceError =>
   pageProblem(
     0,
-    "No answer from the server",
-    "The knifetip server does not answer.",
+    "No response from the server",
+    "The knifetip server does not respond.",
     "Check that the server is running and that this computer can reach it. Then try again.",
   );
 

@@ -73,7 +73,7 @@ export function Picture({ onReady }: Props) {
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the arrow keys pan it
         tabIndex={0}
         role="img"
-        aria-label="The dieline and the path of the machine head. Arrow keys move the view, plus and minus zoom, F shows the whole drawing."
+        aria-label="The dieline and the path of the machine head. Arrow keys move the view, plus and minus zoom, the key F shows the whole drawing."
       >
         <canvas ref={canvas} data-testid="canvas" />
       </div>

@@ -10,7 +10,7 @@ export function WebGlError({ why }: { why: string }) {
         <h1>The drawing cannot be displayed</h1>
         <p>
           {why} Turn on hardware acceleration in the browser settings, or use a current Firefox,
-          Chrome, Edge or Safari. You can use the rest of this page without it.
+          Chrome, Edge or Safari. The rest of this page works without hardware acceleration.
         </p>
         <Button variant="default" onClick={() => window.location.reload()}>
           Reload the page

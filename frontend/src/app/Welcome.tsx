@@ -20,11 +20,12 @@ export function Welcome() {
             <b>1. Open</b>Drop a drawing file, or choose a drawing from the list.
           </li>
           <li>
-            <b>2. Prepare</b>Choose machine and board, prepare the program and see its deviation
-            from the drawing.
+            <b>2. Prepare</b>Choose a machine and a board, prepare the machine program, and see how
+            far it deviates from the drawing.
           </li>
           <li>
-            <b>3. Send</b>Send the job to the table and follow its progress.
+            <b>3. Send</b>Send the job to the machine, confirm that the table is ready, and follow
+            the progress.
           </li>
         </ol>
       </div>

@@ -32,12 +32,12 @@ export const TEXTS = {
     "hint": ""
   },
   "bridges.no-room": {
-    "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm. The distance between bridges may be at most {spacing:.1f} mm, and bridges must stay away from corners and narrow slots.",
-    "hint": "Choose narrower bridges or a larger spacing, or cut this board without bridges."
+    "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
+    "hint": "Choose narrower bridges or a larger spacing of bridges, or choose a board without bridges."
   },
   "calibration.bad-points": {
-    "text": "The {count:# measured point|# measured points} cannot be used. At least one point is needed, and all values must be finite numbers.",
-    "hint": "Measure at least one point on a slanted part of the contour."
+    "text": "The {count:# measured point|# measured points} of the test cut cannot be used. At least one point is needed, and all values must be finite numbers.",
+    "hint": "Measure at least one point on a slanted part of the contour of the test cut."
   },
   "calibration.choose-cutter": {
     "text": "{machine} has {count:# cutter|# cutters}, so the cutter to calibrate must be named.",
@@ -45,7 +45,7 @@ export const TEXTS = {
   },
   "calibration.missing-column": {
     "text": "Line {line} of {file} has no value for {columns}.",
-    "hint": "Write azimuth,dx,dy on the first line. Write degrees, mm and mm on all other lines, for example 45,-0.05,0.06."
+    "hint": "Write the heading azimuth,dx,dy on the first line. Write three numbers, in degrees, mm and mm, on each other line, for example 45,-0.05,0.06."
   },
   "calibration.not-a-number": {
     "text": "Line {line} of {file} has a value that is not a number: {values:, }.",
@@ -56,23 +56,23 @@ export const TEXTS = {
     "hint": "Save the file as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "The contour runs along {along} at every measured point, so the deflection of the cutter along {other} cannot be determined. The sum of squares is {weight:.4f}, but must be at least {least}.",
+    "text": "The contour runs along {along} at every measured point, so the deflection {other} of the cutter cannot be determined. The measured points have a total weight of {weight:.4f} for {other}, but at least {least} is needed.",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
-    "text": "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy {y:.3f} mm), which is not possible.",
-    "hint": "Check the signs of ΔX and ΔY, and check on which side of the contour the tool moves."
+    "text": "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y, which would mean that the board pulls the tool towards itself. This is not possible.",
+    "hint": "Check the signs of dx and dy, and check on which side of the contour the tool moves."
   },
   "cf2.cut-short": {
-    "text": "The CF2 file is incomplete: it ends at line {line} inside {inside}, so lines of the drawing may be missing.",
+    "text": "The CF2 file is incomplete: it ends at line {line} inside {inside}. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again as CF2."
   },
   "cf2.decimal-commas": {
-    "text": "Line {line} of the CF2 has {fields} fields instead of {expected} for record {record}. It seems to use decimal commas, but commas separate the fields.",
-    "hint": "Export the drawing with decimal points."
+    "text": "Line {line} of the CF2 file has {fields} fields instead of {expected} for the record {record}. The file seems to use decimal commas, but in CF2 files commas separate the fields.",
+    "hint": "Export the drawing again with decimal points."
   },
   "cf2.empty": {
-    "text": "The CF2 contains no drawing: it has neither a MAIN section nor a subroutine.",
+    "text": "The CF2 file contains no drawing: it has neither a MAIN section nor a subroutine.",
     "hint": "Send the complete file, or export the drawing again as CF2."
   },
   "cf2.main": {
@@ -104,15 +104,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.board-ends": {
-    "text": ", where the board ends unless the outline is open",
+    "text": ", which must be cut unless the outline is open",
     "hint": ""
   },
   "classification.closes-nothing": {
-    "text": " and does not close an outline",
+    "text": ", and the edge does not close an outline",
     "hint": ""
   },
   "classification.contradicted": {
-    "text": "{rule}; but {reason}",
+    "text": "{rule}, but {reason}",
     "hint": ""
   },
   "classification.convention": {
@@ -124,7 +124,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.dashed": {
-    "text": "the edges are dashed",
+    "text": "the edges are drawn with a dashed line",
     "hint": ""
   },
   "classification.divider": {
@@ -148,7 +148,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.inner": {
-    "text": "the edge lies inside a hole or divides a hole",
+    "text": "the edge lies inside a hole or divides a hole into parts",
     "hint": ""
   },
   "classification.layer-denies": {
@@ -172,7 +172,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.like-outline-not-folds": {
-    "text": "the edge has the layer, colour and linetype of the outline, and the folds have others",
+    "text": "the edge has the layer, colour and linetype of the outline, which differ from those of the folds",
     "hint": ""
   },
   "classification.linetype-name": {
@@ -180,7 +180,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.mark": {
-    "text": "the edge closes a shape that is much smaller than the blank",
+    "text": "the edge belongs to a closed shape that is much smaller than the blank",
     "hint": ""
   },
   "classification.mirror-cut": {
@@ -195,20 +195,24 @@ export const TEXTS = {
     "text": "{reason} (this is true for most of the length of the edge)",
     "hint": ""
   },
+  "classification.must-be-processed": {
+    "text": ", so the edge must not be ignored",
+    "hint": ""
+  },
   "classification.named": {
-    "text": "the name of the layer of the edge shows that the edge is not part of the carton, and the outlines close without the edge",
+    "text": "the name of the layer marks the edge as not being part of the carton, and the outlines close without the edge",
     "hint": ""
   },
   "classification.no-rule": {
-    "text": "no rule of the profile {profile} matches",
+    "text": "no rule of the profile {profile} matches the edge",
     "hint": ""
   },
   "classification.no-rule-but-shape": {
-    "text": "no rule of the profile {profile} matches, but {shape}",
+    "text": "no rule of the profile {profile} matches the edge, but {shape}",
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", as all edges of the same layer, colour and linetype do, and none of these edges closes an outline",
+    "text": ", and so do all edges with the same layer, colour and linetype, none of which closes an outline",
     "hint": ""
   },
   "classification.not-made": {
@@ -216,7 +220,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.on-cut": {
-    "text": "{rule}, and the edge lies on a cut",
+    "text": "{rule}, and the edge lies on top of a cut",
     "hint": ""
   },
   "classification.open": {
@@ -232,11 +236,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.override": {
-    "text": "set by the user",
+    "text": "the user set the line type of the edge",
     "hint": ""
   },
   "classification.paired": {
-    "text": "some of the edges are parallel pairs",
+    "text": "some of the edges form pairs of parallel lines",
     "hint": ""
   },
   "classification.panel-hangs": {
@@ -244,7 +248,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.panels-hang": {
-    "text": "most of the edges connect a panel to the rest of the blank",
+    "text": "most of the edges are the only connection between a panel and the rest of the blank",
     "hint": ""
   },
   "classification.role-against": {
@@ -260,7 +264,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.slit": {
-    "text": "the edge begins at another edge and ends inside a panel",
+    "text": "the edge is a slit: it begins at another edge and ends inside a panel",
     "hint": ""
   },
   "classification.slot": {
@@ -272,7 +276,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.stray": {
-    "text": "the edge lies outside all blanks",
+    "text": "the edge lies outside all blanks of the drawing",
     "hint": ""
   },
   "classification.swapped": {
@@ -304,7 +308,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.as-drawn": {
-    "text": "the edge is unchanged",
+    "text": "cleaning did not change the edge",
     "hint": ""
   },
   "cleaning.dropped-speck": {
@@ -316,11 +320,11 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.fitted": {
-    "text": "the edge was part of a curve made of short lines, which was replaced by one line or arc",
+    "text": "the edge was part of a curve made of short lines; one line or arc replaces this curve",
     "hint": ""
   },
   "cleaning.fitted-edge": {
-    "text": "the edge was part of a curve made of short lines, which was replaced, together with edge {edge}, by one line or arc (deviation up to {distance:.2g} mm)",
+    "text": "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, which deviates by at most {distance:.2g} mm from this curve, replaces them",
     "hint": ""
   },
   "cleaning.ignored": {
@@ -328,7 +332,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.joined": {
-    "text": "the edge was merged into another edge on the same line",
+    "text": "the edge and another edge on the same line were merged into one edge",
     "hint": ""
   },
   "cleaning.joined-edge": {
@@ -336,19 +340,19 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.kept": {
-    "text": "kept",
+    "text": "the edge was kept unchanged",
     "hint": ""
   },
   "cleaning.kept-changed": {
-    "text": "kept: {changes:; }",
+    "text": "the edge was kept; {changes:; }",
     "hint": ""
   },
   "cleaning.length-on-others": {
-    "text": "{length:.4g} mm of the length of the edge lie on other edges and were merged with them",
+    "text": "a part of the edge, {length:.4g} mm long, lies on other edges and was merged with them",
     "hint": ""
   },
   "cleaning.longer": {
-    "text": "other edges on the same line were merged into this edge",
+    "text": "other edges on the same line were merged into the edge, which is longer now",
     "hint": ""
   },
   "cleaning.moved": {
@@ -356,11 +360,11 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.no-work": {
-    "text": "the edge is unchanged, because no tool processes it",
+    "text": "the edge is unchanged, because no tool processes an edge of its line type",
     "hint": ""
   },
   "cleaning.on-edge": {
-    "text": "the edge was merged into edge {edge}, on which it lies",
+    "text": "the edge lies on edge {edge} and was merged into it",
     "hint": ""
   },
   "cleaning.part-dropped": {
@@ -380,7 +384,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.unclassified": {
-    "text": "the edge has no line type yet",
+    "text": "the edge has no line type yet, so it is displayed but not processed",
     "hint": ""
   },
   "command.bad-corner": {
@@ -420,7 +424,7 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.alarm-state": {
-    "text": "{name} reports an alarm{due}.",
+    "text": "{name} has stopped and reports an alarm{due}.",
     "hint": "Check the table, then home the machine ($H) or unlock it ($X)."
   },
   "controller.alarm-unknown": {
@@ -428,19 +432,19 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.answer-lost": {
-    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was lost.",
-    "hint": "Check the cable, then check the board."
+    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was probably lost.",
+    "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.bad-address": {
-    "text": "{address!r} is not the address of a controller.",
-    "hint": "Write the address as host:port, for example 127.0.0.1:2323."
+    "text": "{address!r} is not the network address of a controller.",
+    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
   },
   "controller.busy": {
     "text": "{name} is busy: it reports the state {state}. Nothing was sent.",
     "hint": "Wait until the controller is idle, or reset it at the table."
   },
   "controller.check-end-not-confirmed": {
-    "text": "{name} did not confirm the end of its check mode within {seconds:g} s.",
+    "text": "{name} did not confirm within {seconds:g} s that its check mode ($C), in which nothing moves, has ended.",
     "hint": "Check the table, then try again."
   },
   "controller.closed": {
@@ -452,7 +456,7 @@ export const TEXTS = {
     "hint": "Check the table before you send anything again."
   },
   "controller.due": {
-    "text": "; no response to line {line} ({text}) was received",
+    "text": "; no response to program line {line} ({text}) was received",
     "hint": ""
   },
   "controller.lift-not-finished": {
@@ -469,11 +473,11 @@ export const TEXTS = {
   },
   "controller.lost": {
     "text": "The connection to {name} is lost{due}.",
-    "hint": "Check the cable, then check the board."
+    "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.lost-in-buffer": {
-    "text": "The connection to {name} is lost. The controller may still execute the lines in its buffer.",
-    "hint": "Check the table before you touch it."
+    "text": "The connection to {name} is lost. The controller may still execute the program lines in its buffer.",
+    "hint": "Keep clear of the table until the machine has stopped, then check the table."
   },
   "controller.not-in-laser-mode": {
     "text": "{name} is not in laser mode, so the laser beam would stay on during a feed hold. Nothing was sent.",
@@ -484,11 +488,11 @@ export const TEXTS = {
     "hint": "Wait until the controller is idle, or unlock it, then send the job again."
   },
   "controller.not-recovered": {
-    "text": "{name} did not reach its safe state (tool lifted, stations raised).",
+    "text": "{name} did not reach its safe state, with the tool lifted and the stations raised.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.not-secured": {
-    "text": "{name} cannot be brought into its safe state (tool lifted, stations raised), because it reports the state {state}.",
+    "text": "{name} cannot be brought into its safe state, with the tool lifted and the stations raised, because it reports the state {state}.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.not-stopped": {
@@ -496,8 +500,8 @@ export const TEXTS = {
     "hint": "{unsafe:hint}"
   },
   "controller.off-path": {
-    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, which is {distance:.1f} mm away from the path of the program near line {line}. A line was corrupted on its way to the controller, or steps were lost.",
-    "hint": "Check the cable and home the machine. Check the board, which may be spoiled."
+    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f} mm, which is {distance:.1f} mm away from the path of the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
+    "hint": "Check the cable to the controller and home the machine. Check the board on the table, which may be spoiled."
   },
   "controller.refused-safe-state": {
     "text": "{refusals: }",
@@ -508,36 +512,36 @@ export const TEXTS = {
     "hint": "Check the table, then try again."
   },
   "controller.rejected-in-check": {
-    "text": "{name} rejected line {line} ({text}) before anything moved: {error} (error:{code}).",
+    "text": "{name} rejected program line {line} ({text}) in its check mode, before the machine moved: {error} (error:{code}).",
     "hint": "Compile the job again for this controller."
   },
   "controller.rejected-line": {
-    "text": "{name} rejected line {line} ({text}): {error} (error:{code}).",
-    "hint": "Check the board, then compile the job again for this controller."
+    "text": "{name} rejected program line {line} ({text}): {error} (error:{code}).",
+    "hint": "Check the board on the table, then compile the job again for this controller."
   },
   "controller.reports-alarm": {
     "text": "{name} reports an alarm.",
     "hint": "Check the table, then home the machine ($H) or unlock it ($X)."
   },
   "controller.reset": {
-    "text": "{name} was reset{due}. The position of the machine may be lost.",
-    "hint": "Check the table and home the machine. The job does not continue automatically."
+    "text": "{name} was reset{due}. The position of the machine may be lost, so the job does not continue automatically.",
+    "hint": "Check the table and home the machine. Then queue the job again or scrap it."
   },
   "controller.reset-not-confirmed": {
     "text": "{name} did not confirm its reset within {seconds:g} s.",
     "hint": "Check the table, then try again."
   },
   "controller.silent": {
-    "text": "{name} has not answered for {seconds:g} s{due}.",
-    "hint": "Check the cable, then check the board."
+    "text": "{name} has not responded for {seconds:g} s{due}.",
+    "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.stopped": {
-    "text": "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, and its stations were released.",
+    "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, and the stations were released.",
     "hint": "{error:hint}"
   },
   "controller.unexpected-answer": {
-    "text": "{name} responded to a line that this gateway did not send. A response was duplicated, or another program sends lines to the controller.",
-    "hint": "Check the cable, and close any other program that is connected to the controller."
+    "text": "{name} responded to a program line that this gateway did not send. Either a response was sent twice, or another program sends lines to the controller.",
+    "hint": "Check the cable to the controller, and close any other program that is connected to the controller."
   },
   "controller.unreachable": {
     "text": "No controller responds at {address} ({reason}).",
@@ -548,16 +552,16 @@ export const TEXTS = {
     "hint": "Check the table and home the machine before the next job."
   },
   "corner.at": {
-    "text": " at ({x:g}, {y:g})",
+    "text": " at X {x:g} mm, Y {y:g} mm",
     "hint": ""
   },
   "corner.bad-interference": {
-    "text": "{interference!r} is not a valid method for contours into which the cutter does not fit.",
-    "hint": "Choose trim or refuse."
+    "text": "{interference!r} is not a valid method for the parts of a contour that the cutter cannot reach.",
+    "hint": "Choose trim (leave these parts uncut) or refuse (write no program)."
   },
   "corner.bad-k": {
     "text": "The parameter k of the corner at the start of edge {edge} is {k}, but must be between 0 and 1.",
-    "hint": "Choose a k from 0 (equal to type B) to 1 (equal to type C)."
+    "hint": "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C)."
   },
   "corner.bad-k-at": {
     "text": "The parameter k of the corner of type D{where} is {k}, but must be greater than 0 and less than 1.",
@@ -565,18 +569,18 @@ export const TEXTS = {
   },
   "corner.bad-place": {
     "text": "The position ({x}, {y}) of a corner is not valid.",
-    "hint": "Give X and Y as numbers, in mm of the drawing."
+    "hint": "Give X and Y as numbers in mm, in the coordinates of the drawing."
   },
   "corner.bad-share": {
-    "text": "Corner {corner} has type D with the parameter k = {k}, which must be between 0 and 1.",
-    "hint": "Choose a k from 0 (equal to type B) to 1 (equal to type C)."
+    "text": "Corner number {corner} of a contour has type D with the parameter k = {k}, which must be between 0 and 1.",
+    "hint": "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C)."
   },
   "corner.inside": {
-    "text": "The corner at ({x:g}, {y:g}) is an inside corner, for which no corner type can be chosen.",
-    "hint": "Choose corner types only for outside corners."
+    "text": "The corner at X {x:g} mm, Y {y:g} mm is an inside corner, but corner types apply only to outside corners.",
+    "hint": "Remove the corner type of this corner from the request."
   },
   "corner.no-contour": {
-    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because the drawing has no contour whose outside corners are milled.",
+    "text": "No corner type can be set at X {x:g} mm, Y {y:g} mm (searched within {within:g} mm), because the drawing has no contour whose outside corners are milled.",
     "hint": "Remove the corner types from the request for this drawing."
   },
   "corner.no-cutter": {
@@ -584,11 +588,11 @@ export const TEXTS = {
     "hint": "Remove the corner types from the request, or choose a machine with a rotating cutter."
   },
   "corner.not-found": {
-    "text": "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the nearest corner is {distance:.2f} mm away.",
-    "hint": "Give X and Y of a corner in mm of the drawing. The nearest corners are {known:, }."
+    "text": "No corner of a milled contour lies within {within:g} mm of X {x:g} mm, Y {y:g} mm. The nearest corner is {distance:.2f} mm away.",
+    "hint": "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest corners are {known:, }."
   },
   "corner.unknown-number": {
-    "text": "Corner {corner} has the type {type}, which does not exist.",
+    "text": "Corner number {corner} of a contour has the corner type {type}, which does not exist.",
     "hint": "Choose corner type B, C or D."
   },
   "corner.unknown-type": {
@@ -600,16 +604,16 @@ export const TEXTS = {
     "hint": "Choose corner type B, C, D or auto."
   },
   "crease.tight-bend": {
-    "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second line {offset:.2f} mm inside it.",
-    "hint": "Draw a wider bend, or set the double crease of the board to 0."
+    "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second crease line {offset:.2f} mm inside the bend.",
+    "hint": "Draw the crease with a larger radius, or set the double crease of the board to 0."
   },
   "crease.too-short": {
     "text": "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
-    "hint": "Join the crease to a collinear crease, set it to ignored, or choose a board on which short creases are pressed."
+    "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed."
   },
   "curve.bad-ellipse": {
     "text": "An ellipse has an angle range that is not valid, or one of its values is not a number.",
-    "hint": "Draw the ellipse again."
+    "hint": "Delete the ellipse and draw it again."
   },
   "curve.bad-spline": {
     "text": "A spline is damaged: degree {degree}, {points} control points and {knots} knots do not match.",
@@ -624,39 +628,39 @@ export const TEXTS = {
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.not-fitted": {
-    "text": "A curve cannot be converted to lines and arcs within {tolerance:g} mm.",
+    "text": "A curve cannot be converted to lines and arcs that deviate from it by at most {tolerance:g} mm.",
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.parameters": {
-    "text": "The parameter values of a curve do not increase.",
+    "text": "A curve is damaged: its parameter values (knots) do not increase.",
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.too-many-pieces": {
-    "text": "A curve must be divided into more than {limit:,} lines and arcs to stay within {tolerance:g} mm.",
-    "hint": "Increase the tolerance, or simplify the curve."
+    "text": "More than {limit:,} lines and arcs are needed to convert a curve with a deviation of at most {tolerance:g} mm.",
+    "hint": "Allow a larger deviation, or simplify the curve."
   },
   "curve.too-many-spans": {
-    "text": "A spline has {spans:,} spans; the limit is {limit:,}.",
-    "hint": "Simplify the curve before exporting."
+    "text": "A spline has {spans:,} spans (polynomial pieces), but the limit is {limit:,}.",
+    "hint": "Simplify the spline in the CAD program before exporting."
   },
   "cut.too-many-crossings": {
-    "text": "More than {limit:,} pairs of cuts cross or lie beside each other.",
-    "hint": "Delete hatching and duplicate lines, or split the drawing."
+    "text": "The drawing has more than {limit:,} pairs of cuts that cross each other or lie beside each other.",
+    "hint": "Delete hatching and duplicate lines, or split the drawing into several drawings."
   },
   "cut.too-short": {
-    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade needs a length of at least {lead:.2f} mm.",
-    "hint": "Set the cut to ignored, join it to another cut, or choose a steeper blade."
+    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
+    "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a steeper blade."
   },
   "cutter.does-not-fit": {
     "text": "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, nor into {others:# other contour|# other contours}.",
-    "hint": "Choose a thinner cutter, or set the contours to ignored."
+    "hint": "Choose a thinner cutter, or set the line type of the contours to ignored."
   },
   "cutter.misses-bridge": {
     "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, but the cutter does not reach the contour there.",
-    "hint": "Choose a thinner cutter, another spacing of bridges, or a board without bridges."
+    "hint": "Choose a thinner cutter, a board with another spacing of bridges, or a board without bridges."
   },
   "cutter.short-lead": {
-    "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of {radius:g} mm.",
+    "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than the radius of the cutter, {radius:g} mm.",
     "hint": "Correct the lead-in in the machine file."
   },
   "database.bad-url": {
@@ -668,12 +672,12 @@ export const TEXTS = {
     "hint": "Use a database file: sqlite:///FILE."
   },
   "deflection.arc-too-small": {
-    "text": "Near ({x:.2f}, {y:.2f}) the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-    "hint": "Choose a smaller k or corner type B, or measure the deflection of the cutter again."
+    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of {radius:.3f} mm radius. This radius is too small to correct a deflection of the cutter by {deflection:.3f} mm.",
+    "hint": "Choose a smaller corner parameter k or corner type B, or measure the deflection of the cutter again."
   },
   "deflection.path-too-short": {
-    "text": "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns too sharply to correct the deflection of the cutter.",
-    "hint": "Join short edges near this point, or measure the deflection again."
+    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the path of the centre of the cutter is too short or turns too sharply to correct the deflection of the cutter.",
+    "hint": "Join short edges near this position, or measure the deflection of the cutter again."
   },
   "drawing.changing": {
     "text": "Another request is changing drawing {drawing} at the same time.",
@@ -685,22 +689,22 @@ export const TEXTS = {
   },
   "drawing.in-use": {
     "text": "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
-    "hint": "Delete only drawings from which no job was made."
+    "hint": "Keep the drawing. Only drawings from which no job was made can be deleted."
   },
   "drawing.larger-than-table": {
-    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} has only {room_x:.0f} × {room_y:.0f} mm.",
-    "hint": "Check the unit of the drawing, turn it, or choose a larger machine."
+    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} measures only {room_x:.0f} × {room_y:.0f} mm.",
+    "hint": "Check the unit of the drawing, rotate the drawing, or choose a larger machine."
   },
   "drawing.open-questions": {
     "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
     "hint": "Answer the questions on the page of the drawing. Edges without an answer are not cut."
   },
   "drawing.read": {
-    "text": "The drawing was read from {name}.",
+    "text": "The drawing was imported from the file {name}.",
     "hint": ""
   },
   "drawing.reinterpreted": {
-    "text": "The drawing was read again with the unit {unit:unit} and the profile {profile}.",
+    "text": "The drawing was imported again with the unit {unit:unit} and the profile {profile}.",
     "hint": ""
   },
   "drawing.stale": {
@@ -712,7 +716,7 @@ export const TEXTS = {
     "hint": ""
   },
   "drawing.unit-for-cleaning": {
-    "text": "The drawing has no unit, so the lengths of short edges and gaps cannot be compared with the limits in mm.",
+    "text": "The drawing has no unit, so the lengths of its short edges and gaps cannot be compared with the limits of the cleaning, which are in mm.",
     "hint": "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID."
   },
   "drawing.unit-unknown": {
@@ -720,44 +724,44 @@ export const TEXTS = {
     "hint": "Set the unit of the drawing on the page, with --unit, or with PATCH /api/drawings/ID."
   },
   "drawing.unknown": {
-    "text": "Drawing {drawing} does not exist.",
-    "hint": "Go back to the list of drawings and open one of them; it may have been deleted."
+    "text": "Drawing {drawing} does not exist. It may have been deleted.",
+    "hint": "Go back to the list of drawings and open another drawing."
   },
   "drawing.upload-too-large": {
     "text": "The file {name} is larger than {limit} MB.",
-    "hint": "Send a smaller file."
+    "hint": "Send a smaller file, for example without pictures."
   },
   "dxf.at-line": {
-    "text": "at line {line}",
+    "text": "at line {line} of the file",
     "hint": ""
   },
   "dxf.blocks-expand-too-far": {
-    "text": "The blocks of the DXF expand to {count} entities; the limit is {limit:,}.",
-    "hint": "Export a single carton, or explode the blocks and delete the copies."
+    "text": "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit is {limit:,}.",
+    "hint": "Export a drawing with a single carton, or explode the blocks and delete the copies."
   },
   "dxf.blocks-too-deep": {
-    "text": "The blocks of the DXF are nested {depth} levels deep; the limit is {limit}.",
+    "text": "The blocks of the DXF file are nested {depth} levels deep, but the limit is {limit} levels.",
     "hint": "Explode the blocks in the CAD program and export again."
   },
   "dxf.cut-short": {
-    "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# entity|# entities}, so lines of the drawing may be missing.",
+    "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# entity (drawn object)|# entities (drawn objects)}. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "dxf.no-section": {
-    "text": "The file is not a DXF: it has no section.",
+    "text": "The file is not a DXF file, because it has no section.",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.not-a-group-code": {
-    "text": "The file is not a DXF: line {line} is {text!r} instead of a group code.",
+    "text": "The file is not a DXF file, because line {line} is {text!r} instead of a group code (a whole number).",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.other-kind": {
-    "text": "The file is {kind}, not a DXF.",
+    "text": "The file is {kind}, not a DXF file.",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.too-large-unusual": {
-    "text": "The DXF has {size:.1f} MB and uses features that take long to read; the limit for such files is {limit:.1f} MB.",
-    "hint": "Export a single carton, or save it as DXF R2000."
+    "text": "The DXF file has {size:.1f} MB and uses features that take long to read. The limit for such files is {limit:.1f} MB.",
+    "hint": "Export a drawing with a single carton, or save it as DXF R2000."
   },
   "dxf.without-end-mark": {
     "text": "without the end marker EOF",
@@ -765,7 +769,7 @@ export const TEXTS = {
   },
   "edge.no-length": {
     "text": "Edge {edges:, } has a length of 0, so it has no direction.",
-    "hint": "Delete the edge from the drawing."
+    "hint": "Delete these edges from the drawing."
   },
   "edge.not-finite": {
     "text": "Edge {edge} has a coordinate that is not a number.",
@@ -776,11 +780,11 @@ export const TEXTS = {
     "hint": ""
   },
   "edge.too-crowded": {
-    "text": "More than {limit:,} pairs of edge ends lie closer together than {distance} mm.",
+    "text": "More than {limit:,} pairs of end points of edges lie closer together than {distance} mm.",
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "edge.too-far": {
-    "text": "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far.",
+    "text": "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far to be processed.",
     "hint": "Check the unit of the drawing, or delete the edge."
   },
   "edge.too-many-overlaps": {
@@ -788,7 +792,7 @@ export const TEXTS = {
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "error.at-edge": {
-    "text": "{error} The object has the handle {handle} and lies on the layer \"{layer}\".",
+    "text": "{error} The fault concerns the object with the handle {handle} on the layer \"{layer}\".",
     "hint": "{error:hint}"
   },
   "error.at-edges": {
@@ -796,7 +800,7 @@ export const TEXTS = {
     "hint": "{error:hint}"
   },
   "error.in-file": {
-    "text": "{name}: {error}",
+    "text": "File {name}: {error}",
     "hint": "{error:hint}"
   },
   "field.above": {
@@ -812,7 +816,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.inconsistent": {
-    "text": "{path} does not agree with other fields: {fault}",
+    "text": "{path} contradicts other fields: {fault}",
     "hint": ""
   },
   "field.missing": {
@@ -820,7 +824,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.misspelt": {
-    "text": "{path} is not a known field; did you mean {near}?",
+    "text": "{path} is not a known field; perhaps {near} is meant",
     "hint": ""
   },
   "field.no-kind": {
@@ -848,7 +852,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-a-table": {
-    "text": "{path} is {value}, but must be a table",
+    "text": "{path} is {value}, but must be a table of fields",
     "hint": ""
   },
   "field.not-above": {
@@ -856,7 +860,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-above-low": {
-    "text": "{path} is {value:g}, but must be greater than the value of low, {low:g}",
+    "text": "{path} is {value:g}, but must be greater than the value of the field low, which is {low:g}",
     "hint": ""
   },
   "field.not-below": {
@@ -900,7 +904,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.spacing": {
-    "text": "{path} is {value:g} mm, but must be 0 or at least {least:g} mm",
+    "text": "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
     "hint": ""
   },
   "field.too-few": {
@@ -932,28 +936,28 @@ export const TEXTS = {
     "hint": "{fault:hint}"
   },
   "finding.at-edge-and-line": {
-    "text": "Edge {edge}, line {line}: {fault}",
+    "text": "Edge {edge}, program line {line}: {fault}",
     "hint": "{fault:hint}"
   },
   "finding.at-line": {
-    "text": "Line {line}: {fault}",
+    "text": "Program line {line}: {fault}",
     "hint": "{fault:hint}"
   },
   "finding.more": {
-    "text": " {count:# more finding is|# more findings are} not listed.",
+    "text": " {count:# more finding is|# more findings are} not listed here.",
     "hint": ""
   },
   "gateway.cancelled": {
-    "text": "The operator cancelled the job at line {line}.",
+    "text": "The operator cancelled the job at program line {line}.",
     "hint": ""
   },
   "gateway.controller-not-idle": {
     "text": "{name} is not idle: it reports the state {state}.",
-    "hint": "Wait until the controller is idle, or reset it at the table."
+    "hint": "Wait until the controller is idle, or reset the controller at the table."
   },
   "gateway.job-withdrawn": {
-    "text": "The server withdrew the job from the gateway; the machine was stopped.",
-    "hint": "Check the table."
+    "text": "The server withdrew the job from the gateway, and the machine was stopped.",
+    "hint": "Check the table and the board on it."
   },
   "gateway.job-withdrawn-before-start": {
     "text": "The server withdrew the job from the gateway before the job was started. Nothing was sent to the machine.",
@@ -961,7 +965,7 @@ export const TEXTS = {
   },
   "gateway.no-reason": {
     "text": "The gateway ended the job without stating a reason.",
-    "hint": "Check the log of the gateway."
+    "hint": "Look for the cause in the log of the gateway."
   },
   "gateway.switched-off": {
     "text": "The gateway was switched off.",
@@ -972,12 +976,12 @@ export const TEXTS = {
     "hint": "Switch on the gateway."
   },
   "gateway.switched-off-in-run": {
-    "text": "The gateway was switched off while it executed the job. It stopped the machine.",
-    "hint": "Switch on the gateway."
+    "text": "The gateway was switched off while it executed the job. It stopped the machine before it ended.",
+    "hint": "Check the table, then switch on the gateway again."
   },
   "gateway.system-error": {
-    "text": "The operating system of the gateway reports an error: {reason}.",
-    "hint": "Correct the cause on the computer of the gateway."
+    "text": "The operating system on the computer of the gateway reports an error: {reason}.",
+    "hint": "Correct the cause of the error on this computer, then start the gateway again."
   },
   "grbl.alarm-1": {
     "text": "a limit switch was hit, so the position of the machine is lost",
@@ -1084,7 +1088,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-21": {
-    "text": "the line has two commands of one modal group",
+    "text": "the line has two commands of one modal group, for example G0 and G1",
     "hint": ""
   },
   "grbl.error-22": {
@@ -1128,7 +1132,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-31": {
-    "text": "the line has axis words that no command uses",
+    "text": "the line has axis words (X, Y, Z), but no command that uses them",
     "hint": ""
   },
   "grbl.error-32": {
@@ -1144,11 +1148,11 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.error-35": {
-    "text": "the arc has neither I nor J",
+    "text": "the arc has no centre, because both I and J are missing",
     "hint": ""
   },
   "grbl.error-36": {
-    "text": "the line has words that no command uses",
+    "text": "the line has words (a letter with a number) that no command uses",
     "hint": ""
   },
   "grbl.error-37": {
@@ -1204,16 +1208,16 @@ export const TEXTS = {
     "hint": ""
   },
   "groove.along-edge": {
-    "text": "The V-groove at edge {edge} meets the edge of the board at only {angle:.1f}°, so its flanks would not leave the board.",
-    "hint": "End the groove before the edge of the board, or let it meet the edge at 5° or more."
+    "text": "The V-groove at edge {edge} meets the edge of the board at an angle of only {angle:.1f}°, so it would run along the edge of the board instead of ending there.",
+    "hint": "End the groove before the edge of the board, or let it meet the edge of the board at 5° or more."
   },
   "groove.curved": {
     "text": "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight blade cannot follow.",
-    "hint": "Draw straight lines, or choose another line type."
+    "hint": "Draw the V-grooves with straight lines, or choose another line type for them."
   },
   "groove.overcut": {
     "text": "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the board, but the board allows an overcut of only {allowed:.2f} mm.",
-    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board."
+    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file."
   },
   "groove.runs-out": {
     "text": "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the board and cut into the next part.",
@@ -1221,15 +1225,15 @@ export const TEXTS = {
   },
   "groove.through-cut": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
-    "hint": "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep."
+    "hint": "Move the groove and the cut apart by another {through:.2f} mm, or choose a shallower groove."
   },
   "groove.through-cut-at-it": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
     "hint": "End the groove at the cut, or move the groove or the cut."
   },
   "groove.tight-bend": {
-    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight blade of {blade:.2f} mm would deviate from this bend by more than {error:.3f} mm.",
-    "hint": "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board."
+    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight blade of {blade:.2f} mm width would deviate from this bend by more than {error:.3f} mm.",
+    "hint": "Draw the groove with a larger radius, choose a V-cutter with a narrower blade, or allow a larger deviation in the board file."
   },
   "groove.too-deep": {
     "text": "The V-groove at edge {edge} is {depth:.2f} mm deep, but the board is only {caliper:.2f} mm thick.",
@@ -1237,22 +1241,22 @@ export const TEXTS = {
   },
   "groove.too-short": {
     "text": "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm wide.",
-    "hint": "Draw a longer groove, or choose a narrower blade."
+    "hint": "Draw a longer groove, or choose a V-cutter with a narrower blade."
   },
   "hpgl.bad-area": {
     "text": "{path} is {value}, but must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1",
     "hint": "Write the corners of the area in plotter units, the lower left corner first."
   },
   "hpgl.bad-byte": {
-    "text": "The byte {byte} is not allowed here.",
+    "text": "The program line contains the byte {byte}, which is not allowed in an HPGL program.",
     "hint": "Remove the byte."
   },
   "hpgl.bad-feed": {
     "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from {slowest} to {fastest}.",
-    "hint": "Give the tool a feed that is a multiple of {step:g} mm/min."
+    "hint": "In the machine file, give the tool a feed that is a multiple of {step:g} mm/min."
   },
   "hpgl.bad-number": {
-    "text": "A plus or minus sign is not followed by a number, or a number has too many digits.",
+    "text": "The program line has a plus or minus sign that is not followed by a number, or a number with too many digits.",
     "hint": "Correct the number."
   },
   "hpgl.bad-range": {
@@ -1269,42 +1273,42 @@ export const TEXTS = {
   },
   "hpgl.ends-down": {
     "text": "The program ends while the tool is down.",
-    "hint": "Lift the tool (PU) before the end."
+    "hint": "Lift the tool (PU) before the end of the program."
   },
   "hpgl.ends-with-pen": {
     "text": "The program ends while a pen is selected.",
-    "hint": "Add SP0 before the end."
+    "hint": "Deselect the pen (SP0) before the end of the program."
   },
   "hpgl.feed-not-supported": {
     "text": "{path} is {value:g} mm/min, but {device} supports only multiples of {step:g} mm/min from {slowest:g} to {fastest:g}",
     "hint": "Choose one of these feeds."
   },
   "hpgl.force-out-of-range": {
-    "text": "The force (FS) is not between {low} and {high}.",
+    "text": "The force (FS) in the program line is not between {low} and {high}.",
     "hint": "Give a force in this range."
   },
   "hpgl.initialised-again": {
-    "text": "The device is initialised (IN) a second time.",
+    "text": "The program line initialises the device (IN) a second time.",
     "hint": "Delete the second IN."
   },
   "hpgl.lone-letter": {
-    "text": "A single letter is not an instruction; instructions have two letters.",
+    "text": "The program line has a single letter, but each HPGL instruction has two letters.",
     "hint": "Correct the instruction."
   },
   "hpgl.loose-number": {
-    "text": "A number stands before any instruction.",
-    "hint": "Delete the number, or add the instruction before it."
+    "text": "The program line has a number that belongs to no instruction.",
+    "hint": "Delete the number, or add the instruction before the number."
   },
   "hpgl.moves-before-pa": {
-    "text": "The line moves the tool before the program has chosen absolute coordinates (PA).",
+    "text": "The program line moves the tool before the program has chosen absolute coordinates (PA).",
     "hint": "Write PA before the first move."
   },
   "hpgl.needs-no-number": {
-    "text": "The instruction in this line does not take a number.",
+    "text": "The instruction in this program line does not take a number.",
     "hint": "Delete the number."
   },
   "hpgl.needs-one-number": {
-    "text": "The instruction needs exactly one number.",
+    "text": "The instruction in this program line needs exactly one number.",
     "hint": "Give one number."
   },
   "hpgl.never-down": {
@@ -1324,39 +1328,39 @@ export const TEXTS = {
     "hint": "Remove force."
   },
   "hpgl.no-force-setting": {
-    "text": "The instruction FS is not allowed, because the device has no force setting.",
+    "text": "The program line sets the force (FS), but the device has no force setting.",
     "hint": "Remove FS."
   },
   "hpgl.no-instruction": {
     "text": "The program contains no instruction.",
-    "hint": "Choose an HPGL program."
+    "hint": "Choose a file with an HPGL program."
   },
   "hpgl.no-pen": {
     "text": "The machine file of {machine} assigns no pen to {work} with station {station}.",
     "hint": "Add a [[controller.pen]] to the machine file."
   },
   "hpgl.no-pen-selected": {
-    "text": "The line lowers the tool, but no pen is selected.",
-    "hint": "Select a pen (SP) before this line."
+    "text": "The program line lowers the tool, but no pen is selected.",
+    "hint": "Select a pen (SP) before this program line."
   },
   "hpgl.no-speed": {
-    "text": "The line cuts, but no speed has been set.",
-    "hint": "Set the speed (VS) before this line."
+    "text": "The program line cuts, but no speed has been set.",
+    "hint": "Set the speed (VS) before this program line."
   },
   "hpgl.no-speed-setting": {
-    "text": "The instruction VS is not allowed, because the device has no speed setting.",
+    "text": "The program line sets the speed (VS), but the device has no speed setting.",
     "hint": "Remove VS."
   },
   "hpgl.no-terminator": {
     "text": "The last instruction of the program has no semicolon.",
-    "hint": "Add the semicolon, or send the complete program."
+    "hint": "Add the semicolon, or send the complete program again."
   },
   "hpgl.not-initialised": {
-    "text": "The first instruction of the program is not IN.",
-    "hint": "Begin the program with IN."
+    "text": "The first instruction of the program is not IN (initialise).",
+    "hint": "Write IN at the beginning of the program."
   },
   "hpgl.outside-area": {
-    "text": "The line moves the tool outside the working area of the device.",
+    "text": "The program line moves the tool outside the working area of the device.",
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "hpgl.pen-cannot": {
@@ -1364,8 +1368,8 @@ export const TEXTS = {
     "hint": "Assign the pen to another station, or choose another work."
   },
   "hpgl.plunge-without-move": {
-    "text": "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
-    "hint": "Add a move after PD."
+    "text": "The program line lowers the tool, but no move follows, so the direction of the tool is not known.",
+    "hint": "Add a move after the instruction PD."
   },
   "hpgl.press": {
     "text": "{place} presses the tool into the board at one point, but HPGL cannot turn the tool there.",
@@ -1376,8 +1380,8 @@ export const TEXTS = {
     "hint": "Remove one of the two pens, or change its work."
   },
   "hpgl.selects-while-down": {
-    "text": "The line selects a pen while the tool is down.",
-    "hint": "Lift the tool first (PU)."
+    "text": "The program line selects a pen while the tool is down.",
+    "hint": "Lift the tool (PU) before the pen is selected."
   },
   "hpgl.send-by-hand": {
     "text": "Download the program and send it with the software of the cutter, where a person can stop it.",
@@ -1385,10 +1389,10 @@ export const TEXTS = {
   },
   "hpgl.slanted-plunge": {
     "text": "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
-    "hint": "Choose a tool that moves straight down."
+    "hint": "Choose a tool that enters the board vertically."
   },
   "hpgl.speed-out-of-range": {
-    "text": "The speed (VS) is not between {low} and {high}.",
+    "text": "The speed (VS) in the program line is not between {low} and {high}.",
     "hint": "Give a speed in this range."
   },
   "hpgl.station-without-pen": {
@@ -1396,8 +1400,8 @@ export const TEXTS = {
     "hint": "Add a [[controller.pen]] with this station."
   },
   "hpgl.swivel": {
-    "text": "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
-    "hint": "Set the trail of the knife to 0 in the machine file, because the device itself compensates for the trail."
+    "text": "{place} rotates the head about the tip of the knife, which HPGL cannot express. The device itself compensates for the trail of the knife.",
+    "hint": "Set the trail of the knife to 0 in the machine file."
   },
   "hpgl.tool-not-supported": {
     "text": "{path} needs depths or headings in its program, which HPGL cannot express",
@@ -1413,30 +1417,30 @@ export const TEXTS = {
   },
   "hpgl.turn-in-board": {
     "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
-    "hint": "Lift the tool before the corner."
+    "hint": "Lift the tool before it turns."
   },
   "hpgl.unknown-instruction": {
-    "text": "The instruction {name} is not supported.",
+    "text": "The instruction {name} in the program line is not supported.",
     "hint": "Remove the instruction."
   },
   "hpgl.unknown-pen": {
-    "text": "The device has no pen with this number.",
+    "text": "The program line selects a pen that the device does not have.",
     "hint": "Select a pen that is defined in the machine file."
   },
   "hpgl.wrong-force": {
-    "text": "The line lowers pen {pen} with a force that differs from the force of this pen in the machine file (FS{force}).",
-    "hint": "Write FS{force} before this line."
+    "text": "The program line lowers pen {pen} with a force that differs from the force of this pen in the machine file (FS{force}).",
+    "hint": "Write FS{force} before this program line."
   },
   "hpgl.x-without-y": {
-    "text": "An X coordinate is not followed by a Y coordinate.",
+    "text": "The program line has an X coordinate without a Y coordinate.",
     "hint": "Give both coordinates."
   },
   "import.angles-not-numbers": {
-    "text": "the angles of the arc are not numbers",
+    "text": "the start or end angle of the arc is not a number",
     "hint": ""
   },
   "import.annotations": {
-    "text": "{count:# note or form field|# notes and form fields} on the page {count:is|are} not cut",
+    "text": "{count:# note or form field|# notes and form fields} on the PDF page {count:is|are} not cut",
     "hint": ""
   },
   "import.area-outline": {
@@ -1448,11 +1452,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.array": {
-    "text": "the object is a grid of copies ({columns} columns × {rows} rows)",
+    "text": "the object inserts a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
   },
   "import.bad-operands": {
-    "text": "the PDF operator {operator!r} has invalid operands",
+    "text": "the path uses the PDF operator {operator!r} with a wrong number or type of values",
     "hint": ""
   },
   "import.bad-path-data": {
@@ -1468,7 +1472,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-radius": {
-    "text": "the radius is {radius:g}, but must be greater than 0",
+    "text": "the radius of the object is {radius:g}, but must be greater than 0",
     "hint": ""
   },
   "import.bad-size": {
@@ -1480,7 +1484,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-value": {
-    "text": "{value!r} is not a length",
+    "text": "the value {value!r} is not a length",
     "hint": ""
   },
   "import.bad-window": {
@@ -1488,31 +1492,31 @@ export const TEXTS = {
     "hint": ""
   },
   "import.block-external": {
-    "text": "the block {block!r} is in another file",
-    "hint": "Bind the external reference in the CAD program and export again."
+    "text": "the object inserts the block {block!r}, which is defined in another file",
+    "hint": "Bind the external reference in the CAD program, and export the drawing again."
   },
   "import.block-in-itself": {
-    "text": "the block {block!r} contains itself",
+    "text": "the block {block!r} inserts itself",
     "hint": ""
   },
   "import.block-missing": {
-    "text": "the block {block!r} is not in the file",
-    "hint": "Insert the block in the CAD program and export again."
+    "text": "the object inserts the block {block!r}, which is not defined in the file",
+    "hint": "Add the definition of the block in the CAD program, and export the drawing again."
   },
   "import.bridge": {
-    "text": "the steel rule of the die has 1 bridge, {width:g} wide (in units of the file)",
+    "text": "the steel rule of the cutting die has 1 bridge (gap), which is {width:g} file units wide",
     "hint": ""
   },
   "import.bridges": {
-    "text": "the steel rule of the die has {bridges:g} bridges, each {width:g} wide (in units of the file)",
+    "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide",
     "hint": ""
   },
   "import.clip-path": {
-    "text": "the object is only a clipping path",
+    "text": "the object only limits the visible area of other objects (clipping path)",
     "hint": ""
   },
   "import.contains-itself": {
-    "text": "the object contains itself",
+    "text": "the object contains a reference to itself",
     "hint": ""
   },
   "import.coordinate-not-a-number": {
@@ -1520,11 +1524,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.curves-fitted": {
-    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units",
+    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units from the curves",
     "hint": ""
   },
   "import.curves-fitted-relative": {
-    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the drawing)",
+    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units from the curves (1/250,000 of the size of the drawing)",
     "hint": ""
   },
   "import.damaged": {
@@ -1536,15 +1540,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.dimension": {
-    "text": "dimensions and notes are not cut",
+    "text": "the object is a dimension or a note, which is not cut",
     "hint": ""
   },
   "import.drawn-twice": {
-    "text": "the object is drawn twice, because it lies exactly on {same:, }",
+    "text": "the object is drawn twice: it has the same shape and position as {same:, }",
     "hint": ""
   },
   "import.drawn-twice-often": {
-    "text": "the object is drawn several times, because it lies exactly on {same:, } and {more} more {more:object|objects}",
+    "text": "the object is drawn several times: it has the same shape and position as {same:, } and {more} more {more:object|objects}",
     "hint": ""
   },
   "import.empty-path": {
@@ -1564,7 +1568,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.few-vertices": {
-    "text": "the polyline has {vertices:# vertex|# vertices}, but needs at least 2",
+    "text": "the object is a polyline with {vertices:# vertex|# vertices}, but needs at least 2",
     "hint": ""
   },
   "import.filled-area": {
@@ -1580,19 +1584,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.fit-points": {
-    "text": "the curve was computed from its fit points",
+    "text": "the curve was computed from its fit points, through which it passes",
     "hint": ""
   },
   "import.font-shape": {
     "text": "the object is a shape from a font file, which cannot be read",
-    "hint": "Explode the shape into lines in the CAD program and export again."
+    "hint": "Explode the object into lines in the CAD program, and export the drawing again."
   },
   "import.height-not-a-number": {
     "text": "the height (z) of the object is not a number",
     "hint": ""
   },
   "import.height-too-far": {
-    "text": "the height (z) of the object is {height:g}; the limit is {limit:g}",
+    "text": "the height (z) of the object is {height:g} file units, but the limit is {limit:g}",
     "hint": ""
   },
   "import.hidden": {
@@ -1601,10 +1605,10 @@ export const TEXTS = {
   },
   "import.hidden-layer": {
     "text": "the object is hidden, because the layer {layer} is switched off",
-    "hint": "Switch the layer on and export again if the object must be cut."
+    "hint": "Switch the layer on and export the drawing again if the object must be cut."
   },
   "import.image": {
-    "text": "images are not cut",
+    "text": "the object is an image, which is not cut",
     "hint": ""
   },
   "import.incomplete": {
@@ -1612,7 +1616,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.interrupted-path": {
-    "text": "the path is neither stroked nor filled, because another object begins before the path is finished",
+    "text": "the path has neither a stroke nor a fill, because another object begins before the path ends",
     "hint": ""
   },
   "import.invisible": {
@@ -1620,39 +1624,39 @@ export const TEXTS = {
     "hint": ""
   },
   "import.kept": {
-    "text": "kept",
+    "text": "the object was imported unchanged",
     "hint": ""
   },
   "import.kept-changed": {
-    "text": "kept: {notes:; }",
+    "text": "the object was imported; {notes:; }",
     "hint": ""
   },
   "import.laid-flat": {
-    "text": "the object was moved from the height z = {height:g} to z = 0",
+    "text": "the object was moved from the height z = {height:g} file units to z = 0",
     "hint": ""
   },
   "import.layer-frozen": {
     "text": "the layer of the object is frozen",
-    "hint": "Thaw the layer and export again if the object must be cut."
+    "hint": "Thaw the layer and export the drawing again if the object must be cut."
   },
   "import.layer-not-plotted": {
-    "text": "the layer of the object is not plotted",
-    "hint": "Set the layer to be plotted and export again if the object must be cut."
+    "text": "the layer of the object is set to be not plotted",
+    "hint": "Set the layer to be plotted and export the drawing again if the object must be cut."
   },
   "import.layer-off": {
     "text": "the layer of the object is switched off",
-    "hint": "Switch the layer on and export again if the object must be cut."
+    "hint": "Switch the layer on and export the drawing again if the object must be cut."
   },
   "import.light": {
-    "text": "lights are not cut",
+    "text": "the object is a light, which is not cut",
     "hint": ""
   },
   "import.line-not-numbers": {
-    "text": "the values of line {line} are not all numbers: {values:, }",
+    "text": "the values in line {line} of the file are not all numbers: {values:, }",
     "hint": ""
   },
   "import.lone-vertex": {
-    "text": "the vertex does not belong to a polyline",
+    "text": "the object is a vertex that belongs to no polyline",
     "hint": ""
   },
   "import.mesh": {
@@ -1660,19 +1664,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.missing-id": {
-    "text": "the object refers to an object with the id {id!r}, which does not exist",
+    "text": "the object refers to another object by the id {id!r}, which does not exist in the file",
     "hint": ""
   },
   "import.missing-subroutine": {
-    "text": "the subroutine {name} does not exist",
+    "text": "the object inserts the subroutine {name}, which is not in the file",
     "hint": ""
   },
   "import.multiple-line": {
-    "text": "multilines cannot be read",
-    "hint": "Explode the multiline into lines in the CAD program and export again."
+    "text": "the object is a multiline, which cannot be read",
+    "hint": "Explode the multiline into lines in the CAD program, and export the drawing again."
   },
   "import.no-length": {
-    "text": "the object has no length ({length:g})",
+    "text": "the length of the object is {length:g}, which is too short to be cut",
     "hint": ""
   },
   "import.no-major-axis": {
@@ -1684,7 +1688,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-parameter-range": {
-    "text": "the object has no length: it starts and ends at parameter {parameter:g}",
+    "text": "the object has no length, because it starts and ends at the same parameter, {parameter:g}",
     "hint": ""
   },
   "import.no-points": {
@@ -1692,7 +1696,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-scale": {
-    "text": "the object is scaled by {x:g} × {y:g}, so its size is 0",
+    "text": "the object has no size, because it is scaled by {x:g} in X and {y:g} in Y",
     "hint": ""
   },
   "import.no-size": {
@@ -1700,15 +1704,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-sweep": {
-    "text": "the arc has no length: it starts and ends at {degrees:g}°",
+    "text": "the arc has no length, because it starts and ends at the same angle, {degrees:g}°",
     "hint": ""
   },
   "import.not-a-line": {
-    "text": "objects of type {kind} cannot be read",
+    "text": "the object is of the type {kind}, which cannot be read",
     "hint": ""
   },
   "import.not-clipped": {
-    "text": "the object is clipped in the file, but it is imported completely",
+    "text": "the file clips the object, but the complete object was imported",
     "hint": ""
   },
   "import.not-flat": {
@@ -1728,11 +1732,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.nothing-named": {
-    "text": "the PDF has no form or image with the name {name!r}",
+    "text": "the PDF page uses a form or image with the name {name!r}, which the PDF does not contain",
     "hint": ""
   },
   "import.on-layer": {
-    "text": "the object lies on the layer {layer}",
+    "text": "the object also lies on the layer {layer}",
     "hint": ""
   },
   "import.other-file": {
@@ -1740,7 +1744,7 @@ export const TEXTS = {
     "hint": "Embed the object in the file and export again."
   },
   "import.other-pages": {
-    "text": "only the first of {pages:# page|# pages} is read",
+    "text": "the file has {pages:# page|# pages}, but only the first page is read",
     "hint": "Export each page as a separate file."
   },
   "import.outside-page": {
@@ -1748,7 +1752,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.page-ends-early": {
-    "text": "the path is neither stroked nor filled, because the page ends before the path is finished",
+    "text": "the path has neither a stroke nor a fill, because the page ends before the path ends",
     "hint": ""
   },
   "import.paper-space": {
@@ -1764,7 +1768,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.picture": {
-    "text": "pictures are not cut",
+    "text": "the object is a picture, which is not cut",
     "hint": ""
   },
   "import.picture-block": {
@@ -1772,15 +1776,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.pieces-drawn-twice": {
-    "text": "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, }, so {pieces:it is|they are} drawn twice",
+    "text": "{pieces} of the {all} segments of the object {pieces:is|are} drawn twice: {pieces:it lies|they lie} exactly on {same:, }",
     "hint": ""
   },
   "import.pieces-drawn-twice-often": {
-    "text": "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, } and {more} more {more:object|objects}, so {pieces:it is|they are} drawn several times",
+    "text": "{pieces} of the {all} segments of the object {pieces:is|are} drawn several times: {pieces:it lies|they lie} exactly on {same:, } and {more} more {more:object|objects}",
     "hint": ""
   },
   "import.pieces-no-length": {
-    "text": "{pieces} of {all} segments {pieces:has|have} no length",
+    "text": "{pieces} of the {all} segments of the object {pieces:has|have} no length",
     "hint": ""
   },
   "import.place-not-a-number": {
@@ -1804,27 +1808,27 @@ export const TEXTS = {
     "hint": ""
   },
   "import.proxy": {
-    "text": "only the program that made this object can read it",
+    "text": "the object can be read only by the program that made it",
     "hint": "Explode the object into lines in that program and export again."
   },
   "import.region": {
-    "text": "regions cannot be read",
-    "hint": "Explode the region into lines in the CAD program and export again."
+    "text": "the object is a region, which cannot be read",
+    "hint": "Explode the region into lines in the CAD program, and export the drawing again."
   },
   "import.repeated": {
-    "text": "the object is drawn {times} times",
+    "text": "the drawing contains the object {times} times",
     "hint": ""
   },
   "import.rules-not-read": {
-    "text": "the style sheet has rules that are not supported: {rules:, }",
+    "text": "the style sheet of the drawing has rules that are not supported: {rules:, }",
     "hint": ""
   },
   "import.script": {
-    "text": "scripts are not executed",
+    "text": "the object is a script, which is not executed",
     "hint": ""
   },
   "import.shading": {
-    "text": "shadings (colour gradients) are not cut",
+    "text": "the object is a shading (colour gradient), which is not cut",
     "hint": ""
   },
   "import.short-path-data": {
@@ -1840,15 +1844,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.subroutine-in-itself": {
-    "text": "the subroutine {name} contains itself",
+    "text": "the subroutine {name} inserts itself",
     "hint": ""
   },
   "import.text": {
-    "text": "texts are not cut",
+    "text": "the object is a text, which is not cut",
     "hint": ""
   },
   "import.text-unknown-letters": {
-    "text": "texts are not cut, and the characters of this text cannot be read",
+    "text": "the object is a text, which is not cut and whose characters cannot be read",
     "hint": ""
   },
   "import.tilted": {
@@ -1860,43 +1864,43 @@ export const TEXTS = {
     "hint": ""
   },
   "import.too-far": {
-    "text": "a coordinate of the object is {coordinate:g}, but the limit is {limit:g}",
+    "text": "a coordinate of the object is {coordinate:g} file units, but the limit is {limit:g}",
     "hint": ""
   },
   "import.too-many-fit-points": {
-    "text": "the curve has {points:,} fit points; the limit is {limit:,}",
+    "text": "the curve has {points:,} fit points, but the limit is {limit:,}",
     "hint": ""
   },
   "import.uncentred-arc": {
-    "text": "the centre of the arc is {first:g} away from its start, but {second:g} away from its end",
+    "text": "the centre of the arc is {first:g} file units away from the start of the arc, but {second:g} file units away from its end",
     "hint": ""
   },
   "import.underlay": {
-    "text": "underlays (inserted pictures and PDF pages) are not cut",
+    "text": "the object is an underlay (an inserted picture or PDF page), which is not cut",
     "hint": ""
   },
   "import.uneven-height": {
-    "text": "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g}",
+    "text": "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g} file units",
     "hint": ""
   },
   "import.unknown-operator": {
-    "text": "the PDF operator {operator!r} is not supported",
+    "text": "the PDF page uses the operator {operator!r}, which is not supported",
     "hint": ""
   },
   "import.unknown-record": {
-    "text": "CF2 records of this type are not supported",
+    "text": "the object is a CF2 record of a type that is not supported",
     "hint": ""
   },
   "import.unsupported-element": {
-    "text": "elements of type {kind} are not supported",
+    "text": "the object is an SVG element of the type {kind}, which is not supported",
     "hint": ""
   },
   "import.unused-block": {
-    "text": "the block {block} with {entities:# object|# objects} is not used in the drawing",
+    "text": "the file defines the block {block} with {entities:# object|# objects}, but the drawing does not use it",
     "hint": ""
   },
   "import.unused-subroutine": {
-    "text": "the subroutine {name} with {records:# record|# records} is not used in the drawing",
+    "text": "the file defines the subroutine {name} with {records:# record|# records}, but the drawing does not use it",
     "hint": ""
   },
   "import.value-angle": {
@@ -1904,19 +1908,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.value-not-numbers": {
-    "text": "{value!r} is not a number",
+    "text": "the value {value!r} is not a number",
     "hint": ""
   },
   "import.value-not-transform": {
-    "text": "{value!r} is not a valid transform",
+    "text": "the value {value!r} is not a valid transform",
     "hint": ""
   },
   "import.value-transform-numbers": {
-    "text": "the transform {name} has a wrong number of values ({count})",
+    "text": "the transform {name} has {count} values, which is a wrong number of values",
     "hint": ""
   },
   "import.value-unit": {
-    "text": "{value!r} has an unknown unit of length",
+    "text": "the value {value!r} has an unknown unit of length",
     "hint": ""
   },
   "import.viewport": {
@@ -1936,15 +1940,15 @@ export const TEXTS = {
     "hint": ""
   },
   "job.at-line": {
-    "text": "The program is at line {line}.",
+    "text": "The machine is at program line {line}.",
     "hint": ""
   },
   "job.awaits-kernels": {
-    "text": "The job waits until the functions for the machine {machine} are compiled. This happens once after an installation.",
-    "hint": "Wait. The job starts automatically when the functions are compiled."
+    "text": "The job waits until the server has compiled the parts of knifetip that it needs for the machine {machine}. The server does this once after an installation.",
+    "hint": "Wait. The job continues automatically."
   },
   "job.being-cancelled": {
-    "text": "Job {job} is being cancelled.",
+    "text": "Job {job} is already being cancelled.",
     "hint": "Wait until the machine has stopped."
   },
   "job.cancelled": {
@@ -1956,15 +1960,15 @@ export const TEXTS = {
     "hint": "Wait until the machine has stopped."
   },
   "job.claim-returned": {
-    "text": "The gateway returned the job to the queue. {reason}",
+    "text": "The gateway put the job back into the queue. {reason}",
     "hint": ""
   },
   "job.claimed": {
-    "text": "The gateway claimed the job.",
+    "text": "The gateway of the machine took the job from the queue (claimed it).",
     "hint": ""
   },
   "job.claimed-to-confirm": {
-    "text": "The gateway claimed the job, which now waits for the confirmation of the operator.",
+    "text": "The gateway of the machine took the job from the queue. The job now waits for the confirmation of the operator.",
     "hint": ""
   },
   "job.compile-cancelled": {
@@ -1988,59 +1992,59 @@ export const TEXTS = {
     "hint": ""
   },
   "job.confirmed-table": {
-    "text": "The operator confirmed that the table is clear and that the board is {board}.",
+    "text": "The operator confirmed that the table is clear and that the board on it is {board}.",
     "hint": ""
   },
   "job.copy-done": {
-    "text": "Copy {copy} of {copies} is finished.",
+    "text": "Copy {copy} of {copies} of the job is finished.",
     "hint": ""
   },
   "job.copy-done-next-sheet": {
-    "text": "Copy {copy} of {copies} is finished. The next copy needs a new sheet.",
-    "hint": "Put a new sheet on the table."
+    "text": "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet of board.",
+    "hint": "Put a new sheet of board on the table, then confirm the new sheet on the page of the job. The machine then starts the next copy."
   },
   "job.declared-finished": {
-    "text": "The operator marked the job as finished at line {line} of {lines}.",
+    "text": "The operator marked the job as finished, after the machine had stopped at program line {line} of {lines}.",
     "hint": ""
   },
   "job.executed": {
-    "text": "Every line of the program was executed.",
+    "text": "The machine executed every line of the program.",
     "hint": ""
   },
   "job.fully-executed": {
-    "text": "Job {job} was executed to its last line ({lines}), so it cannot be queued again.",
-    "hint": "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it."
+    "text": "The machine executed job {job} to its last program line ({lines}), so the job cannot be queued again.",
+    "hint": "Check the table. Mark the job finished if the sheet is complete, otherwise scrap the job."
   },
   "job.gateway-fell-silent": {
     "text": "The gateway {gateway} stopped responding.",
-    "hint": "Check the gateway and its network connection."
+    "hint": "Check the computer of the gateway and its network connection."
   },
   "job.gateway-lost": {
-    "text": "The gateway {gateway} stopped responding. The machine may have executed more lines than the gateway reported.",
-    "hint": "Check the gateway and its network connection."
+    "text": "The gateway {gateway} stopped responding. The machine may have executed more program lines than the gateway reported.",
+    "hint": "Check the computer of the gateway and its network connection."
   },
   "job.gateway-silent": {
     "text": "The gateway {gateway}, which claimed job {job}, does not respond.",
-    "hint": "Switch on the machine and its gateway, then confirm the job when it waits for confirmation again."
+    "hint": "Switch on the machine and its gateway. Confirm the job when it waits for a confirmation again."
   },
   "job.held-before-start": {
-    "text": "The job is held before its first line.",
+    "text": "The job is on hold before its first program line.",
     "hint": ""
   },
   "job.interrupted": {
-    "text": "The job was interrupted at line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Check the table. Then queue the job again to cut a new sheet from the first line, mark the job finished if the sheet is complete, or scrap the job."
+    "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Check the table. Then either queue the job again (a new sheet is cut from the first program line), or mark the job finished if the sheet is complete, or scrap the job."
   },
   "job.interrupted-at-end": {
-    "text": "The job was interrupted at line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Check the table. Mark the job finished if the sheet is complete, otherwise scrap it."
+    "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
+    "hint": "{cause:hint} Check the table. Mark the job finished if the sheet is complete, otherwise scrap the job."
   },
   "job.interrupted-between-copies": {
-    "text": "The job was interrupted after copy {copy} of {copies}, before the first line of the next copy. {cause}",
-    "hint": "{cause:hint} Check the table. Then queue the job again for the remaining copies, mark it finished, or scrap it."
+    "text": "The job was interrupted after copy {copy} of {copies}, before the first program line of the next copy. {cause}",
+    "hint": "{cause:hint} Check the table. Then either queue the job again for the remaining copies, or mark the job finished, or scrap it."
   },
   "job.late-report": {
-    "text": "The gateway reported late: {report}",
+    "text": "A late report of the gateway arrived: {report}",
     "hint": ""
   },
   "job.no-confirmation-awaited": {
@@ -2048,7 +2052,7 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "job.no-sheet-awaited": {
-    "text": "Job {job} is held, but it does not wait for a new sheet.",
+    "text": "Job {job} is on hold, but it does not wait for a new sheet.",
     "hint": "Resume the job."
   },
   "job.no-work": {
@@ -2056,59 +2060,59 @@ export const TEXTS = {
     "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "job.not-confirmed": {
-    "text": "Job {job} was started without a confirmation of its sheet.",
+    "text": "Job {job} was started, although the operator has not confirmed that the table is ready.",
     "hint": "Check the table, then confirm the job or cancel it."
   },
   "job.not-running": {
     "text": "Job {job} is {state}, so no machine executes it.",
-    "hint": "Claim the job first."
+    "hint": "Let the gateway claim the job before it reports on the job."
   },
   "job.not-taken": {
-    "text": "Job {job} is queued, and its machine {machine} has not claimed it yet.",
-    "hint": "Confirm the job after the machine has claimed it. The reason in the job shows what the job waits for."
+    "text": "Job {job} is queued, and the gateway of its machine {machine} has not claimed it yet.",
+    "hint": "Confirm the job after the gateway has claimed it. The field reason of the job shows what the job waits for."
   },
   "job.nothing-sent": {
     "text": "The gateway sent nothing to the machine.",
     "hint": ""
   },
   "job.nothing-to-confirm": {
-    "text": "Job {job} is running, so there is nothing to confirm.",
+    "text": "Job {job} is already running, so there is nothing to confirm.",
     "hint": "Hold or cancel the job if the machine must stop."
   },
   "job.of-copy": {
-    "text": " of copy {copy} of {copies}",
+    "text": ", in copy {copy} of {copies}",
     "hint": ""
   },
   "job.ordered": {
-    "text": "The job was ordered.",
+    "text": "The job was created.",
     "hint": ""
   },
   "job.other-board": {
-    "text": "Job {job} is for the board {board}, not {given}.",
-    "hint": "Put {board} on the table."
+    "text": "Job {job} needs the board {board}, but the confirmation names the board {given}.",
+    "hint": "Put a sheet of {board} on the table, then confirm the job again."
   },
   "job.program-refused": {
     "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
-    "hint": "Change the drawing, the line types or the board."
+    "hint": "Change the drawing, the line types of its edges or the board."
   },
   "job.released": {
-    "text": "The job was released.",
+    "text": "The operator released the job, so it is queued for its machine.",
     "hint": ""
   },
   "job.released-by-order": {
-    "text": "The job was released automatically, as requested in its order.",
+    "text": "The job was released automatically, as its order requested, so it is queued for its machine.",
     "hint": ""
   },
   "job.requeued": {
-    "text": "The job was queued again.",
+    "text": "The operator queued the job again.",
     "hint": ""
   },
   "job.scrapped": {
-    "text": "The job was scrapped.",
+    "text": "The operator scrapped the job.",
     "hint": ""
   },
   "job.stale-epoch": {
-    "text": "Another claim of job {job} has replaced the claim of this gateway: the job is {state} and in epoch {current}, but the request names epoch {epoch}.",
+    "text": "Job {job} was claimed again, so the claim of this gateway is no longer valid. The job is {state}. Its valid claim has the number (epoch) {current}, but the request has the number {epoch}.",
     "hint": "Stop the machine and claim the job again."
   },
   "job.started": {
@@ -2124,7 +2128,7 @@ export const TEXTS = {
     "hint": "Choose one of the jobs that GET /api/jobs lists."
   },
   "job.verified": {
-    "text": "The job was compiled and verified.",
+    "text": "The job was compiled, and its program was verified.",
     "hint": ""
   },
   "job.worker-silent": {
@@ -2140,11 +2144,11 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "language.bad-entry-point": {
-    "text": "The entry point {name!r} in the group {group} does not provide a controller language with this name.",
+    "text": "The entry point {name!r} in the entry point group {group} does not provide a controller language with this name.",
     "hint": "Correct or remove the Python package that declares the entry point."
   },
   "language.no-driver": {
-    "text": "Programs in {language} cannot be sent to a machine, because there is no gateway driver for this language.",
+    "text": "Programs in {language} cannot be sent to a machine, because the gateway has no driver for this language.",
     "hint": "{advice}"
   },
   "language.no-settings": {
@@ -2160,8 +2164,8 @@ export const TEXTS = {
     "hint": "Choose one of {known:, }."
   },
   "language.unusable": {
-    "text": "{machine} cannot be driven with {language}: {faults:; }.",
-    "hint": "{faults:hint} Choose {own}, which is the language in the machine file."
+    "text": "{machine} cannot be controlled with programs in {language}: {faults:; }.",
+    "hint": "{faults:hint} Choose the language {own}, which the machine file names."
   },
   "layer.not-finite": {
     "text": "A coordinate on the layer {layer} is not a number.",
@@ -2185,22 +2189,22 @@ export const TEXTS = {
   },
   "machine.busy": {
     "text": "Job {job} already occupies the table of {machine}.",
-    "hint": "Finish that job, queue it again or scrap it, because a machine can process only one job at a time."
+    "hint": "Mark that job finished, queue it again or scrap it. A machine can process only one job at a time."
   },
   "machine.busy-with-another": {
     "text": "Another job already occupies the table of {machine}.",
-    "hint": "Finish that job, queue it again or scrap it, because a machine can process only one job at a time."
+    "hint": "Mark that job finished, queue it again or scrap it. A machine can process only one job at a time."
   },
   "machine.no-cutter": {
-    "text": "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
-    "hint": "Choose a machine with a rotating cutter or a laser, because only these tools can be calibrated."
+    "text": "{machine} has no cutter with the name {cutter!r}, because none of its tools is a rotating cutter or a laser.",
+    "hint": "Choose a machine with a rotating cutter or a laser. Only these tools can be calibrated."
   },
   "machine.no-such-cutter": {
-    "text": "{machine} has no cutter {cutter!r}.",
-    "hint": "Choose one of {known:, }."
+    "text": "{machine} has no cutter with the name {cutter!r}.",
+    "hint": "Choose one of the cutters {known:, }."
   },
   "milling.shared-edge": {
-    "text": "Two parts share edge {edge}, but the cutter removes {diameter:g} mm from one of them.",
+    "text": "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a strip of one of the parts.",
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
   },
   "offset.bad-distance": {
@@ -2208,32 +2212,32 @@ export const TEXTS = {
     "hint": "Correct the radius of the tool."
   },
   "offset.bad-interference": {
-    "text": "{interference!r} is not a valid method for contours into which the tool does not fit.",
-    "hint": "Choose 'trim' or 'refuse'."
+    "text": "{interference!r} is not a valid method for the parts of a contour that the tool cannot reach.",
+    "hint": "Choose 'trim' (leave these parts uncut) or 'refuse' (write no program)."
   },
   "offset.bad-side": {
-    "text": "The side of a path must be +1 (left) or -1 (right).",
-    "hint": "Give +1 or -1."
+    "text": "The side on which a tool follows a path is neither +1 (left) nor -1 (right).",
+    "hint": "Give +1 or -1 as the side."
   },
   "offset.dead-end": {
-    "text": "The offset of path {path} by {radius:g} mm is not closed, because {depth:.4g} mm of the offset beside segment {segment} do not connect to the rest.",
-    "hint": "Draw the contour without overlaps, or change the radius slightly."
+    "text": "The curve at {radius:g} mm from path {path} is not closed, because a piece of it, {depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
+    "hint": "Draw the contour without overlaps, or change the radius of the tool slightly."
   },
   "offset.interference": {
     "text": "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} mm into segment {other}.",
-    "hint": "Choose a smaller tool, or accept uncut areas where the tool does not fit."
+    "hint": "Choose a tool with a smaller radius, or accept uncut areas where the tool does not fit."
   },
   "offset.mixed-group": {
-    "text": "Path {path} has a different radius or offset side than the rest of its group.",
+    "text": "Path {path} has a different radius or offset side than the other paths of its group.",
     "hint": "Reverse the path, or put it into a separate group."
   },
   "offset.self-contact": {
-    "text": "The offset of path {path} by {radius:g} mm is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) in segments {one} and {two}.",
+    "text": "The curve at {radius:g} mm from path {path} is not closed, because the contour touches itself at X {x:.4f} mm, Y {y:.4f} mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "override.ambiguous": {
-    "text": "An override must select its edges in exactly one way: by number, by handle, or by layer and colour.",
-    "hint": "Give either edges, or handles, or layer and colour."
+    "text": "The request changes the line type of edges, but does not select these edges in exactly one way.",
+    "hint": "Give either edges (edge numbers), or handles, or layer and colour."
   },
   "override.no-edges-there": {
     "text": "The drawing has no edge {place: and }.",
@@ -2244,11 +2248,11 @@ export const TEXTS = {
     "hint": "Choose an edge number that exists. The first edge has number 0."
   },
   "override.no-such-handle": {
-    "text": "No edge has the handle {handle!r}.",
+    "text": "No edge of the drawing has the handle {handle!r}.",
     "hint": "Choose a handle that GET /api/drawings/ID/edges lists."
   },
   "override.of-colour": {
-    "text": "of colour {colour}",
+    "text": "with colour {colour}",
     "hint": ""
   },
   "override.on-layer": {
@@ -2257,19 +2261,19 @@ export const TEXTS = {
   },
   "pdf.blank": {
     "text": "The first page of the PDF contains no drawing.",
-    "hint": "Export the drawing as the first page."
+    "hint": "Export the drawing again, as the first page of the PDF."
   },
   "pdf.content-damaged": {
-    "text": "The content of {where} of the PDF {reason}, so lines of the drawing may be missing.",
+    "text": "The content of {where} of the PDF is damaged: it {reason}. Objects of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.cut-short": {
-    "text": "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF, so lines of the drawing may be missing.",
+    "text": "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.encrypted": {
     "text": "The PDF is encrypted, so it cannot be read.",
-    "hint": "Save the PDF without a password and without restrictions."
+    "hint": "Save the PDF without a password and without restrictions, then send it again."
   },
   "pdf.expands-too-far": {
     "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
@@ -2280,11 +2284,11 @@ export const TEXTS = {
     "hint": "Print the drawing to a PDF, or send it as DXF."
   },
   "pdf.form-named": {
-    "text": "form {name}",
+    "text": "the form {name}",
     "hint": ""
   },
   "pdf.illustrator-only": {
-    "text": "The Illustrator file was saved without PDF content, so its page contains no line.",
+    "text": "The Illustrator file was saved without PDF content, so its page contains no drawing.",
     "hint": "Save the file with the option 'Create PDF Compatible File', or as PDF."
   },
   "pdf.layers-too-deep": {
@@ -2292,7 +2296,7 @@ export const TEXTS = {
     "hint": "Export the drawing again with fewer nested layers."
   },
   "pdf.nested-arrays": {
-    "text": "has arrays that are nested too deeply",
+    "text": "contains arrays that are nested too deeply",
     "hint": ""
   },
   "pdf.no-header": {
@@ -2304,15 +2308,15 @@ export const TEXTS = {
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.open-array": {
-    "text": "ends inside an array",
+    "text": "ends before an array is closed",
     "hint": ""
   },
   "pdf.open-image": {
-    "text": "ends inside an image",
+    "text": "ends before an image is complete",
     "hint": ""
   },
   "pdf.open-text": {
-    "text": "ends inside a text",
+    "text": "ends before a text is closed",
     "hint": ""
   },
   "pdf.page": {
@@ -2320,19 +2324,19 @@ export const TEXTS = {
     "hint": ""
   },
   "pdf.page-too-large": {
-    "text": "The page of the PDF extends to {size:g} mm; the limit is {limit:g} mm.",
+    "text": "The page of the PDF has an extent of {size:g} mm, but the limit is {limit:g} mm.",
     "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
-    "text": "A part of the content of the PDF page is missing in the file, so lines of the drawing may be missing.",
+    "text": "A part of the content of the PDF page does not exist in the file. Objects of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-cut-short": {
-    "text": "A data stream of the PDF is incomplete, so lines of the drawing may be missing.",
+    "text": "A data stream of the PDF is incomplete. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.stream-damaged": {
-    "text": "A data stream of the PDF is damaged ({reason}), so lines of the drawing may be missing.",
+    "text": "A data stream of the PDF is damaged ({reason}). Objects of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-too-large": {
@@ -2340,20 +2344,20 @@ export const TEXTS = {
     "hint": "Export a single carton, without pictures."
   },
   "pdf.too-many-states": {
-    "text": "The PDF saves more than {limit:,} graphics states at once.",
+    "text": "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
     "hint": "Export the drawing again from the program that drew it."
   },
   "profile.bad-if-match": {
-    "text": "The header If-Match is {match!r}, which is not a version.",
+    "text": "The header If-Match is {match!r}, which is not a version number of a profile.",
     "hint": "Send the ETag of the profile in If-Match, for example \"3\"."
   },
   "profile.bad-name": {
     "text": "{name!r} is not a valid profile name.",
-    "hint": "Use up to 64 lower-case letters, digits, - and _; put other characters into the title."
+    "hint": "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other characters into the title of the profile."
   },
   "profile.exists": {
-    "text": "A profile {name} already exists, at version {version}.",
-    "hint": "Send If-Match: \"{version}\" to replace it, or choose another name."
+    "text": "A profile with the name {name} already exists, at version {version}.",
+    "hint": "Send If-Match: \"{version}\" to replace this profile, or choose another name."
   },
   "profile.invalid-field": {
     "text": "The profile cannot be read: {fault}.",
@@ -2365,10 +2369,10 @@ export const TEXTS = {
   },
   "profile.not-an-extension": {
     "text": "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks some rules of {extends!r}.",
-    "hint": "Save the profile without extends."
+    "hint": "Save the profile without the field extends."
   },
   "profile.not-kept": {
-    "text": "The server has no custom profile {name}.",
+    "text": "The server has no user-made profile with the name {name}.",
     "hint": "Choose one of the profiles that GET /api/profiles lists."
   },
   "profile.not-toml": {
@@ -2376,7 +2380,7 @@ export const TEXTS = {
     "hint": "Correct the TOML syntax at this position."
   },
   "profile.not-utf8": {
-    "text": "{name} is not UTF-8 text.",
+    "text": "The file {name} is not UTF-8 text.",
     "hint": "Save the file as UTF-8."
   },
   "profile.not-utf8-byte": {
@@ -2385,43 +2389,43 @@ export const TEXTS = {
   },
   "profile.shipped": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
-    "hint": "Save your profile under another name. Your profile can extend this one."
+    "hint": "Save your profile under another name. It can extend {name!r}."
   },
   "profile.shipped-command": {
     "text": "The profile {name!r} is part of knifetip and cannot be changed.",
     "hint": "Choose another name with --name."
   },
   "profile.stale": {
-    "text": "Another user has changed the profile {name}: it is at version {version}, but your change is based on version {given}.",
-    "hint": "Check the profile again, then send your change with If-Match: \"{version}\"."
+    "text": "Another user has changed the profile {name}: it now has version {version}, but your change is based on version {given}.",
+    "hint": "Load the profile again and check it. Then send your change with If-Match: \"{version}\"."
   },
   "profile.too-long": {
     "text": "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",
-    "hint": "Combine rules: a rule can list many layers, and * matches any characters."
+    "hint": "Combine rules of the profile: one rule can list many layers, and * matches any characters."
   },
   "profile.too-many": {
-    "text": "The server already has {limit} profiles, the largest number allowed.",
+    "text": "The server already has {limit} profiles, which is the largest number allowed.",
     "hint": "Delete a profile that is not used."
   },
   "program.bad-tolerance": {
-    "text": "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
+    "text": "A tolerance of {tolerance} mm is too small for the path blending (rounding of corners) of the controller.",
     "hint": "Choose a tolerance of 0.001 mm or more."
   },
   "program.control-byte": {
-    "text": "Line {line} of the program contains the byte 0x{byte}, a control command that the controller would execute at once.",
+    "text": "Line {line} of the program contains the byte 0x{byte}, which is a control command that the controller would execute at once.",
     "hint": "Remove the byte, or compile the job again."
   },
   "program.line-too-long": {
-    "text": "A program line for row {row} of the toolpath has {length} characters ({line} …), but {dialect} accepts only {limit}.",
-    "hint": "Check the coordinates of the drawing, which are too large for any table."
+    "text": "A program line for row {row} of the toolpath has {length} characters ({line} …), but {dialect} accepts only {limit} characters.",
+    "hint": "Check the coordinates of the drawing. They are too large for any table."
   },
   "program.line-too-long-to-send": {
-    "text": "Line {line} of the program has {length} bytes, but {name} accepts only {limit}.",
+    "text": "Line {line} of the program has {length} bytes, but {name} accepts only {limit} bytes.",
     "hint": "Compile the job again with shorter comments."
   },
   "program.no-placement": {
     "text": "{program} does not contain the position of the drawing on the sheet.",
-    "hint": "Give the position with --placement X,Y. The report of the program contains the position."
+    "hint": "Give the position with --placement X,Y. The report that knifetip program --report writes contains the position."
   },
   "program.not-bytes": {
     "text": "The program is of type {type}, but must be bytes.",
@@ -2452,7 +2456,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.line-type": {
-    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, linetype {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}). Which line type should {edges:it|they} get?{guess}",
+    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, linetype {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
     "hint": ""
   },
   "question.shape": {
@@ -2460,11 +2464,11 @@ export const TEXTS = {
     "hint": ""
   },
   "question.tool": {
-    "text": "{machine} has no tool for {edges:# edge|# edges} of type {type}. Which line type should {edges:it|they} get?",
+    "text": "{machine} has no tool for {edges:# edge|# edges} of the line type {type}. Which other line type should {edges:this edge|these edges} get?",
     "hint": ""
   },
   "question.unit": {
-    "text": "{reason} In which unit is the drawing? The size of the drawing would be {sizes:, }.{evidence}",
+    "text": "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }.{evidence}",
     "hint": ""
   },
   "question.unit-contradicted": {
@@ -2484,7 +2488,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit-size": {
-    "text": "{width:mm} × {height:mm} mm in {unit:unit}",
+    "text": "{width:mm} × {height:mm} mm if the unit is {unit:unit}",
     "hint": ""
   },
   "question.unit-unreadable": {
@@ -2492,11 +2496,11 @@ export const TEXTS = {
     "hint": ""
   },
   "reading.crashed": {
-    "text": "{name} is damaged and cannot be read ({reason}).",
+    "text": "The file {name} cannot be read, probably because it is damaged ({reason}).",
     "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program."
   },
   "reading.damaged": {
-    "text": "The {format} file is damaged and cannot be read ({reason}).",
+    "text": "The {format} file cannot be read, because it is damaged ({reason}).",
     "hint": "Export the drawing again, if necessary from another program."
   },
   "reading.empty": {
@@ -2512,16 +2516,16 @@ export const TEXTS = {
     "hint": "Explode the blocks, symbols or groups in the program that drew the file, and export again."
   },
   "reading.too-large": {
-    "text": "The file has {size:.1f} MB; the limit is {limit:.1f} MB.",
+    "text": "The file has {size:.1f} MB, but the limit is {limit:.1f} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "reading.too-many-elements": {
     "text": "The {format} file has more than {limit:,} elements.",
-    "hint": "Export a single carton."
+    "hint": "Export a drawing with a single carton."
   },
   "reading.too-many-entities": {
-    "text": "The file has {count:,} entities; the limit is {limit:,}.",
-    "hint": "Export a single carton."
+    "text": "The file has {count:,} entities (drawn objects), but the limit is {limit:,}.",
+    "hint": "Export a drawing with a single carton."
   },
   "reading.too-many-segments": {
     "text": "The {format} file has more than {limit:,} lines and curves.",
@@ -2532,15 +2536,15 @@ export const TEXTS = {
     "hint": "Export a single carton without pictures, and convert curves to lines and arcs."
   },
   "reading.truncated": {
-    "text": "The {format} file is incomplete and cannot be read.",
+    "text": "The {format} file is incomplete, so it cannot be read.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "reading.unexpected": {
-    "text": "The {format} file is damaged and cannot be read (internal error {reason}).",
-    "hint": "Export the drawing again, if necessary from another program."
+    "text": "The {format} file cannot be read, probably because it is damaged. The reader stopped with the error {reason}.",
+    "hint": "Export the drawing again, if necessary from another program. If this happens again, report the error with the file."
   },
   "reading.unknown-kind": {
-    "text": "The file is {what}, not a drawing that can be read.",
+    "text": "The file is {what}, not a drawing of a supported type.",
     "hint": "Send the drawing as {formats:or}."
   },
   "request.body-too-large": {
@@ -2561,18 +2565,18 @@ export const TEXTS = {
   },
   "request.invalid": {
     "text": "The request is invalid: {faults:; }.",
-    "hint": "Correct these fields. /api/openapi.json describes all fields of the request."
+    "hint": "Correct these fields of the request. /api/openapi.json describes all fields."
   },
   "request.key-needed": {
     "text": "This request needs the access key of the server.",
-    "hint": "Send the header Authorization: Bearer KEY, or sign in on the page."
+    "hint": "Send the access key in the header Authorization: Bearer KEY, or sign in on the page of the server."
   },
   "request.key-reused": {
     "text": "The Idempotency-Key {key} was already used for a different request.",
     "hint": "Use a new key for each new request."
   },
   "request.local-only": {
-    "text": "This server has no key, so it accepts only requests from its own computer.",
+    "text": "This server has no access key, so it accepts only requests from its own computer.",
     "hint": "Start the server with --key-file PATH or --key KEY, or open it at http://localhost."
   },
   "request.no-host": {
@@ -2580,7 +2584,7 @@ export const TEXTS = {
     "hint": "Send one Host header, as HTTP/1.1 requires."
   },
   "request.not-marked": {
-    "text": "The header X-Knifetip is missing, which protects the server against requests from other websites.",
+    "text": "The request lacks the header X-Knifetip, which protects the server against requests from other websites.",
     "hint": "Send the header X-Knifetip with any value."
   },
   "request.not-storable": {
@@ -2596,8 +2600,8 @@ export const TEXTS = {
     "hint": "Correct the request as /api/openapi.json describes."
   },
   "request.upload-too-large": {
-    "text": "The file is larger than {limit} MB, the limit of this server.",
-    "hint": "Send a smaller file."
+    "text": "The file is larger than {limit} MB, which is the limit of this server.",
+    "hint": "Send a smaller file, for example without pictures."
   },
   "request.wrong-host": {
     "text": "This server does not accept requests for the host {host!r}.",
@@ -2612,44 +2616,44 @@ export const TEXTS = {
     "hint": "Choose a method that /api/openapi.json describes for this URL."
   },
   "rs274.after-end": {
-    "text": "The line comes after the end of the program (M2 or M30).",
-    "hint": "Delete the line."
+    "text": "The program line comes after the end of the program (M2 or M30).",
+    "hint": "Delete the program line."
   },
   "rs274.axis-without-motion": {
-    "text": "The line has coordinates, but no motion word (G0, G1, G2 or G3).",
+    "text": "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
     "hint": "Add G0, G1, G2 or G3."
   },
   "rs274.bad-arc": {
-    "text": "The distances from the centre of the arc to its start and to its end differ by more than {limit:g} mm.",
+    "text": "In the program line, the distances from the centre of the arc to its start and to its end differ by more than {limit:g} mm.",
     "hint": "Correct the centre (I, J) or the end (X, Y) of the arc."
   },
   "rs274.bad-character": {
-    "text": "The character {character!r} is not allowed here.",
+    "text": "The character {character!r} is not allowed at this position of the program line.",
     "hint": "Remove the character."
   },
   "rs274.bad-feed": {
-    "text": "The feed (F) is 0 or negative.",
+    "text": "The feed (F) in the program line is 0 or negative.",
     "hint": "Give a feed greater than 0."
   },
   "rs274.bad-line-number": {
-    "text": "The line number (N) is negative or not an integer.",
+    "text": "The program line number (N) in the program line is negative or not an integer.",
     "hint": "Correct or delete the line number."
   },
   "rs274.centre-without-arc": {
-    "text": "The line has the centre of an arc (I, J), but no arc motion (G2 or G3).",
+    "text": "The program line has the centre of an arc (I, J), but no arc motion (G2 or G3).",
     "hint": "Add G2 or G3, or delete I and J."
   },
   "rs274.change-without-station": {
-    "text": "The line changes the tool (M6), but no station (T) was selected before.",
+    "text": "The program line changes the tool (M6), but no station (T) was selected before.",
     "hint": "Write the T word of the station before M6."
   },
   "rs274.control-byte": {
-    "text": "The byte {byte} is a control command that the controller would execute at once, even in a comment.",
+    "text": "The program line contains the byte {byte}, a control command that the controller would execute at once, even in a comment.",
     "hint": "Remove the byte."
   },
   "rs274.ends-lowered": {
     "text": "The program ends while a station is lowered.",
-    "hint": "Release the station (M65) and lift the head before the end."
+    "hint": "Release the station (M65) and lift the head before the end of the program."
   },
   "rs274.ends-oscillating": {
     "text": "The program ends while a tool oscillates or rotates.",
@@ -2657,30 +2661,30 @@ export const TEXTS = {
   },
   "rs274.ends-output-on": {
     "text": "The program ends while an output is on.",
-    "hint": "Switch the output off (M65) before the end."
+    "hint": "Switch the output off (M65) before the end of the program."
   },
   "rs274.ends-with-offset": {
     "text": "The program ends while the offset of a station is active.",
-    "hint": "Cancel the offset (G49) before the end."
+    "hint": "Cancel the offset (G49) before the end of the program."
   },
   "rs274.g64-unsupported": {
-    "text": "G64 is not supported by the controller of this machine.",
+    "text": "The program line contains G64, which the controller of this machine does not support.",
     "hint": "Remove G64."
   },
   "rs274.incomplete-arc": {
-    "text": "The arc lacks X, Y, I or J.",
+    "text": "The arc in the program line lacks X, Y, I or J.",
     "hint": "Give X, Y, I and J."
   },
   "rs274.letter-without-number": {
-    "text": "The letter {letter} is not followed by a number.",
+    "text": "The letter {letter} in the program line is not followed by a number.",
     "hint": "Add the number or delete the letter."
   },
   "rs274.line-too-long": {
-    "text": "The line is longer than {limit} characters, the limit of the controller.",
+    "text": "The program line is longer than {limit} characters, the limit of the controller.",
     "hint": "Shorten the line."
   },
   "rs274.missing-p": {
-    "text": "The line has no P word, although a command in this line needs one.",
+    "text": "A command in the program line needs a P word, but the line has none.",
     "hint": "Add the P word."
   },
   "rs274.mode-g17": {
@@ -2716,99 +2720,99 @@ export const TEXTS = {
     "hint": ""
   },
   "rs274.motion-without-axis": {
-    "text": "The line has a motion word (G0 to G3), but no coordinates.",
+    "text": "The program line has a motion word (G0 to G3), but no coordinates.",
     "hint": "Add the coordinates or delete the motion word."
   },
   "rs274.moves-and-switches": {
-    "text": "The line moves the head and switches an output or the spindle at the same time.",
-    "hint": "Write the move and the switching command on separate lines."
+    "text": "The program line moves the head and switches an output or the spindle at the same time.",
+    "hint": "Write the move and the switching command in separate program lines."
   },
   "rs274.moves-unstated": {
-    "text": "The line moves before the program has set {mode}.",
+    "text": "The program line moves the head before the program has set {mode}.",
     "hint": "Set this mode at the beginning of the program."
   },
   "rs274.nested-comment": {
-    "text": "A comment begins inside another comment.",
-    "hint": "Close the first comment before the second begins."
+    "text": "In the program line, a comment begins inside another comment.",
+    "hint": "Close the first comment before the second comment begins."
   },
   "rs274.no-end": {
     "text": "The program has no end (M2 or M30).",
-    "hint": "Add M2 as the last line."
+    "hint": "Add M2 as the last line of the program."
   },
   "rs274.no-feed": {
-    "text": "The line cuts, but the program has set no feed (F) since the feed mode (G93 or G94) was chosen.",
+    "text": "The program line cuts, but no feed (F) has been set since the feed mode (G93 or G94) was chosen.",
     "hint": "Add an F word."
   },
   "rs274.not-settled": {
-    "text": "The line moves the head before the output or spindle that was switched has reached its new state.",
-    "hint": "Add a dwell (G4) before the line."
+    "text": "The program line moves the head before an output or the spindle, which was switched, has reached its new state.",
+    "hint": "Add a dwell (G4) before this program line."
   },
   "rs274.number-too-large": {
-    "text": "A number is larger than 1,000,000.",
+    "text": "A number in the program line is larger than 1,000,000.",
     "hint": "Correct the number."
   },
   "rs274.offset-without-station": {
-    "text": "The line applies the offset of a station (G43), but no station (T) was selected before.",
+    "text": "The program line applies the offset of a station (G43), but no station (T) was selected before.",
     "hint": "Write the T word of the station before G43."
   },
   "rs274.open-comment": {
-    "text": "A comment is not closed.",
-    "hint": "Close the comment with ) on the same line."
+    "text": "A comment in the program line is not closed.",
+    "hint": "Close the comment with a closing parenthesis in the same program line."
   },
   "rs274.repeated-word": {
-    "text": "The line sets the same value twice.",
+    "text": "The program line has two words that set the same value.",
     "hint": "Delete one of the two words."
   },
   "rs274.speed-without-m3": {
-    "text": "The line has a spindle speed (S), but no M3.",
+    "text": "The program line has a spindle speed (S), but no M3.",
     "hint": "Add M3 or delete the speed."
   },
   "rs274.stray-p": {
-    "text": "The P word belongs to no command of the line, or to more than one.",
-    "hint": "Delete the P word, or write the commands on separate lines."
+    "text": "The P word belongs to no command of the program line, or to more than one command.",
+    "hint": "Delete the P word, or write the commands into separate program lines."
   },
   "rs274.stray-q": {
-    "text": "The Q word belongs to no command of the line.",
+    "text": "The Q word belongs to no command of the program line.",
     "hint": "Delete the Q word."
   },
   "rs274.timed-without-f": {
-    "text": "The line moves in inverse time mode (G93), but has no F word.",
+    "text": "The program line moves in inverse time mode (G93), but has no F word.",
     "hint": "Add the F word."
   },
   "rs274.too-many-digits": {
-    "text": "A number has more than 15 digits.",
+    "text": "A number in the program line has more than 15 digits.",
     "hint": "Round the number."
   },
   "rs274.unbounded-rounding": {
-    "text": "The line cuts, but the program does not limit by how much the controller may round corners.",
-    "hint": "Set the limit with G64 P before the line."
+    "text": "The program line cuts, but the program does not limit by how much the controller may round corners.",
+    "hint": "Set the limit with G64 P before this program line."
   },
   "rs274.unknown-letter": {
-    "text": "The letter {letter} is not supported.",
+    "text": "The letter {letter} in the program line is not supported.",
     "hint": "Remove the letter and its number."
   },
   "rs274.unknown-output": {
-    "text": "The line switches an output that {machine} does not have.",
+    "text": "The program line switches an output that {machine} does not have.",
     "hint": "Choose an output that is defined in the machine file."
   },
   "rs274.unknown-station": {
-    "text": "The line selects a station (T) that {machine} does not have.",
+    "text": "The program line selects a station (T) that {machine} does not have.",
     "hint": "Choose a station that is defined in the machine file."
   },
   "rs274.unknown-word": {
-    "text": "{word} is not supported.",
+    "text": "The word {word} in the program line is not supported.",
     "hint": "Remove the word."
   },
   "rs274.wrong-dwell": {
-    "text": "The dwell (G4) is shorter than the {settle:g} s that the machine needs after switching.",
+    "text": "The dwell (G4) in the program line is shorter than the {settle:g} s that the machine needs after switching.",
     "hint": "Make the dwell {settle:g} s or longer."
   },
   "rs274.wrong-speed": {
-    "text": "The speed (S) at M3 is not the speed of the tool in the machine file.",
+    "text": "The spindle speed (S) at M3 differs from the speed of the tool in the machine file.",
     "hint": "Correct the speed, or compile the job again."
   },
   "rule.block": {
-    "text": "block {patterns:or}",
+    "text": "inside the block {patterns:or}",
     "hint": ""
   },
   "rule.colour": {
@@ -2824,7 +2828,7 @@ export const TEXTS = {
     "hint": ""
   },
   "rule.everything": {
-    "text": "every edge",
+    "text": "every edge of the drawing",
     "hint": ""
   },
   "rule.layer": {
@@ -2836,11 +2840,11 @@ export const TEXTS = {
     "hint": ""
   },
   "run.executed": {
-    "text": "{executed} of {lines} lines were executed.",
+    "text": "{executed} of {lines} program lines were executed.",
     "hint": ""
   },
   "run.in-buffer": {
-    "text": "{executed} of {lines} lines were executed. Up to {rest} more lines, which were in the buffer of the controller, may also have been executed.",
+    "text": "{executed} of {lines} program lines were executed. Up to {rest} more program lines, which were in the buffer of the controller, may also have been executed.",
     "hint": ""
   },
   "run.nothing-sent": {
@@ -2848,7 +2852,7 @@ export const TEXTS = {
     "hint": ""
   },
   "segment.not-finite": {
-    "text": "Segment {segment} of the path has a coordinate or a bulge that is not a number.",
+    "text": "Segment {segment} of the path has a coordinate, or a bulge (curvature of an arc), that is not a number.",
     "hint": "Draw this segment of the path again."
   },
   "server.address-in-use": {
@@ -2857,7 +2861,7 @@ export const TEXTS = {
   },
   "server.answered": {
     "text": "The request to {url} failed with the HTTP status {status}.",
-    "hint": "Check the address of the server and the log of the server."
+    "hint": "Check the address and the log of the server."
   },
   "server.busy": {
     "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
@@ -2873,7 +2877,7 @@ export const TEXTS = {
   },
   "server.not-started": {
     "text": "The server could not start with the database {database}.",
-    "hint": "Correct the cause, which is shown in the lines above this message."
+    "hint": "Correct the cause, which the lines above this message show."
   },
   "server.stopping": {
     "text": "The server is shutting down and accepts no new requests.",
@@ -2901,26 +2905,26 @@ export const TEXTS = {
   },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
-    "hint": "Wait until it is compiled. If compilation failed, its state and reason show why."
+    "hint": "Wait until the {kind} is compiled. If the compilation failed, the fields state and reason of the {kind} show why."
   },
   "store.unknown": {
     "text": "The {kind} {id} does not exist.",
-    "hint": "Choose one that GET /api/{kind}s lists."
+    "hint": "Choose an id that GET /api/{kind}s lists."
   },
   "stored.text": {
     "text": "{text}",
     "hint": "{hint}"
   },
   "svg.cut-short": {
-    "text": "The SVG file is incomplete: it ends at line {line}, after {count:# element|# elements}, so lines of the drawing may be missing.",
+    "text": "The SVG file is incomplete: it ends at line {line}, after {count:# element|# elements}. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.damaged-at": {
-    "text": "The SVG is damaged at line {line}, column {column}: {reason}.",
+    "text": "The SVG file is damaged at line {line}, column {column}: {reason}.",
     "hint": "Export the drawing again as plain SVG."
   },
   "svg.empty": {
-    "text": "The SVG contains no element.",
+    "text": "The SVG file contains no element.",
     "hint": "Export the drawing again as plain SVG."
   },
   "svg.external-entity": {
@@ -2940,7 +2944,7 @@ export const TEXTS = {
     "hint": "Ungroup the drawing and export it again."
   },
   "svg.other-xml": {
-    "text": "The file is XML, but its outermost element is {element} instead of svg.",
+    "text": "The file is an XML file, but not SVG: its outermost element is {element} instead of svg.",
     "hint": "Save the drawing as plain SVG."
   },
   "svg.packed-cut-short": {
@@ -2948,24 +2952,24 @@ export const TEXTS = {
     "hint": "Send the complete file, or export the drawing again as plain SVG."
   },
   "svg.packed-damaged": {
-    "text": "The compressed SVG (.svgz) is damaged: {reason}.",
+    "text": "The compressed SVG file (.svgz) is damaged: {reason}.",
     "hint": "Export the drawing again as plain SVG."
   },
   "svg.too-many-rules": {
-    "text": "The style sheet of the SVG has {count:,} rules; the limit is {limit:,}.",
-    "hint": "Export the drawing with the style in each element."
+    "text": "The style sheet of the SVG file has {count:,} rules, but the limit is {limit:,}.",
+    "hint": "Export the drawing with style attributes in each element instead of a style sheet."
   },
   "svg.unpacks-too-far": {
-    "text": "The compressed SVG (.svgz) is larger than {limit:.1f} MB when unpacked.",
-    "hint": "Export a single carton, without pictures."
+    "text": "The compressed SVG file (.svgz) is larger than {limit:.1f} MB when unpacked.",
+    "hint": "Export a drawing with a single carton, without pictures."
   },
   "tool.bad-radius": {
     "text": "The radius of a tool is negative or not a number.",
-    "hint": "Correct the radius in the machine file."
+    "hint": "Correct the radius of the tool in the machine file."
   },
   "tool.cannot-work": {
     "text": "Station {station} ({name}) of {machine} cannot be used: {reason}",
-    "hint": "Complete the tool in the machine file."
+    "hint": "Correct the settings of the tool in the machine file."
   },
   "tool.missing": {
     "text": "{machine} has no tool for {count:# edge|# edges} of type {type}.",
@@ -2977,7 +2981,7 @@ export const TEXTS = {
   },
   "tool.tilted": {
     "text": "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be lifted along their axis.",
-    "hint": "Choose a tool that is less tilted."
+    "hint": "Choose a tool that is tilted by at most {limit:g}°."
   },
   "tool.without-power": {
     "text": "The power of the laser is 0.",
@@ -2996,7 +3000,7 @@ export const TEXTS = {
     "hint": "Give at least one edge a line type for which the machine has a tool."
   },
   "toolpath.feed-too-fast": {
-    "text": "{place} has a feed that no machine can reach: {move}.",
+    "text": "{place} has a feed that is too fast for any machine: {move}.",
     "hint": "Correct the feed of the tool in the machine file."
   },
   "toolpath.no-approach": {
@@ -3036,7 +3040,7 @@ export const TEXTS = {
     "hint": "Report the error with the drawing."
   },
   "toolpath.unknown-station": {
-    "text": "{place} is for station {station}, which {machine} does not have.",
+    "text": "{place} uses station {station}, which {machine} does not have.",
     "hint": "Choose one of the stations {known:, }."
   },
   "track.too-flat": {
@@ -3044,39 +3048,39 @@ export const TEXTS = {
     "hint": "End the line inside the board, or draw it across the edge."
   },
   "travel.above": {
-    "text": "{tool} (station {station}) would exceed the upper end of the travel of axis {axis} ({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
-    "hint": "Move or turn the drawing on the table, or choose a larger machine."
+    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of axis {axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+    "hint": "Move or rotate the drawing on the table, or choose a larger machine."
   },
   "travel.below": {
-    "text": "{tool} (station {station}) would exceed the lower end of the travel of axis {axis} ({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
-    "hint": "Move or turn the drawing on the table, or choose a larger machine."
+    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of axis {axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+    "hint": "Move or rotate the drawing on the table, or choose a larger machine."
   },
   "unit.cf2-inches": {
-    "text": "the CF2 states inches (record UI)",
+    "text": "the CF2 file states inches (record UI)",
     "hint": ""
   },
   "unit.cf2-millimetres": {
-    "text": "the CF2 states millimetres (record UM)",
+    "text": "the CF2 file states millimetres (record UM)",
     "hint": ""
   },
   "unit.cf2-none": {
-    "text": "the CF2 states no unit: it has neither a UM nor a UI record",
+    "text": "the CF2 file states no unit: it has neither a UM nor a UI record",
     "hint": ""
   },
   "unit.cf2-scale-applied": {
-    "text": "the coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size in the records LL and UR",
+    "text": "the coordinates in the CF2 file were multiplied by the factors in the record SCALE,{x:g},{y:g}, so that the drawing has the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-invalid": {
-    "text": "the record SCALE,{x:g},{y:g} is invalid and was ignored",
+    "text": "the factors in the record SCALE,{x:g},{y:g} of the CF2 file are invalid, so the record was ignored",
     "hint": ""
   },
   "unit.cf2-scale-not-applied": {
-    "text": "the record SCALE,{x:g},{y:g} was not applied, because the coordinates already have the size in the records LL and UR",
+    "text": "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the coordinates already have the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-undecided": {
-    "text": "the record SCALE,{x:g},{y:g} was not applied, because the records LL and UR do not show whether the coordinates are already scaled",
+    "text": "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the records LL and UR do not show whether the coordinates are already scaled",
     "hint": ""
   },
   "unit.cf2-scaled": {
@@ -3084,23 +3088,23 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.dimensions-larger": {
-    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn at a scale that is {factor:.3g} times larger than the scale of the other {others:dimension|# dimensions}.",
+    "text": "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times larger than the other {others:dimension|# dimensions}.",
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.dimensions-smaller": {
-    "text": "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions are} drawn at a scale that is {factor:.3g} times smaller than the scale of the other {others:dimension|# dimensions}.",
+    "text": "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times smaller than the other {others:dimension|# dimensions}.",
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.drawn-in-imperial": {
-    "text": "fractions of inches that are stored in {unit:unit}",
+    "text": "inches with fractions, which are stored in {unit:unit}",
     "hint": ""
   },
   "unit.drawn-in-inches": {
-    "text": "fractions of inches",
+    "text": "inches with fractions",
     "hint": ""
   },
   "unit.drawn-in-metric": {
-    "text": "round millimetres that are stored in {unit:unit}",
+    "text": "whole millimetres, which are stored in {unit:unit}",
     "hint": ""
   },
   "unit.drawn-in-millimetres": {
@@ -3108,55 +3112,55 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.given": {
-    "text": "the user set the unit",
+    "text": "the user set the unit of the drawing",
     "hint": ""
   },
   "unit.header": {
-    "text": "the header states the unit ($INSUNITS = {value})",
+    "text": "the header of the DXF file states the unit ($INSUNITS = {value})",
     "hint": ""
   },
   "unit.header-decimal-inches": {
-    "text": "the header displays lengths in feet and decimal inches ($LUNITS = 3)",
+    "text": "the header of the DXF file displays lengths in feet and decimal inches ($LUNITS = 3)",
     "hint": ""
   },
   "unit.header-factor": {
-    "text": "the header multiplies the displayed dimensions by {factor:g} ({variable})",
+    "text": "the header of the DXF file multiplies the displayed dimensions by {factor:g} ({variable})",
     "hint": ""
   },
   "unit.header-fractions": {
-    "text": "the header displays lengths in feet and fractions of inches ($LUNITS = 4)",
+    "text": "the header of the DXF file displays lengths in feet and fractions of inches ($LUNITS = 4)",
     "hint": ""
   },
   "unit.header-imperial": {
-    "text": "the header sets imperial units ($MEASUREMENT = 0)",
+    "text": "the header of the DXF file sets imperial units ($MEASUREMENT = 0)",
     "hint": ""
   },
   "unit.header-metric": {
-    "text": "the header sets metric units ($MEASUREMENT = 1)",
+    "text": "the header of the DXF file sets metric units ($MEASUREMENT = 1)",
     "hint": ""
   },
   "unit.header-missing": {
-    "text": "the file states no unit ($INSUNITS is missing)",
+    "text": "the DXF file states no unit ($INSUNITS is missing)",
     "hint": ""
   },
   "unit.header-not-a-number": {
-    "text": "the header states no valid unit: $INSUNITS = {value!r} is not a number",
+    "text": "the header of the DXF file states no valid unit: $INSUNITS = {value!r} is not a number",
     "hint": ""
   },
   "unit.header-undefined": {
-    "text": "the header states no valid unit: $INSUNITS = {value} is not defined",
+    "text": "the header of the DXF file states no valid unit: $INSUNITS = {value} is not defined",
     "hint": ""
   },
   "unit.header-unitless": {
-    "text": "the header states that the drawing has no unit ($INSUNITS = 0)",
+    "text": "the header of the DXF file states that the drawing has no unit ($INSUNITS = 0)",
     "hint": ""
   },
   "unit.header-unsupported": {
-    "text": "the header states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
+    "text": "the header of the DXF file states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
     "hint": ""
   },
   "unit.imprecise": {
-    "text": "in {unit:unit} the lengths of the edges are too imprecise to show whether they are multiples of a round number",
+    "text": "if the unit is {unit:unit}, the lengths of the edges are too imprecise to show whether they are multiples of a round number",
     "hint": ""
   },
   "unit.inconclusive": {
@@ -3164,15 +3168,15 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.multiples": {
-    "text": "in {unit:unit} {count} of {all} different edge lengths ({percent:.0f} % of their total) {count:is a multiple|are multiples} of {grid}",
+    "text": "if the unit is {unit:unit}, {count} of {all} different edge lengths ({percent:.0f} % of the total length) {count:is a multiple|are multiples} of {grid}",
     "hint": ""
   },
   "unit.no-number-matches": {
-    "text": "in {unit:unit} none of {all:# number|# numbers} on the sheet is the length of an edge",
+    "text": "if the unit is {unit:unit}, no edge is as long as one of {all:# number|# numbers} in the texts of the drawing",
     "hint": ""
   },
   "unit.not-given": {
-    "text": "the unit is not known",
+    "text": "the unit of the drawing is not known",
     "hint": ""
   },
   "unit.number": {
@@ -3184,83 +3188,83 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.numbers-match": {
-    "text": "in {unit:unit} {count} of {all} numbers on the sheet {count:is the length|are the lengths} of an edge: {numbers:, }",
+    "text": "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing {count:equals|equal} the length of an edge: {numbers:, }",
     "hint": ""
   },
   "unit.numbers-match-often": {
-    "text": "in {unit:unit} {count} of {all} numbers on the sheet are the lengths of edges: {numbers:, } …",
+    "text": "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing equal the length of an edge, for example {numbers:, }",
     "hint": ""
   },
   "unit.overruled": {
-    "text": "{stated}, but the drawing supports {unit:unit}, because {reason}",
+    "text": "{stated}, but the unit of the drawing is more likely {unit:unit}, because {reason}",
     "hint": ""
   },
   "unit.page-in-pixels": {
-    "text": "the file states its page size without a unit, as files in pixels or points do",
+    "text": "the file states the size of its page without a unit, as files in pixels or points do",
     "hint": ""
   },
   "unit.page-in-points": {
-    "text": "the file was written by Illustrator, which uses points",
+    "text": "the file was written by Illustrator, which uses points as the unit",
     "hint": ""
   },
   "unit.paper-size": {
-    "text": "in {unit:unit} the drawing has exactly the size of a sheet of paper ({sheet})",
+    "text": "if the unit is {unit:unit}, the drawing has exactly the size of a sheet of paper ({sheet})",
     "hint": ""
   },
   "unit.part-drawn-twice": {
-    "text": "The drawing contains the same part at two sizes: the larger part is {factor:.3g} times larger than the smaller. One of the two parts is a detail, or was inserted with a wrong unit.",
-    "hint": "Delete the part with the wrong size, or set its edges to ignored."
+    "text": "The drawing contains the same part at two sizes, one of them {factor:.3g} times larger than the other. One of the two parts is a detail, or was inserted with a wrong unit.",
+    "hint": "Delete the part with the wrong size, or set the line type of its edges to ignored."
   },
   "unit.parts-differ": {
     "text": "Parts of the drawing have different units: one part is drawn in {one}, another part in {other}.",
     "hint": "Scale one of the parts in the CAD program and export the drawing again."
   },
   "unit.pdf": {
-    "text": "the PDF states its coordinates in points of 1/72 inch",
+    "text": "the PDF states its coordinates in points (1/72 inch)",
     "hint": ""
   },
   "unit.pdf-scaled": {
-    "text": "the PDF states coordinate units of {scale:g} points of 1/72 inch (UserUnit)",
+    "text": "the PDF states its coordinates in units of {scale:g} points (UserUnit); one point is 1/72 inch",
     "hint": ""
   },
   "unit.read-against-evidence": {
-    "text": "The drawing is most likely in {best:unit}: {best_width:mm} × {best_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
-    "hint": "Check the size, and choose another unit if it is wrong."
+    "text": "The unit of the drawing is most likely {best:unit} ({best_width:mm} × {best_height:mm} mm), but the drawing was imported with the unit {unit:unit} ({width:mm} × {height:mm} mm).",
+    "hint": "Check the size of the drawing, and choose another unit if the size is wrong."
   },
   "unit.read-against-header": {
-    "text": "The header states {stated:unit}, so the drawing would measure {stated_width:mm} × {stated_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
-    "hint": "Check the size, and choose another unit if it is wrong."
+    "text": "The file states the unit {stated:unit} ({stated_width:mm} × {stated_height:mm} mm), but the drawing was imported with the unit {unit:unit} ({width:mm} × {height:mm} mm).",
+    "hint": "Check the size of the drawing, and choose another unit if the size is wrong."
   },
   "unit.scale-mentioned": {
-    "text": "A text on the sheet mentions the scale {scales:, }, so the drawing may not have its true size.",
+    "text": "A text in the drawing mentions the scale {scales:, }, so the drawing may not have its true size.",
     "hint": "Check the size of the drawing."
   },
   "unit.share-stated": {
-    "text": "the header states {stated:unit}, and {percent:.3g} % of the drawings with such a header are in {unit:unit}",
+    "text": "the file states the unit {stated:unit}, and {percent:.3g} % of the drawings that state this unit are in {unit:unit}",
     "hint": ""
   },
   "unit.share-unstated": {
-    "text": "the file states no unit, and {percent:.3g} % of such files are in {unit:unit}",
+    "text": "the file states no unit, and {percent:.3g} % of the drawings without a stated unit are in {unit:unit}",
     "hint": ""
   },
   "unit.shortest-edges": {
-    "text": "in {unit:unit} the shortest edges of the drawing are {length:mm} mm long",
+    "text": "if the unit is {unit:unit}, the shortest edges of the drawing are {length:mm} mm long",
     "hint": ""
   },
   "unit.size-unusual": {
-    "text": "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, an unusual size for a carton",
+    "text": "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which is an unusual size for a carton",
     "hint": ""
   },
   "unit.size-usual": {
-    "text": "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, a usual size for a carton",
+    "text": "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which is a usual size for a carton",
     "hint": ""
   },
   "unit.svg-no-size": {
-    "text": "the SVG has no width and no height, and {pixel}",
+    "text": "the SVG file has no width and no height, and {pixel}",
     "hint": ""
   },
   "unit.svg-no-unit": {
-    "text": "the SVG states its size without a unit of length ({size: }), and {pixel}",
+    "text": "the SVG file states its size without a unit of length ({size: }), and {pixel}",
     "hint": ""
   },
   "unit.svg-pixel": {
@@ -3272,15 +3276,15 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-size": {
-    "text": "the SVG states its size ({size: }) for a viewBox of {width:g} × {height:g}",
+    "text": "the SVG file states its size ({size: }) for a viewBox of {width:g} × {height:g} coordinate units",
     "hint": ""
   },
   "unit.svg-size-in-pixels": {
-    "text": "the SVG states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 inch",
+    "text": "the SVG file states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 inch",
     "hint": ""
   },
   "unit.text-states": {
-    "text": "a text on the sheet states the unit: “{text}”",
+    "text": "a text in the drawing states the unit: “{text}”",
     "hint": ""
   },
   "unit.unsupported": {
@@ -3300,7 +3304,7 @@ export const TEXTS = {
     "hint": "Switch the beam off (M5) before the height changes."
   },
   "verify.beside-line": {
-    "text": "The path of the {tool:tool} is {distance:.3f} mm away from the drawn line.",
+    "text": "The path of the {tool:tool} is {distance:.3f} mm away from the edge that it should follow.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.beyond-rotation": {
@@ -3312,19 +3316,19 @@ export const TEXTS = {
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm along the contour is too close to a sharp corner, by {distance:.3f} mm.",
-    "hint": "Compile the job again, or choose a smaller spacing of bridges for the board."
+    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too close to a sharp corner.",
+    "hint": "Compile the job again, or choose a smaller spacing of bridges in the board file."
   },
   "verify.bridge-spacing": {
-    "text": "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm away from the next bridge, but the board allows at most {most:g} mm.",
-    "hint": "Compile the job again, or allow a larger spacing of bridges for the board."
+    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm away from the next bridge, but the board allows at most {most:g} mm.",
+    "hint": "Compile the job again, or allow a larger spacing of bridges in the board file."
   },
   "verify.bridge-spare": {
-    "text": "The bridge at {place:.3f} mm along the contour is not needed, because the bridges before and after it are only {distance:.3f} mm apart.",
+    "text": "The bridge at {place:.3f} mm from the start of the contour is not needed, because the bridges before and after it are only {distance:.3f} mm apart.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-width": {
-    "text": "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face of the board, but the board needs {planned:g} mm.",
+    "text": "The bridge at {place:.3f} mm from the start of the contour is {width:.3f} mm wide in the top face of the board, but the board needs bridges of {planned:g} mm width.",
     "hint": "Compile the job again for this board."
   },
   "verify.centre-off-path": {
@@ -3333,27 +3337,27 @@ export const TEXTS = {
   },
   "verify.cleaning-beyond": {
     "text": "Internal error in cleaning: the cleaned edge extends beyond all edges of the drawing.",
-    "hint": "Report it with the drawing."
+    "hint": "Report this error with the drawing."
   },
   "verify.cleaning-dropped": {
     "text": "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
-    "hint": "Report it with the drawing."
+    "hint": "Report this error with the drawing."
   },
   "verify.cleaning-incomplete": {
-    "text": "Internal error in cleaning: the kept, merged and dropped parts of the edge do not add up to its length.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error in cleaning: the lengths of the kept, merged and dropped parts of the edge do not add up to the length of the edge.",
+    "hint": "Report this error with the drawing."
   },
   "verify.cleaning-invented": {
-    "text": "Internal error in cleaning: the cleaned edge has no counterpart in the drawing.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error in cleaning: the cleaned edge corresponds to no edge of the drawing.",
+    "hint": "Report this error with the drawing."
   },
   "verify.cleaning-moved": {
     "text": "Internal error in cleaning: the edge was moved by {distance:.4f} mm.",
-    "hint": "Report it with the drawing."
+    "hint": "Report this error with the drawing."
   },
   "verify.cleaning-type": {
-    "text": "Internal error in cleaning: the drawn edge has the line type {drawn}, but the cleaned edge has the line type {worked}.",
-    "hint": "Report it with the drawing."
+    "text": "Internal error in cleaning: the edge has the line type {drawn} before cleaning and {worked} after it.",
+    "hint": "Report this error with the drawing."
   },
   "verify.comes-out-anywhere": {
     "text": "The knife leaves the board at a point that is neither the end of an edge nor the point where it entered.",
@@ -3369,10 +3373,10 @@ export const TEXTS = {
   },
   "verify.crease-too-short": {
     "text": "The crease is too short for the creasing wheel.",
-    "hint": "Join the crease to a collinear crease, set it to ignored, or choose a smaller wheel."
+    "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a smaller creasing wheel."
   },
   "verify.cuts-part": {
-    "text": "The cutter removes {depth:.3f} mm from a part that must not be cut.",
+    "text": "The cutter removes a strip of {depth:.3f} mm width from a part that must not be cut.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
@@ -3380,16 +3384,16 @@ export const TEXTS = {
     "hint": "Start the spindle (M3) before the cutter enters the board."
   },
   "verify.flank-inside": {
-    "text": "The flank of the V-groove meets the top face {distance:.4f} mm inside its planned position; the tolerance is {tolerance:g} mm.",
-    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile again."
+    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm inside its planned position, but the tolerance is {tolerance:g} mm.",
+    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-outside": {
-    "text": "The flank of the V-groove meets the top face {distance:.4f} mm outside its planned position; the tolerance is {tolerance:g} mm.",
-    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile again."
+    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm outside its planned position, but the tolerance is {tolerance:g} mm.",
+    "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-through-cut": {
-    "text": "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}, which lies {distance:.3f} mm beside the groove, at {place:.1f} mm from the start of the groove.",
-    "hint": "Move the groove and the cut further apart, or make the groove less deep."
+    "text": "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}. The cut lies {distance:.3f} mm beside the groove, {place:.1f} mm from the start of the groove.",
+    "hint": "Move the groove and the cut further apart, or choose a shallower groove."
   },
   "verify.goes-in-anywhere": {
     "text": "The knife enters the board at a point where no edge begins.",
@@ -3401,10 +3405,10 @@ export const TEXTS = {
   },
   "verify.groove-past-ends": {
     "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows an overcut of only {most:.2f} mm.",
-    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board."
+    "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file."
   },
   "verify.groove-shallower": {
-    "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass was already {before:.3f} mm deep.",
+    "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass of the same groove was already {before:.3f} mm deep.",
     "hint": "Order the passes by increasing depth."
   },
   "verify.inside-part": {
@@ -3421,26 +3425,26 @@ export const TEXTS = {
   },
   "verify.loose-piece": {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} has already cut out, so this part of the board may move.",
-    "hint": "Process this edge before the contour that cuts out the part."
+    "hint": "Process this edge before the contour that cuts out this part of the board."
   },
   "verify.lowers-second": {
-    "text": "The line lowers station {station} while station {other} may still be lowered.",
-    "hint": "Release station {other} first (M65 P{output})."
+    "text": "The program line lowers station {station} while station {other} may still be lowered.",
+    "hint": "Release station {other} (M65 P{output}) before this program line."
   },
   "verify.moves-before-stated": {
     "text": "The program moves the head before it switches off {thing}.",
-    "hint": "Switch off {thing} first. Before this, only lift the head straight up to Z {height:.3f} mm or higher."
+    "hint": "Switch off {thing} first. Before that, only lift the head straight up, to Z {height:.3f} mm or higher."
   },
   "verify.moves-with-beam": {
     "text": "The program moves the head before it switches off the spindle (M5), so a laser beam may still be on.",
     "hint": "Write M5 before the first move."
   },
   "verify.never-stated": {
-    "text": "The program never switches off {thing}, which may be on from an earlier program.",
+    "text": "The program never switches off {thing}, although an earlier program may have left it on.",
     "hint": "Switch off {thing} at the beginning of the program."
   },
   "verify.no-station": {
-    "text": "The line cuts, but the program has not selected a station (T and M6) before.",
+    "text": "The program line cuts, but no station (T and M6) has been selected before.",
     "hint": "Select the station before the first cut."
   },
   "verify.not-worked": {
@@ -3448,7 +3452,7 @@ export const TEXTS = {
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.off-line": {
-    "text": "The path of the {tool:tool} is {distance:.4f} mm away from the drawn line, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
+    "text": "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should follow, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
     "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.oscillation-on": {
@@ -3469,14 +3473,14 @@ export const TEXTS = {
   },
   "verify.pass-too-deep": {
     "text": "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but at most {step:g} mm per pass are allowed.",
-    "hint": "Add a shallower pass, or allow deeper passes for this board."
+    "hint": "Add a shallower pass, or allow deeper passes in the board file."
   },
   "verify.past-end": {
     "text": "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-open-cut": {
-    "text": "The cutter cuts {length:.3f} mm beyond the end of an open cut.",
+    "text": "The cutter continues {length:.3f} mm beyond the end of an open cut.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-stop": {
@@ -3496,7 +3500,7 @@ export const TEXTS = {
     "hint": "Lift the tool above the board before the rapid move."
   },
   "verify.slanted": {
-    "text": "Station {station} moves {distance:.3f} mm sideways, away from the axis of its tool, while the tool enters or leaves the board.",
+    "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",
     "hint": "Move the tool along its axis while it enters or leaves the board."
   },
   "verify.spindle": {
@@ -3504,7 +3508,7 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.stray": {
-    "text": "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no edge is there.",
+    "text": "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), where the drawing has no edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-along": {
@@ -3512,7 +3516,7 @@ export const TEXTS = {
     "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.stray-plunge": {
-    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no edge is there.",
+    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), where the drawing has no edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-plunge-along": {
@@ -3520,40 +3524,40 @@ export const TEXTS = {
     "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.switches-at-unknown-height": {
-    "text": "The line switches an output or the spindle before the program has set the height of the head.",
-    "hint": "Lift the head to Z {needed:.3f} mm before this line."
+    "text": "The program line switches an output or the spindle before the program has set the height of the head.",
+    "hint": "Lift the head to Z {needed:.3f} mm before this program line."
   },
   "verify.switches-low": {
-    "text": "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
-    "hint": "Lift the head to Z {needed:.3f} mm before this line."
+    "text": "The program line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
+    "hint": "Lift the head to Z {needed:.3f} mm before this program line."
   },
   "verify.too-few-bridges": {
-    "text": "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
-    "hint": "Compile the job again, or require fewer bridges for this board."
+    "text": "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
+    "hint": "Compile the job again, or require fewer bridges in the board file."
   },
   "verify.turn-at-feed": {
-    "text": "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of the rotation is not defined.",
-    "hint": "Give the duration of the line in inverse time mode (G93)."
+    "text": "Axis C turns by {degrees:.4f}° in a program line whose feed is in mm/min, so the duration of the rotation is not defined.",
+    "hint": "Give the duration of the move in inverse time mode (G93)."
   },
   "verify.turn-in-board": {
     "text": "Axis C turns by {degrees:.3f}° while the tool is in the board, but at most {most:.2f}° is allowed.",
     "hint": "Lift the tool before it turns."
   },
   "verify.turn-off-path": {
-    "text": "Axis C turns by {degrees:.3f}° in the board, although the path turns by {path:.3f}°.",
+    "text": "Axis C turns by {degrees:.3f}° in the board, although the path of the tool turns by {path:.3f}°.",
     "hint": "Turn the tool by the same angle as the path."
   },
   "verify.two-lowered": {
     "text": "Station {station} processes the board while station {other} is also lowered (output {output} is on).",
-    "hint": "Release station {other} first (M65 P{output})."
+    "hint": "Release station {other} (M65 P{output}) before this station is used."
   },
   "verify.unclassified": {
     "text": "The edge has no line type, so the required tool is not known.",
     "hint": "Give the edge a line type."
   },
   "verify.unknown-position": {
-    "text": "The line moves from or to a position that the program has not set.",
-    "hint": "Give X, Y, Z and C before this line."
+    "text": "The program line moves the head from or to a position that the program has not set.",
+    "hint": "Give X, Y, Z and C before this program line."
   },
   "verify.where-from-start": {
     "text": ", beginning {place:.3f} mm from the start of the edge",
@@ -3596,7 +3600,7 @@ export const TEXTS = {
     "hint": "Compile the job again with the current machine file."
   },
   "verify.wrong-heading": {
-    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which moves its cutting edge {swing:.3f} mm sideways.",
+    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the edge, which moves its cutting edge {swing:.3f} mm sideways.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.wrong-time": {
@@ -3608,31 +3612,31 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.for-gateway": {
-    "text": "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
+    "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",
     "hint": "Switch on the machine and its gateway."
   },
   "waiting.for-machine": {
-    "text": "The job waits until {machine} claims it.",
+    "text": "The job waits until the gateway of {machine} claims it.",
     "hint": ""
   },
   "waiting.for-person": {
-    "text": "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
+    "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",
     "hint": "{advice}"
   },
   "waiting.for-sheet": {
-    "text": "Copy {copy} of {copies} is finished.",
-    "hint": "Put a new sheet of {board} on the table and confirm it."
+    "text": "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",
+    "hint": "Put a new sheet of {board} on the table, then confirm the new sheet. The machine then starts the next copy."
   },
   "waiting.for-start": {
     "text": "The job waits until the operator of {machine} confirms that the table is clear. Required: board {board!r}{tools}.",
     "hint": "Check the table, then confirm the job to start it."
   },
   "waiting.for-turn": {
-    "text": "The job waits for {machine}, because other jobs in the queue come first.",
+    "text": "The job waits until {machine} has finished the jobs that come before it in the queue.",
     "hint": ""
   },
   "waiting.taken": {
-    "text": "The job waits, because {machine} is occupied by job {job}, which is {state}.",
+    "text": "The job waits, because {machine} is occupied by job {job}, which is {state} now.",
     "hint": ""
   },
   "waiting.taken-interrupted": {
@@ -3657,15 +3661,15 @@ export const TEXTS = {
   },
   "worker.died": {
     "text": "The process that computed the drawing ended unexpectedly (exit code {code}), probably because it used too much memory.",
-    "hint": "Send a smaller drawing, or split this one."
+    "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
   "worker.memory": {
     "text": "The drawing needs more than the {limit} GB of memory that are allowed for one drawing.",
-    "hint": "Send a smaller drawing, or split this one."
+    "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
   "worker.timeout": {
     "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
-    "hint": "Send a smaller drawing, or split this one."
+    "hint": "Send a smaller drawing, or split the drawing into several drawings."
   }
 } as const satisfies Catalogue;
 
@@ -3703,5 +3707,5 @@ export const TOOLS: Readonly<Record<string, string>> = {
   "cutter": "cutter",
   "knife": "knife",
   "v-cutter": "V-cutter",
-  "wheel": "wheel"
+  "wheel": "creasing wheel"
 };

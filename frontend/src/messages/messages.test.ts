@@ -33,8 +33,8 @@ describe("rendering", () => {
     };
     expect(renderText({ code: "question.line-type", arguments: line })).toBe(
       '1,246 edges on layer "A: B" (colour 1, linetype CONTINUOUS) have no line type: ' +
-        "total length 1,389.0 mm, extent 229.0 × 155.0 mm at (0.0, 345.2). " +
-        "Which line type should they get? The most likely line type is v-groove (55 %): divides two panels.",
+        "total length 1,389.0 mm, extent 229.0 × 155.0 mm, lower left corner at X 0.0, Y 345.2. " +
+        "Which line type should these edges get? The most likely line type is v-groove (55 %): divides two panels.",
     );
     expect(
       renderText({ code: "question.line-type", arguments: { ...line, edges: 1, guess: null } }),
@@ -52,7 +52,7 @@ describe("rendering", () => {
       renderText({ code: "question.unit", arguments: { reason, sizes, evidence: null } }),
     ).toBe(
       "The file does not state the unit of the drawing. In which unit is the drawing? " +
-        "The size of the drawing would be 101.6 × 76.2 mm in inches, 4000 × 76.2 mm in metres.",
+        "Its possible sizes are: 101.6 × 76.2 mm if the unit is inches, 4000 × 76.2 mm if the unit is metres.",
     );
   });
 

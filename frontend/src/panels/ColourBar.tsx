@@ -17,7 +17,7 @@ export function ColourBar() {
     <div className={`${css.float} ${css.chips}`}>
       <div
         role="toolbar"
-        aria-label="Colour the drawing by"
+        aria-label="What the colours of the drawing show"
         className={css.modes}
         data-testid="colour-mode"
         data-mode={mode}
@@ -46,12 +46,12 @@ function Scale({ title, limit }: { title: string; limit: number }) {
     <div
       className={css.scale}
       role="img"
-      aria-label={`${title}: blue is 0 mm, yellow is ${limit} mm, red is more; grey edges are not cut or creased`}
+      aria-label={`${title}: blue edges have 0 mm, yellow edges ${limit} mm, red edges more; grey edges are neither cut nor creased`}
       data-testid="colour-scale"
     >
       <span className={css.scaleKey}>
         <span style={{ background: SCALE.unworked }} />
-        not cut or creased
+        neither cut nor creased
       </span>
       <span className={css.scaleBar}>
         <span

@@ -11,14 +11,15 @@ import jobCss from "./job.module.css";
 import css from "./panels.module.css";
 
 const CHECKS: Readonly<Record<string, string>> = {
-  "waiting.for-start": "Waiting for the operator: the table must be clear and set up as listed.",
+  "waiting.for-start":
+    "The job waits for the operator. Check that the table is clear, and that board and tools are as listed below.",
   "waiting.unconfirmed-run":
-    "The job started without the operator's confirmation. Check that the table is set up as listed below, then confirm.",
+    "The job was started without the confirmation of the operator. Check that board and tools are as listed below, then confirm the job.",
 };
 
 function buttonOf(job: Job): string {
-  if (job.waiting_for === "sheet") return "New sheet loaded: start machine";
-  return job.state === "queued" ? "Table checked: start machine" : "Table checked: continue job";
+  if (job.waiting_for === "sheet") return "New sheet is on the table: start next copy";
+  return job.state === "queued" ? "Table is ready: start machine" : "Table is ready: continue job";
 }
 
 /** What to check, without board and tools, which the card lists. */

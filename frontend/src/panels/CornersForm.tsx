@@ -12,15 +12,15 @@ import css from "./panels.module.css";
 const TITLES: Readonly<Record<CornerType, string>> = {
   auto: "Automatic",
   B: "Arc (B)",
-  C: "Stop (C)",
+  C: "Straight with stop (C)",
   D: "Blend (D)",
 };
 
 const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
-  auto: "Each corner gets the path that takes the least time.",
-  B: "The tool centre follows an arc around the corner. The tool touches the corner throughout.",
-  C: "The tool centre runs straight past the corner, stops and turns.",
-  D: "The tool centre runs past the corner and turns on a small arc without stopping.",
+  auto: "For each corner, knifetip chooses the path that takes the least time.",
+  B: "The centre of the tool follows an arc around the corner, so the tool touches the corner all the time.",
+  C: "The centre of the tool moves straight past the corner, stops, and continues in the new direction.",
+  D: "The centre of the tool moves straight past the corner and changes direction on a small arc, without a stop.",
 };
 
 /** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
@@ -58,19 +58,19 @@ export function CornersForm() {
       <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
       {hasSize && (
         <SizeSlider
-          label="Blend (0: like arc, 1: like stop)"
+          label="Shape of blend (0 = arc, 1 = straight with stop)"
           value={corners.k}
           onChange={(k) => set({ corners: { ...corners, k } })}
         />
       )}
       <div className={cornerCss.cornerFit}>
-        <span id={fit}>Where the tool is too wide for the drawing</span>
+        <span id={fit}>If the tool is too wide for parts of the contour</span>
         <SegmentedControl
           size="xs"
           fullWidth
           aria-labelledby={fit}
           data={[
-            { value: "trim", label: "Skip these areas" },
+            { value: "trim", label: "Leave parts uncut" },
             { value: "refuse", label: "Refuse the job" },
           ]}
           value={corners.interference}
@@ -82,7 +82,9 @@ export function CornersForm() {
       </div>
       <SingleCorners />
       {pickingCorners && (
-        <p className={css.note}>Click a cut in the drawing near the corner that you want to set.</p>
+        <p className={css.note}>
+          In the drawing, click a cut near the corner whose tool path you want to choose.
+        </p>
       )}
       <Button
         size="xs"
@@ -92,7 +94,7 @@ export function CornersForm() {
         onClick={() => set({ pickingCorners: !pickingCorners })}
         data-testid="pick-corner"
       >
-        {pickingCorners ? "Finish setting corners" : "Set the path at individual corners"}
+        {pickingCorners ? "Finish choosing corners" : "Choose the path for single corners"}
       </Button>
     </fieldset>
   );
@@ -126,13 +128,13 @@ function SingleCorners() {
             />
             <CloseButton
               size="sm"
-              aria-label={`Use the path chosen above for the corner at ${positionText(one)}`}
+              aria-label={`Remove the own tool path of the corner at ${positionText(one)}`}
               onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
           </div>
           {one.type === "D" && (
             <SizeSlider
-              label="Blend (0: like arc, 1: like stop)"
+              label="Shape of blend (0 = arc, 1 = straight with stop)"
               value={one.k ?? corners.k}
               onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
             />

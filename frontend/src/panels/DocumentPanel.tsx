@@ -54,7 +54,8 @@ export function DocumentPanel() {
         <dt>Number of edges</dt>
         <dd>
           {drawing.segments.toLocaleString("en")}
-          {drawing.overrides > 0 && `, ${drawing.overrides.toLocaleString("en")} set by hand`}
+          {drawing.overrides > 0 &&
+            `, ${drawing.overrides.toLocaleString("en")} with a line type set by hand`}
         </dd>
         {drawing.report && (
           <>
@@ -132,7 +133,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
         <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
           {drawing.profile_state === "changed"
             ? "The profile has changed since it was applied to this drawing. "
-            : "This profile was deleted. The drawing still uses its rules. "}
+            : "This profile was deleted. The drawing still uses the rules of the deleted profile. "}
           {drawing.profile_state === "changed" && (
             <button
               type="button"
@@ -141,7 +142,7 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
               data-testid="apply-again"
               onClick={() => void patchDrawing({ profile: drawing.profile })}
             >
-              Apply the changed profile
+              Apply the changed profile to the drawing
             </button>
           )}
         </p>

@@ -62,7 +62,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
         <span className={questionCss.questionHead}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
           <span className={css.rowName}>
-            {question.layer === "" ? "Edges in question" : `Layer ${question.layer}`}
+            {question.layer === "" ? "Edges without a line type" : `Layer ${question.layer}`}
           </span>
           <span className={css.rowFigure}>
             {pluralize(rows.length, "edge")}
@@ -77,7 +77,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
         </span>
       </button>
       <p className={questionCss.questionText}>
-        {text || "Nothing in the file suggests a line type. Please choose one."}
+        {text || "Nothing in the file suggests a line type for these edges. Choose the line type."}
       </p>
       <div className={questionCss.choices}>
         {choices.map((type, at) => {

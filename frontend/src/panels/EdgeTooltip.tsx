@@ -68,11 +68,11 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
       <dl>
         <dt>Layer in file</dt>
         <dd>{layerOf(edges, row)}</dd>
-        <dt>Entity in file</dt>
+        <dt>Object in file</dt>
         <dd>
-          {edges.handles[row]}, edge {row}
+          {edges.handles[row]} (edge number {row})
         </dd>
-        <dt>Line type decided by</dt>
+        <dt>Reason for line type</dt>
         <dd>{ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
         {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
           <>
@@ -82,7 +82,7 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
             <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
             <dt>Uncut length</dt>
             <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
-            <dt>Setback from ends</dt>
+            <dt>Distance kept from ends</dt>
             <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
             {optionalFigures(verdict, row).map(({ title, value }) => (
               <Fragment key={title}>
@@ -109,8 +109,8 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
   const width = figure(verdict.edge_width);
   if (width > 0) {
     listed.push(
-      { title: "Groove width", value: `${formatHundredths(width)} at the top` },
-      { title: "Board left under groove", value: formatHundredths(figure(verdict.edge_web)) },
+      { title: "Groove width", value: `${formatHundredths(width)} at the top face` },
+      { title: "Board thickness under groove", value: formatHundredths(figure(verdict.edge_web)) },
       { title: "Deviation of groove sides", value: formatDeviation(figure(verdict.edge_flank)) },
     );
   }
@@ -127,13 +127,13 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
 }
 
 const MOTION_TITLES: Readonly<Record<Motion, string>> = {
-  rapid: "Air move",
-  plunge: "Plunge",
+  rapid: "Move above board",
+  plunge: "Plunge into board",
   "lead-in": "Lead-in",
   feed: "Cut or crease",
   swivel: "Tool turn",
   "lead-out": "Lead-out",
-  lift: "Lift",
+  lift: "Lift out of board",
 };
 
 /** The moves under the cursor: tool, kind of move, height and program line. */
@@ -161,7 +161,7 @@ function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath
             )}
             <div className={overlayCss.tooltipMove}>
               <span>{MOTION_TITLES[MOTIONS[toolpath.motion[row] ?? 0] ?? "rapid"]}</span>
-              <span>height {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)} mm</span>
+              <span>tip height {(toolpath.pose[row * 4 + 6] ?? 0).toFixed(2)} mm</span>
               <span>{line > 0 ? `program line ${line.toLocaleString("en")}` : ""}</span>
             </div>
           </div>

@@ -71,8 +71,8 @@ function Entity({ row, group, edges, drawing }: Props) {
       aria-pressed={isPinned}
       title={
         location === null
-          ? "This entity has no position in the file"
-          : "Show this entity in the drawing"
+          ? "This object has no position in the drawing"
+          : "Show the position of this object in the drawing"
       }
       data-testid="entity"
       onClick={() => {

@@ -57,7 +57,7 @@ export function ImportPanel() {
           { value: "all", label: "All" },
           ...OUTCOME_FILTERS.map((word) => ({ value: word, label: TITLES[word] })),
         ]}
-        aria-label="Filter the report by import result"
+        aria-label="List objects with this import result"
       />
       <div className={css.groups} data-testid="report-groups">
         {groups.map((group) => (
@@ -69,7 +69,7 @@ export function ImportPanel() {
         ))}
         {groups.length === 0 && (
           <p className={panels.note} style={{ padding: "0 8px" }}>
-            Nothing in this file was {outcome}.
+            No object of this file was {TITLES[outcome ?? "kept"].toLowerCase()}.
           </p>
         )}
       </div>
@@ -84,7 +84,7 @@ function Bar({ report }: { report: Report }) {
       <div
         className={css.bar}
         role="img"
-        aria-label="Lengths that the import kept, merged and dropped"
+        aria-label="Total lengths of the lines that the import kept, merged and dropped"
       >
         {lengthShares(report).map(({ outcome, share }) =>
           share > 0 ? (
@@ -129,7 +129,7 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
         type="button"
         className={css.group}
         aria-expanded={isEdges ? undefined : open}
-        title={isEdges ? SHOW_EDGES : "List these entities"}
+        title={isEdges ? SHOW_EDGES : "List these objects of the file"}
         data-testid={`report-${group.outcome}`}
         onClick={() => {
           if (!isEdges) setOpen(!open);
@@ -140,7 +140,7 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
         <span className={css.groupText}>
           {reason}
           <small>
-            {pluralize(group.count, isEdges ? "edge" : "entity", isEdges ? "edges" : "entities")}
+            {pluralize(group.count, isEdges ? "edge" : "object")}
             {several && ` · ${group.kinds.join(", ")}`}
           </small>
         </span>

@@ -24,7 +24,7 @@ export function InheritedRules({ title, rules }: Props) {
         aria-expanded={open}
         onClick={() => setOpen(!open)}
       >
-        <span>Rules of “{title}”</span>
+        <span>Rules taken from the profile “{title}”</span>
         <span className={panels.rowFigure}>
           {rules === null ? "…" : `${pluralize(rules.length, "rule")}, ${pluralize(edges, "edge")}`}
         </span>

@@ -38,7 +38,9 @@ export function InspectorPanel() {
       <div data-testid="inspector">
         <Reasons summary={summary} />
         {summary.more > 0 && (
-          <p className={panels.note}>… and {summary.more} more reasons for line types</p>
+          <p className={panels.note}>
+            … and {summary.more} more reasons for the line types of the selected edges
+          </p>
         )}
         {summary.alternatives.length > 0 && (
           <Alternatives types={summary.alternatives} rows={rows} />
@@ -98,7 +100,7 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
   return (
     <>
       <p className={panels.note} style={{ margin: "10px 0 0" }}>
-        Set to another possible line type
+        Other possible line types (click to set)
       </p>
       <div className={css.alternatives}>
         {types.map((type) => (
@@ -131,7 +133,7 @@ function Facts({ summary, handle }: FactsProps) {
     <dl className={panels.facts}>
       {handle !== null && (
         <>
-          <dt>Entity in file</dt>
+          <dt>Object in file</dt>
           <dd>{handle}</dd>
         </>
       )}

@@ -43,7 +43,7 @@ export function JobPanel() {
   const { data: job } = useJob();
   if (job === undefined) return null;
   return (
-    <Section title="Selected job" aside={<StateBadge job={job} testId="job-state" />}>
+    <Section title="Open job" aside={<StateBadge job={job} testId="job-state" />}>
       <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
         {isCompiling(job) && <Compiling job={job} />}
         {needsOperator(job) && <ConfirmationCard job={job} />}
@@ -63,7 +63,7 @@ export function JobPanel() {
             leftSection={<IconDownload size={15} aria-hidden />}
             data-testid="program"
           >
-            Download program ({pluralize(job.lines, "line")})
+            Download machine program ({pluralize(job.lines, "line")})
           </Button>
         )}
       </div>
@@ -182,14 +182,14 @@ const LOOKS: Readonly<
   >
 > = {
   release: {
-    title: "Send to table",
+    title: "Send job to machine",
     icon: <IconSend2 size={17} />,
     colour: "blue",
     variant: "filled",
     testId: "send",
   },
   confirm: {
-    title: "Table checked: start",
+    title: "Table is ready: start machine",
     icon: <IconCheck size={16} />,
     colour: "green",
     variant: "filled",
@@ -217,7 +217,7 @@ const LOOKS: Readonly<
     testId: "cancel",
   },
   finish: {
-    title: "Mark as finished",
+    title: "Mark job as finished",
     icon: <IconCheck size={16} />,
     colour: "green",
     variant: "light",

@@ -45,7 +45,7 @@ function Row({ layer }: { layer: Layer }) {
       <button
         type="button"
         className={css.rowMain}
-        title={`Select edges of layer ${layer.name}, colour ${layer.colour}`}
+        title={`Select all edges on layer ${layer.name} with colour ${layer.colour}`}
         onClick={() => selectEdges(rows())}
       >
         <span className={css.dot} style={{ background: indexColour(layer.colour) }} />

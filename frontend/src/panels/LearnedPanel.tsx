@@ -33,7 +33,7 @@ export function LearnedPanel() {
       title={
         <>
           <IconBulb size={15} color="#79b2ff" aria-hidden />
-          Rules suggested by your changes
+          Rules suggested from the line types that you set
         </>
       }
     >
@@ -72,7 +72,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
       onBlur={() => set({ retypePreviews: [] })}
     >
       <div className={css.lessonHead}>
-        Always treat <b>{renderText(rule.conditions)}</b> as{" "}
+        Treat every edge that matches <b>{renderText(rule.conditions)}</b> as{" "}
         <span style={{ whiteSpace: "nowrap" }}>
           <Swatch type={rule.type} />
           <b>{LINE_STYLES[rule.type].title.toLowerCase()}</b>
@@ -81,10 +81,10 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
       <p className={panels.note} style={{ margin: "4px 0 0" }}>
         Matches {pluralize(explains.length, "edge")} that you set by hand
         {others === 0
-          ? ". Changes no other edge."
+          ? ". No other edge changes."
           : proposal.sure
-            ? ". Also sets edges that have no line type yet:"
-            : ". Also changes other edges:"}
+            ? ". Also sets the line type of edges that have none:"
+            : ". Also changes the line type of other edges:"}
       </p>
       <TypeChanges changes={changes} />
       {profile.shipped ? (
@@ -98,8 +98,8 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
           <TextInput
             size="xs"
             style={{ flex: 1 }}
-            placeholder="Customer name"
-            aria-label="Customer name"
+            placeholder="Name of the new profile, e.g. the customer"
+            aria-label="Name of the new profile"
             maxLength={120}
             value={title}
             data-testid="customer"
@@ -122,7 +122,7 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
           data-testid="keep-lesson"
           onClick={() => void saveLearnedRule(proposal, profile, profile.title)}
         >
-          Save rule for {profile.title}
+          Add rule to profile {profile.title}
         </Button>
       )}
     </article>

@@ -13,12 +13,12 @@ export function MachineChip() {
   const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
   const label = lost
-    ? "The knifetip server does not answer. The page keeps trying."
+    ? "The knifetip server does not respond. The page tries to connect again and again."
     : machine === undefined
       ? "Loading the list of machines"
       : there
         ? `${machine.title || machine.name} is connected`
-        : `${machine.title || machine.name} is not connected. Its jobs wait in the queue.`;
+        : `${machine.title || machine.name} is not connected, so its jobs wait in the queue.`;
   return (
     <Tooltip label={label}>
       <span

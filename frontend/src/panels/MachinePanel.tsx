@@ -8,13 +8,13 @@ import css from "./panels.module.css";
 import { Section } from "./Section";
 
 const DIMENSIONS: Readonly<Record<string, string>> = {
-  back: "tip beside head axis",
+  back: "tip offset beside head axis",
   blade_angle: "blade angle",
   blade_width: "blade width",
-  half_width: "tip behind head axis",
+  half_width: "tip offset behind head axis",
   radius: "tool radius",
   tilt: "blade tilt",
-  trail: "tip behind head axis",
+  trail: "tip offset behind head axis",
   width: "tool width",
 };
 const ANGLES = new Set(["tilt", "blade_angle"]);

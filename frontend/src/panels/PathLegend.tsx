@@ -11,9 +11,9 @@ import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
 
 const MARK_STYLES: readonly { mark: keyof typeof MARKS; title: string; size: number }[] = [
-  { mark: "plunge", title: "tool enters the board", size: 5 },
-  { mark: "swivel", title: "tool turns", size: 7 },
-  { mark: "lift", title: "tool leaves the board", size: 10 },
+  { mark: "plunge", title: "tool enters board", size: 5 },
+  { mark: "swivel", title: "tool turns on the spot", size: 7 },
+  { mark: "lift", title: "tool leaves board", size: 10 },
 ];
 
 export function PathLegend() {
@@ -53,7 +53,8 @@ function Tools() {
     const sweep = sweepOf(tool.footprint);
     return z === undefined || sweep === null ? [] : [{ number, name, sweep, depth: caliper - z }];
   });
-  if (swept.length === 0) return <span>No tool on this machine cuts wider than its line.</span>;
+  if (swept.length === 0)
+    return <span>No tool of this program cuts wider than the drawn line.</span>;
   return swept.map(({ number, name, sweep, depth }) => (
     <span key={number}>
       <span className={overlayCss.band} style={{ background: COLOURS[sweep.kind], opacity: 0.6 }} />
@@ -70,9 +71,9 @@ const COLOURS: Readonly<Record<Sweep["kind"], string>> = {
 };
 
 function sweepText(sweep: Sweep, depth: number): string {
-  if (sweep.kind === "disc") return `cuts ${formatHundredths(2 * sweep.radius)} wide`;
+  if (sweep.kind === "disc") return `removes a strip ${formatHundredths(2 * sweep.radius)} wide`;
   if (sweep.kind === "groove") {
-    return `${formatHundredths(2 * depth * sweep.slope)} wide at the top, ${formatHundredths(depth)} deep`;
+    return `cuts a groove ${formatHundredths(2 * depth * sweep.slope)} wide at the top face, ${formatHundredths(depth)} deep`;
   }
-  return `touches ${formatHundredths(2 * halfContactLength(sweep.radius, depth))} of the line at a time, ${formatHundredths(depth)} deep`;
+  return `presses on ${formatHundredths(2 * halfContactLength(sweep.radius, depth))} of the crease at a time, ${formatHundredths(depth)} deep`;
 }

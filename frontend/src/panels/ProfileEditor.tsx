@@ -41,7 +41,7 @@ function MissingProfile() {
   const set = useUiStore((ui) => ui.set);
   return (
     <div style={{ padding: 16 }}>
-      <p className={panels.note}>This profile was deleted.</p>
+      <p className={panels.note}>This profile was deleted and cannot be edited.</p>
       <Button size="xs" variant="default" onClick={() => set({ editedProfile: null })}>
         {BACK}
       </Button>
@@ -89,7 +89,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   return (
     <div className={css.editor} data-testid="profile-editor">
       <div className={css.head}>
-        <Tooltip label={touched ? `${BACK} (your edits are kept)` : BACK}>
+        <Tooltip label={touched ? `${BACK} (your unsaved edits are kept)` : BACK}>
           <ActionIcon variant="subtle" color="gray" aria-label={BACK} onClick={close}>
             <IconArrowLeft size={17} />
           </ActionIcon>
@@ -129,8 +129,8 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
     <>
       <TextInput
         size="xs"
-        label="Customer name"
-        placeholder="Name of the customer"
+        label="Name of the profile"
+        placeholder="e.g. name of the customer"
         maxLength={120}
         value={draft.title}
         data-testid="profile-title"
@@ -138,9 +138,9 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
       />
       <Select
         size="xs"
-        label="Built-in profile to start from"
+        label="Built-in profile whose rules are also used"
         clearable
-        placeholder="None: use only the rules below"
+        placeholder="None (only the rules below)"
         data={profiles
           .filter(({ shipped }) => shipped)
           .map((one) => ({ value: one.name, label: one.title }))}
@@ -150,7 +150,7 @@ function ProfileFields({ draft, profiles }: { draft: Draft; profiles: readonly P
       {draft.extends !== null && (
         <Switch
           size="xs"
-          label="Apply the rules below before the built-in ones"
+          label="Apply the rules below before the built-in rules"
           checked={draft.overrules}
           onChange={(event) => edit({ ...draft, overrules: event.currentTarget.checked })}
         />
@@ -173,7 +173,7 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
   return (
     <>
       <div className={css.rulesHead}>
-        <span>Rules (the first match decides)</span>
+        <span>Rules (the first rule that matches an edge decides)</span>
         <Button
           size="compact-xs"
           variant="default"
@@ -208,7 +208,8 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
       </ol>
       {draft.rules.length === 0 && (
         <p className={panels.note} style={{ margin: 0 }}>
-          No rules yet. Add a rule, or set edges by hand and save a suggested rule.
+          This profile has no rules of its own yet. Add a rule, or set line types of edges by hand
+          and save a rule that knifetip suggests.
         </p>
       )}
       {draft.overrules && inherited}
@@ -233,8 +234,8 @@ function PreviewResult({ preview }: { preview: PreviewState }) {
     <>
       <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
         {changed === 0
-          ? "No edge changes in this drawing"
-          : `${pluralize(changed, "edge")} change${changed === 1 ? "s" : ""} in this drawing`}
+          ? "These rules change no line type in this drawing"
+          : `These rules change the line type of ${pluralize(changed, "edge")} in this drawing`}
         {open > 0 && `; ${pluralize(open, "edge")} match${open === 1 ? "es" : ""} no rule`}.
         {(drawing?.overrides ?? 0) > 0 && " Edges set by hand keep their line type."}
       </p>

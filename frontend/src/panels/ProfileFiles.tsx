@@ -25,11 +25,11 @@ export function ProfileFiles({ profile }: { profile: Profile }) {
           <IconDownload size={16} />
         </ActionIcon>
       </Tooltip>
-      <Tooltip label="Load a profile from a TOML file">
+      <Tooltip label="Import a profile from a TOML file">
         <ActionIcon
           variant="subtle"
           color="gray"
-          aria-label="Load a profile from a TOML file"
+          aria-label="Import a profile from a TOML file"
           onClick={() => input.current?.click()}
         >
           <IconUpload size={16} />

@@ -79,13 +79,13 @@ function IgnoreAll({ questions }: { questions: readonly Question[] }) {
       className={css.choice}
       style={{ width: "100%", marginTop: 8 }}
       disabled={busy}
-      title="The edges stay visible, but are not cut or creased"
+      title="The edges stay visible in the drawing, but they are neither cut nor creased"
       data-testid="ignore-rest"
       {...previewHandlers(() => [{ rows, type: "ignored" }])}
       onClick={() => void retype(rows, "ignored")}
     >
       <Swatch type="ignored" />
-      Ignore all undecided edges
+      Set all undecided edges to ignored
       <span className={css.choiceFigure}>{pluralize(rows.length, "edge")}</span>
     </button>
   );

@@ -58,7 +58,7 @@ export function QueuePanel() {
         ))}
         {jobs !== undefined && jobs.length === 0 && (
           <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
-            No jobs yet. Open a drawing and prepare its program to create one.
+            There are no jobs yet. To create a job, open a drawing and prepare its program.
           </p>
         )}
         {(listed.length > limit || list.hasNextPage) && (
@@ -94,7 +94,7 @@ function Row({ job, now }: { job: Job; now: number }) {
         {boards?.find(({ name }) => name === job.board)?.title || job.board}
         {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(job.updated, now)}
       </small>
-      <small>{job.seconds > 0 ? `takes ${formatDuration(job.seconds)}` : ""}</small>
+      <small>{job.seconds > 0 ? `machine time ${formatDuration(job.seconds)}` : ""}</small>
       {moving && (
         <Progress
           className={jobCss.bar ?? ""}

@@ -22,7 +22,7 @@ const TITLES: Readonly<Record<Condition, string>> = {
   layer: "Layer name",
   colour: "Colour",
   linetype: "Line style in file",
-  entity: "Entity type",
+  entity: "Object type in file",
   block: "Block name",
 };
 const HINTS: Readonly<Record<Condition, string>> = {
@@ -96,10 +96,10 @@ export function RuleCard(props: Props) {
         <span className={panels.rowFigure} data-testid="rule-edges">
           {edges === null ? "…" : pluralize(edges, "edge")}
         </span>
-        <Button label="Move this rule up" act={() => onMove(number - 2)}>
+        <Button label="Move this rule up (applied earlier)" act={() => onMove(number - 2)}>
           <IconChevronUp size={14} />
         </Button>
-        <Button label="Move this rule down" act={() => onMove(number)}>
+        <Button label="Move this rule down (applied later)" act={() => onMove(number)}>
           <IconChevronDown size={14} />
         </Button>
         <Button label="Delete this rule" act={onDelete}>
@@ -121,7 +121,7 @@ export function RuleCard(props: Props) {
         {matchesAll(rule) && <span>This rule has no condition: it matches every edge.</span>}
         {shown.length < CONDITIONS.length && (
           <button type="button" className={css.more} onClick={() => setAll(true)}>
-            Show more conditions
+            Show the other conditions of a rule
           </button>
         )}
       </div>

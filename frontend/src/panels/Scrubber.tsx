@@ -69,7 +69,10 @@ export function Scrubber() {
           set({ previewTime: value });
         }}
       />
-      <span className={css.rowFigure} title="Time on the machine up to here, and of the program">
+      <span
+        className={css.rowFigure}
+        title="Machine time up to the shown position / machine time of the whole program"
+      >
         {formatDuration((at / total) * seconds)} / {formatDuration(seconds)}
       </span>
     </div>

@@ -36,7 +36,7 @@ export function SelectionBar() {
       {ASSIGNABLE_TYPES.map((type) => {
         const { title, key } = LINE_STYLES[type];
         return (
-          <Tooltip key={type} label={`Set to ${title.toLowerCase()} (key ${key})`}>
+          <Tooltip key={type} label={`Set the line type to ${title.toLowerCase()} (key ${key})`}>
             <button
               type="button"
               className={css.chip}
@@ -64,7 +64,11 @@ export function SelectionBar() {
           <IconArrowBackUp size={16} />
         </ActionIcon>
       </Tooltip>
-      <CloseButton size="sm" aria-label="Clear selection" onClick={() => selectEdges([])} />
+      <CloseButton
+        size="sm"
+        aria-label="Clear the selection of edges"
+        onClick={() => selectEdges([])}
+      />
     </div>
   );
 }

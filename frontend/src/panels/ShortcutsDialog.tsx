@@ -9,16 +9,16 @@ import css from "./panels.module.css";
 const KEYS: readonly (readonly [string, string])[] = [
   ["F", "Show the whole drawing"],
   ["Shift F", "Show the whole table"],
-  ["+  −", "Zoom in, zoom out"],
+  ["+  −", "Zoom in; zoom out"],
   ["Arrow keys", "Move the view"],
   ["Ctrl Z", "Undo the last change"],
   ["Ctrl Shift Z", "Redo the undone change"],
-  ["Esc", "Clear selection"],
+  ["Esc", "Clear the selection of edges"],
   ["Ctrl A", "Select all edges"],
-  ["[  ]", "Show or hide the left, right panel"],
-  ["N  H  T  R", "Show or hide drawing, head path, tool tip path, air moves"],
-  ["S  P", "Show or hide tool width, plunges and lifts"],
-  ["C", "Colour the drawing by line type, deviation or overcut"],
+  ["[  ]", "Show or hide the left panel; the right panel"],
+  ["N  H  T  R", "Show or hide drawing; head path; tool tip path; moves above the board"],
+  ["S  P", "Show or hide tool width; points where a tool enters or leaves the board"],
+  ["C", "Change what the colours show: line type, deviation or overcut"],
   ["?", "Show or hide this list"],
 ];
 

@@ -22,7 +22,7 @@ export function UnitPanel() {
   const warnings = drawing.unit_finding?.warnings ?? [];
   return (
     <Section
-      title="Unit of the file"
+      title="Unit of length in the file"
       open={warnings.length > 0}
       aside={
         <span className={panels.rowFigure}>
@@ -47,7 +47,7 @@ export function UnitPanel() {
           data-testid="unit-file"
           onClick={() => void patchDrawing({ unit: "file" })}
         >
-          Detect the unit from the file again
+          Let knifetip detect the unit from the file again
         </button>
       )}
     </Section>
@@ -71,7 +71,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
         <span className={css.weight} aria-hidden>
           <span style={{ width: "60%" }} />
         </span>
-        A longer bar means stronger evidence that this is the unit
+        A longer bar shows stronger evidence for this unit
       </p>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);

@@ -10,7 +10,7 @@ import { UnitChoices } from "./UnitPanel";
 export function UnitQuestion({ question, drawing }: { question: Question; drawing: Drawing }) {
   return (
     <article className={questionCss.question}>
-      <div className={questionCss.questionHead}>In which unit is the file drawn?</div>
+      <div className={questionCss.questionHead}>Which unit of length does the file use?</div>
       <p className={questionCss.questionText} title={renderText(question)}>
         {unitQuestionText(question)}
       </p>

@@ -49,8 +49,8 @@ export function VerdictCard({ job }: { job: Job }) {
         </span>
         <span className={verdictCss.verdictTitle}>
           {verdict.accepted
-            ? "Program checked: correct"
-            : "Program checked: has errors, cannot be sent"}
+            ? "Program matches the drawing"
+            : "Program has errors and cannot be sent"}
         </span>
       </div>
       <Deviation verdict={verdict} />
@@ -112,7 +112,7 @@ function Unreached({ verdict }: { verdict: VerdictSummary }) {
       <span className={verdictCss.noteArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
       <span>
         {formatArea(verdict.unreached)} in {pluralize(verdict.unreached_places, "place")} cannot be
-        reached and stay uncut.
+        reached by the tool and stay uncut.
       </span>
     </button>
   );
@@ -141,7 +141,7 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
   return (
     <div style={{ marginTop: 12 }}>
       <div className={css.runFigures} style={{ margin: 0 }}>
-        <span>Largest deviation from drawing</span>
+        <span>Largest deviation from the drawing</span>
         <span style={{ color: "var(--ink-0)", fontWeight: 600 }} data-testid="deviation">
           {formatDeviation(verdict.deviation)}
         </span>
@@ -155,7 +155,7 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
         />
       </div>
       <div className={css.note} style={{ textAlign: "right", fontSize: 11 }}>
-        {formatDeviation(verdict.tolerance)} allowed
+        {formatDeviation(verdict.tolerance)} is the largest allowed deviation
       </div>
     </div>
   );

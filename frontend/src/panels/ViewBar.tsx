@@ -20,8 +20,8 @@ const LAYERS: readonly {
   { layer: "tip", title: "Tool tip path", shows: "the path of the tool tip", colour: TRAVEL.tip },
   {
     layer: "rapids",
-    title: "Air moves",
-    shows: "the moves above the board",
+    title: "Moves above board",
+    shows: "the moves of the machine head above the board",
     colour: "#8b97a6",
     dashed: true,
   },
@@ -35,13 +35,13 @@ const LAYERS: readonly {
   {
     layer: "moves",
     title: "Plunges and lifts",
-    shows: "where a tool enters, turns and leaves",
+    shows: "the points where a tool enters the board, turns on the spot or leaves the board",
     colour: MARKS.plunge,
     dot: true,
   },
   {
     layer: "uncut",
-    title: "Unreachable",
+    title: "Unreachable areas",
     shows: "areas that the tool cannot reach",
     colour: `${UNCUT}aa`,
     thick: true,
@@ -59,7 +59,7 @@ export function ViewBar() {
     <div
       className={`${css.float} ${css.chips}`}
       role="toolbar"
-      aria-label="Show or hide parts of the picture"
+      aria-label="Show or hide layers of the picture"
     >
       {LAYERS.filter(({ layer }) => layer !== "uncut" || hasUnreachable).map(
         ({ layer, title, shows, colour, dashed, thick, dot }) => {
@@ -73,7 +73,7 @@ export function ViewBar() {
               disabled={needsPath && toolpath === undefined}
               title={
                 needsPath && toolpath === undefined
-                  ? "Prepare the program first"
+                  ? "Prepare the program first (right panel, New job)"
                   : `Show or hide ${shows}`
               }
               onClick={() => toggle(layer)}

@@ -86,7 +86,7 @@ async function assertUnchanged(name: string, text: string): Promise<Profile> {
     412,
     "The profile was changed elsewhere",
     `Another user has changed the profile ${now.title} since your change.`,
-    "Check the rules of the profile. Nothing was undone or redone.",
+    "Nothing was undone or redone. Check the rules of the profile.",
   );
 }
 

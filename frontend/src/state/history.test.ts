@@ -27,7 +27,7 @@ const EDGES: Edges = {
   length: new Float64Array(3),
   handles: ["A", "B", "C"],
   layers: ["0"],
-  rules: ['profile default: layer "OVERRIDE"', "set by the user"],
+  rules: ['profile default: layer "OVERRIDE"', "the user set the line type of the edge"],
   ruleCodes: ["classification.rule", "classification.override"],
   linetypes: ["Continuous"],
   alternatives: [],

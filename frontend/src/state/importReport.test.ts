@@ -153,5 +153,5 @@ describe("an entity of the report", () => {
 
 test("a report in a few words counts what is not there as it was drawn", () => {
   expect(summarizeReport(REPORT)).toBe("2 dropped");
-  expect(summarizeReport({ ...REPORT, groups: [group({ count: 7 })] })).toBe("everything kept");
+  expect(summarizeReport({ ...REPORT, groups: [group({ count: 7 })] })).toBe("all objects kept");
 });

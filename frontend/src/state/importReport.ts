@@ -96,7 +96,7 @@ export function summarizeReport(report: Report): string {
     .map((outcome) => ({ outcome, many: sum(outcome) }))
     .filter(({ many }) => many > 0)
     .map(({ outcome, many }) => `${many.toLocaleString("en")} ${outcome}`);
-  return parts.length > 0 ? parts.join(", ") : "everything kept";
+  return parts.length > 0 ? parts.join(", ") : "all objects kept";
 }
 
 /** Whether an edge was dropped by the cleaning. */

@@ -32,7 +32,9 @@ const LISTED = 4;
 
 /** Text for the rule or evidence that decided an edge. */
 export const ruleText = (rule: string): string =>
-  rule === "" ? "no rule matches, and the shape is not conclusive" : rule;
+  rule === ""
+    ? "no rule of the profile matches, and the shape of the edge does not show the line type"
+    : rule;
 
 export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSummary {
   const reasons = new Map<

@@ -55,7 +55,7 @@ describe("what is asked before it is sent", () => {
       "ends without its remaining copies",
     );
     expect(confirmationBefore(interrupted, "finish")?.text).toContain(
-      "Only if all 3 sheets are completely cut",
+      "only if all 3 sheets are completely cut",
     );
     expect(confirmationBefore(interrupted, "requeue")).toBeNull();
   });

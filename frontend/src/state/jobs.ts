@@ -75,9 +75,9 @@ export function confirmationBefore(job: Job, word: JobCommand): Confirmation | n
   if (word === "finish") {
     return {
       title: "Mark this job as finished?",
-      text: `Only if ${sheets(job)} completely cut. The job ends as finished, and the table is free for the next job.`,
+      text: `Mark the job only if ${sheets(job)} completely cut. The job ends as finished, and the table is free for the next job.`,
       yes: "Mark as finished",
-      no: "Do not mark",
+      no: "Do not mark as finished",
     };
   }
   return null;

@@ -26,7 +26,7 @@ test("a question without a guess shows the shape, or nothing", () => {
 test("a question of another kind is shown whole", () => {
   const given = { edges: 12, type: "crease", machine: "demo-table" };
   expect(edgeQuestionText({ code: "question.tool", arguments: given }).text).toBe(
-    "demo-table has no tool for 12 edges of type crease. Which line type should they get?",
+    "demo-table has no tool for 12 edges of the line type crease. Which other line type should these edges get?",
   );
 });
 

@@ -74,7 +74,7 @@ describe("what differs", () => {
     );
     const after = drawingOf(2, { unit: "in", profile: "acme" });
     expect(describeDifference(drawingOf(1), after, null)).toBe(
-      "its unit is now in, its profile is now acme, its edges were calculated again from the file",
+      "its unit is now in, its profile is now acme, its edges were read again from the file",
     );
   });
 });

@@ -29,7 +29,7 @@ export function describeDifference(
   if (before.unit !== after.unit) parts.push(`its unit is now ${after.unit ?? "unknown"}`);
   if (before.profile !== after.profile || before.rules !== after.rules)
     parts.push(`its profile is now ${after.profile}`);
-  if (rows === null) parts.push("its edges were calculated again from the file");
+  if (rows === null) parts.push("its edges were read again from the file");
   else if (rows.length > 0)
     parts.push(
       `${pluralize(rows.length, "edge")} ${rows.length === 1 ? "now has" : "now have"} another line type`,

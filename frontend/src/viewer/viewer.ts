@@ -72,7 +72,7 @@ export class Viewer {
     try {
       this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false });
     } catch (cause) {
-      throw new NoWebGL("This browser has no WebGL.", { cause });
+      throw new NoWebGL("This browser cannot draw with WebGL, its graphics interface.", { cause });
     }
     this.renderer.setClearColor(colours.backdrop);
     this.surroundings = new Surroundings(colours);

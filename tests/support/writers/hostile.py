@@ -158,11 +158,11 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
 
 #: Text in the import report, number of edges, and the function that makes the file.
 READ: Mapping[str, tuple[str, int, Maker]] = {
-    "dxf: cyclic blocks": ("contains itself", 1, cyclic_blocks),
+    "dxf: cyclic blocks": ("inserts itself", 1, cyclic_blocks),
     "dxf: not numbers": ("not a number", 1, not_numbers),
     "dxf: absurd knots": ("damaged", 1, absurd_knots),
     "dxf: in UTF-16": ("kept", 1, lambda: dxf.dxf(_LINE).decode().encode("utf-16")),
-    "binary dxf: cyclic blocks": ("contains itself", 1, lambda: binary(cyclic_blocks())),
+    "binary dxf: cyclic blocks": ("inserts itself", 1, lambda: binary(cyclic_blocks())),
     "binary dxf: not numbers": ("not a number", 1, lambda: binary(not_numbers())),
     "svg: external references": ("another file", 1, external_references),
     "svg: not numbers": (
@@ -170,7 +170,7 @@ READ: Mapping[str, tuple[str, int, Maker]] = {
         1,
         lambda: svg.svg('<path d="M0 0H1e308"/><circle r="1e999"/><path d="M0 0h9"/>'),
     ),
-    "cf2: cyclic calls": ("contains itself", 1, cyclic_calls),
+    "cf2: cyclic calls": ("inserts itself", 1, cyclic_calls),
     "cf2: not numbers": (
         "not a number",
         1,

@@ -27,7 +27,7 @@ def test_a_side_drawn_twice_is_reported_with_its_lengths(client: httpx.Client) -
     assert body["edges"] == {"kept": 4, "merged": 1, "dropped": 0}
     (row,) = body["rows"]
     assert (row["reason"], row["outcome"], row["merged"]) == ("twice", "merged", 50.0)
-    assert row["text"] == f"the edge was merged into edge {row['into']}, on which it lies"
+    assert row["text"] == f"the edge lies on edge {row['into']} and was merged into it"
 
 
 def test_cleaning_without_a_unit_is_refused(client: httpx.Client) -> None:

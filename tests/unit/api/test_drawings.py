@@ -145,7 +145,11 @@ def test_an_override_answers_the_question_and_can_be_taken_back(
     body = override(client, id, {"type": "crease", **who}).json()
     assert (body["questions"], body["overrides"]) == ([], 1)
     edge = edges(client, id)[4]
-    assert (edge["type"], edge["rule"], edge["length"]) == ("crease", "set by the user", 80.0)
+    assert (edge["type"], edge["rule"], edge["length"]) == (
+        "crease",
+        "the user set the line type of the edge",
+        80.0,
+    )
     taken = override(client, id, {"type": None, **who}).json()
     assert (len(taken["questions"]), taken["overrides"]) == (1, 0)
 

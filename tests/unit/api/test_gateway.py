@@ -246,7 +246,7 @@ def test_queued_jobs_state_whether_they_wait_for_their_turn_or_for_the_machine(
     )
     assert of(last) == (
         "turn",
-        f"The job waits for {title}, because other jobs in the queue come first.",
+        f"The job waits until {title} has finished the jobs that come before it in the queue.",
         "",
     )
     finish(client, claimed, "interrupted")

@@ -115,7 +115,8 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> Non
     job = queued(store)
     absent = (
         "machine",
-        f"No gateway (the program that sends jobs to a machine) of {TITLE} is connected.",
+        f"The job waits, because the gateway of {TITLE} (the program "
+        f"that sends jobs to the machine) is not connected to the server.",
     )
     assert shown(store, job)[:2] == absent
     store.gateways.record_contact("demo-table", "gateway")
@@ -157,8 +158,9 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
     assert shown(store, job) == (
         "sheet",
-        "Copy 1 of 2 is finished.",
-        "Put a new sheet of Corrugated, E-flute 1.6 mm on the table and confirm it.",
+        "Copy 1 of 2 of the job is finished. The next copy needs a new sheet.",
+        "Put a new sheet of Corrugated, E-flute 1.6 mm on the table, "
+        "then confirm the new sheet. The machine then starts the next copy.",
     )
     store.jobs.confirm(job.id)
     assert waits(store, job) == Waiting()
@@ -187,8 +189,8 @@ def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(sto
     row = queued(store, machine="flat-cutter-hpgl")
     waiting = waiting_of(store, [row])[0]
     assert (
-        str(waiting.message)
-        == "No gateway (the program that sends jobs to a machine) of Flat cutter 1300 × 900 (HPGL)"
-        " is connected."
+        str(waiting.message) == "The job waits, because the gateway of Flat cutter 1300 × "
+        "900 (HPGL) (the program that sends"
+        " jobs to the machine) is not connected to the server."
     )
     assert hint_of(waiting).startswith("Download the program")

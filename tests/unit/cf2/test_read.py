@@ -70,8 +70,8 @@ def test_an_arc_with_a_wrong_centre_keeps_its_ends_and_is_noted() -> None:
     drawing = read(cf2(arc(10, 0, 0, 10.5, 0, 0)))
     assert drawing.ends.tolist() == [[[10, 0], [0, 10.5]]]
     assert (
-        reasons(drawing)["#1"]
-        == "kept: the centre of the arc is 10 away from its start, but 10.5 away from its end"
+        reasons(drawing)["#1"] == "the object was imported; the centre of the arc is 10 file "
+        "units away from the start of the arc, but 10.5 file units away from its end"
     )
 
 
@@ -79,8 +79,10 @@ def test_bridges_are_notes_and_not_gaps() -> None:
     drawing = read(cf2(line(0, 0, 100, 0, bridges="3,6"), line(0, 1, 9, 1, bridges="1,4.5")))
     assert drawing.lengths.tolist() == [100.0, 9.0]
     assert report_reasons(drawing) == (
-        "kept: the steel rule of the die has 3 bridges, each 6 wide (in units of the file)",
-        "kept: the steel rule of the die has 1 bridge, 4.5 wide (in units of the file)",
+        "the object was imported; the steel rule of the cutting die "
+        "has 3 bridges (gaps), each 6 file units wide",
+        "the object was imported; the steel rule of the cutting die "
+        "has 1 bridge (gap), which is 4.5 file units wide",
     )
 
 
@@ -125,7 +127,7 @@ def test_a_subroutine_is_scaled_then_rotated_then_moved() -> None:
     drawing = read(cf2("C,A,100,50,90,2,2", "C,a,0,0,0,-1,1", "C,A,5,5", subs=one))
     assert drawing.ends.tolist() == [[[100, 50], [100, 70]], [[0, 0], [-10, 0]], [[5, 5], [15, 5]]]
     assert drawing.import_report.handle == ("#1", "#1/#4", "#2", "#2/#4", "#3", "#3/#4")
-    assert reasons(drawing)["#2"] == "kept: the object inserts the subroutine a"
+    assert reasons(drawing)["#2"] == "the object was imported; the object inserts the subroutine a"
     assert set(drawing.layers) == {"A"}
 
 
@@ -153,10 +155,13 @@ def test_invalid_calls_are_reported() -> None:
     )
     drawing = read(cf2("C,A,0,0,0,1,1", "C,NONE,0,0,0,1,1", "C,A,nan,0,0,1,1", subs=subs))
     reason = reasons(drawing)
-    assert reason["#1/#4/#5"] == "the subroutine A contains itself"
+    assert reason["#1/#4/#5"] == "the subroutine A inserts itself"
     assert reason["#2"] == "the subroutine NONE does not exist"
     assert reason["#3"] == "the position of the object is not a number"
-    assert reason["IDLE"] == "the subroutine IDLE with 1 record is not used in the drawing"
+    assert (
+        reason["IDLE"]
+        == "the file defines the subroutine IDLE with 1 record, but the drawing does not use it"
+    )
 
 
 def test_without_calls_subroutines_keep_their_coordinates() -> None:
@@ -288,7 +293,7 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
     )
     assert reason["#4"].startswith("a coordinate of the object is not a number")
     assert reason["#5"] == "a coordinate of the object is 1e+308, but the limit is 1e+07"
-    assert reason["#6"] == "CF2 records of this type are not supported"
+    assert reason["#6"] == "the object is a CF2 record of a type that is not supported"
     assert "does not exist" in reason["#8"] or "cannot be read" in reason["#8"]
     assert drawing.lengths.tolist() == [1.0]
 

@@ -83,7 +83,7 @@ def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None
         drawing_of((BLANK[1:], style("CUT")), (BLANK[:1] + FOLDS, style("CREASE")))
     )
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
-    assert "where the board ends" in why(dieline, 3)
+    assert "which must be cut unless the outline is open" in why(dieline, 3)
 
 
 def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:

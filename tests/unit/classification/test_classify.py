@@ -128,8 +128,8 @@ def test_an_override_comes_last_and_is_the_reason() -> None:
     changed = apply_overrides(dieline, given)
     assert words(changed) == ["v-groove", "cut", "crease"]
     assert [str(changed.rules[row]) for row in changed.rule] == [
-        "set by the user",
-        "set by the user",
+        "the user set the line type of the edge",
+        "the user set the line type of the edge",
         'profile house: layer "die"',
     ]
     assert changed.confidence.tolist() == [1.0, 1.0, 0.95]
@@ -140,7 +140,7 @@ def test_overriding_twice_adds_one_reason() -> None:
     dieline = classify(side_by_side([("die", 1, "C")]), RULES)
     once = apply_overrides(dieline, np.array([LineType.CUT], np.uint8))
     twice = apply_overrides(once, np.array([LineType.CREASE], np.uint8))
-    assert [str(rule) for rule in twice.rules].count("set by the user") == 1
+    assert [str(rule) for rule in twice.rules].count("the user set the line type of the edge") == 1
     assert words(twice) == ["crease"]
 
 
@@ -188,7 +188,8 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
 def test_a_question_gives_number_length_and_position() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
         '2 edges on layer "b" (colour 2, linetype C) have no line type: total length 20.0 mm, '
-        "extent 30.0 × 0.0 mm at (0.0, 0.0). Which line type should they get?"
+        "extent 30.0 × 0.0 mm lower left corner at X 0.0, Y 0.0. "
+        "Which line type should these edges get?"
     ]
 
 

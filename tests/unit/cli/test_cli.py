@@ -131,7 +131,7 @@ def test_read_prints_the_size_and_the_evidence_for_the_unit(
     head, *rest = out.splitlines()
     assert code == 0
     assert "320.00 × 250.00 mm" in head
-    assert any(line.split()[0] == "mm" and "the header states mm" in line for line in rest)
+    assert any(line.split()[0] == "mm" and "the file states the unit mm" in line for line in rest)
 
 
 def test_read_prints_the_size_in_millimetres_for_every_unit(
@@ -142,7 +142,7 @@ def test_read_prints_the_size_in_millimetres_for_every_unit(
     assert code == 0
     assert out.splitlines()[0] == (
         "carton.pdf: 200.00 × 80.00 mm, 111 segments; the PDF states its "
-        "coordinates in points of 1/72 inch"
+        "coordinates in points (1/72 inch)"
     )
 
 
@@ -160,7 +160,7 @@ def test_read_warns_if_the_header_states_an_unlikely_unit(knifetip: Command, fol
     assert drawing["unit"] != "m"
     assert drawing["unit_finding"]["ranking"][0] == "mm"
     if drawing["unit"]:
-        assert drawing["warnings"][0].startswith("The header states metres")
+        assert drawing["warnings"][0].startswith("The file states the unit metres")
 
 
 def test_verify_accepts_the_program_that_program_writes(knifetip: Command, folder: Path) -> None:

@@ -373,7 +373,7 @@ def test_the_cutter_does_not_enter_a_neighbour_nearer_than_its_diameter() -> Non
 def test_a_lead_not_longer_than_the_radius_is_refused() -> None:
     with pytest.raises(
         CompensationError,
-        match="lead-in of the cutter is 3 mm long, but must be longer than its radius",
+        match="lead-in of the cutter is 3 mm long, but must be longer than the radius",
     ):
         compensate(contour((0, 0), (50, 0), (50, 50), tool=replace(ROUTER, lead=3.0)))
 

@@ -89,14 +89,17 @@ def spline(
 def test_line_is_one_row_from_start_to_end() -> None:
     drawing = read(dxf(line(1, 2, 4, 6)))
     assert_array_equal(rows(drawing), [[1, 2, 4, 6, 0]])
-    assert only(drawing) == "kept"
+    assert only(drawing) == "the object was imported unchanged"
     assert drawing.import_report.length[0] == 5.0
 
 
 def test_line_above_the_sheet_is_flattened_with_a_note() -> None:
     drawing = read(dxf(entity("LINE", (10, 0), (20, 0), (30, 7), (11, 5), (21, 0), (31, 7))))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: the object was moved from the height z = 7 to z = 0"
+    assert (
+        only(drawing)
+        == "the object was imported; the object was moved from the height z = 7 file units to z = 0"
+    )
 
 
 def test_line_that_rises_is_dropped_with_its_heights() -> None:
@@ -160,7 +163,7 @@ def test_arc_without_radius_is_dropped_with_the_measure(radius: int) -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 0), (20, 0), (40, radius))))
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == f"the radius is {radius}, but must be greater than 0"
+        == f"the radius of the object is {radius}, but must be greater than 0"
     )
 
 
@@ -173,7 +176,10 @@ def test_circle_is_two_half_turns() -> None:
 def test_circle_at_minus_z_with_height_is_mirrored_and_laid_flat() -> None:
     drawing = read(dxf(entity("CIRCLE", (10, 5), (20, 0), (30, 2), (40, 1), *DOWN)))
     assert_allclose(drawing.bounds, [-6, -1, -4, 1], atol=1e-12)
-    assert only(drawing) == "kept: the object was moved from the height z = 2 to z = 0"
+    assert (
+        only(drawing)
+        == "the object was imported; the object was moved from the height z = 2 file units to z = 0"
+    )
 
 
 def test_lwpolyline_keeps_bulges_and_closes() -> None:
@@ -204,26 +210,31 @@ def test_bulge_of_more_than_half_a_turn_becomes_two_rows() -> None:
 def test_mirrored_lwpolyline_turns_its_bulges() -> None:
     drawing = read(dxf(lwpolyline([(1, 0, 1), (5, 0, 0)], (38, 4.0), *DOWN), version="AC1015"))
     assert_array_equal(rows(drawing), [[-1, 0, -5, 0, -1]])
-    assert only(drawing) == "kept: the object was moved from the height z = 4 to z = 0"
+    assert (
+        only(drawing)
+        == "the object was imported; the object was moved from the height z = 4 file units to z = 0"
+    )
 
 
 def test_coincident_vertices_give_no_row_and_are_counted() -> None:
     text = lwpolyline([(0, 0, 0), (0, 0, 0), (10, 0, 0)])
     drawing = read(dxf(text, version="AC1015"))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0]])
-    assert only(drawing) == "kept: 1 of 2 segments has no length"
+    assert (
+        only(drawing) == "the object was imported; 1 of the 2 segments of the object has no length"
+    )
 
 
 def test_polyline_of_one_vertex_is_dropped() -> None:
     assert only(read(dxf(polyline([(1, 1)]))), ImportOutcome.DROPPED).startswith(
-        "the polyline has 1 vertex"
+        "the object is a polyline with 1 vertex"
     )
 
 
 def test_old_polyline_keeps_bulges_and_closes() -> None:
     drawing = read(dxf(polyline([(0, 0), (10, 0, (42, 1)), (10, 10)], flags=1)))
     assert_array_equal(rows(drawing), [[0, 0, 10, 0, 0], [10, 0, 10, 10, 1], [10, 10, 0, 0, 0]])
-    assert only(drawing) == "kept"
+    assert only(drawing) == "the object was imported unchanged"
 
 
 def test_control_frame_of_a_smoothed_polyline_is_not_drawn() -> None:
@@ -237,7 +248,10 @@ def test_3d_polyline_on_one_height_is_laid_flat() -> None:
     text = polyline(flat, flags=8).replace("30\n0\n30\n3", "30\n3")
     drawing = read(dxf(text))
     assert_array_equal(rows(drawing), [[0, 0, 5, 0, 0]])
-    assert only(drawing) == "kept: the object was moved from the height z = 3 to z = 0"
+    assert (
+        only(drawing)
+        == "the object was imported; the object was moved from the height z = 3 file units to z = 0"
+    )
 
 
 def test_ellipse_is_fitted_within_a_hundredth_with_a_note() -> None:
@@ -259,7 +273,7 @@ def test_ellipse_is_fitted_within_a_hundredth_with_a_note() -> None:
         f"the curves of the object were converted to {len(drawing)} "
         "lines and arcs, which deviate by at most 0.01 file units"
     )
-    assert only(drawing) == f"kept: {fitted}"
+    assert only(drawing) == f"the object was imported; {fitted}"
 
 
 def test_half_ellipse_at_minus_z_runs_the_other_way() -> None:
@@ -289,7 +303,8 @@ def test_spline_through_fit_points_passes_them() -> None:
     )  # fmt: skip
     drawing = read(dxf(text, version="AC1015"))
     assert only(drawing).startswith(
-        "kept: the curve was computed from its fit points; the curves of the object were"
+        "the object was imported; the curve was computed from its "
+        "fit points, through which it passes; the curves of the object were"
     )
     joints = drawing.ends.reshape(-1, 2)
     for x, y in points:
@@ -342,27 +357,27 @@ def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> Non
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
     assert report_reasons(drawing) == (
         "a coordinate of the object is 2e+07, but the limit is 1e+07",
-        "kept",
+        "the object was imported unchanged",
     )
 
 
 @pytest.mark.parametrize(
     ("kind", "reason"),
     [
-        ("TEXT", "texts are not cut"),
+        ("TEXT", "the object is a text, which is not cut"),
         ("POINT", "the object is a point, which has no length"),
         ("3DFACE", "the object is a solid or a face, not a line in a plane"),
         ("SOLID", "the object is a filled area without a line"),
         ("XLINE", "the object is a construction line of infinite length"),
-        ("DIMENSION", "dimensions and notes are not cut"),
-        ("NONSENSE", "objects of type NONSENSE cannot be read"),
+        ("DIMENSION", "the object is a dimension or a note, which is not cut"),
+        ("NONSENSE", "the object is of the type NONSENSE, which cannot be read"),
     ],
 )
 def test_entities_without_lines_are_dropped_with_the_reason(kind: str, reason: str) -> None:
     text = entity(kind, (10, 1), (20, 1), (11, 5), (21, 0), (12, 3), (22, 3), (13, 0), (23, 0))
     drawing = read(dxf(text, line(0, 0, 1, 0)))
     assert drawing.import_report.kind == (kind, "LINE")
-    assert report_reasons(drawing) == (reason, "kept")
+    assert report_reasons(drawing) == (reason, "the object was imported unchanged")
 
 
 def test_the_position_of_every_kind_equals_that_of_ezdxf() -> None:

@@ -55,7 +55,7 @@ def test_array_of_a_thousand_million_is_counted_and_not_expanded() -> None:
 def test_cyclic_blocks_are_dropped_and_the_rest_is_read() -> None:
     blocks = (block("A", insert("B")), block("B", insert("A"), _LINE))
     drawing = read(dxf(insert("A"), _LINE, blocks=blocks))
-    assert report_reasons(drawing)[0] == "the block 'A' contains itself"
+    assert report_reasons(drawing)[0] == "the block 'A' inserts itself"
     assert len(drawing) == 1
 
 
@@ -91,7 +91,7 @@ def test_spline_through_twenty_thousand_points_is_not_solved() -> None:
         tags += [(11, n % 77 * 3.3), (21, n % 11 * 2.2), (31, 0)]
     data = dxf(entity("SPLINE", *tags), version="AC1015")
     assert _within(5.0, data) == ""
-    assert "has 20,000 fit points; the limit is 1,000" in report_reasons(read(data))[0]
+    assert "has 20,000 fit points, but the limit is 1,000" in report_reasons(read(data))[0]
 
 
 def test_half_a_gigabyte_is_refused_before_anything() -> None:

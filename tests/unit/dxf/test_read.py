@@ -144,7 +144,10 @@ def test_same_line_twice_is_merged_and_names_the_survivor() -> None:
         ImportOutcome.MERGED,
         ImportOutcome.KEPT,
     ]
-    assert report_reasons(drawing)[1] == "the object is drawn twice, because it lies exactly on 2F3"
+    assert (
+        report_reasons(drawing)[1]
+        == "the object is drawn twice: it has the same shape and position as 2F3"
+    )
     assert_array_equal(drawing.import_report.length, [10, 0, 0, 11])
 
 
@@ -187,7 +190,8 @@ def test_polyline_with_a_repeated_side_is_kept_with_a_note() -> None:
     )
     drawing = read(dxf(line(0, 0, 10, 0, (5, "B2")), square))
     assert (
-        reasons(drawing)["A1"] == "kept: 1 of 2 segments lies exactly on B2, so it is drawn twice"
+        reasons(drawing)["A1"] == "the object was imported; 1 of the 2 segments of the object "
+        "is drawn twice: it lies exactly on B2"
     )
     assert list(drawing.import_report.outcome) == [ImportOutcome.KEPT, ImportOutcome.KEPT]
     assert drawing.handles == ["B2", "A1"]
@@ -196,7 +200,7 @@ def test_polyline_with_a_repeated_side_is_kept_with_a_note() -> None:
 def test_line_without_length_is_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(5, 5, 5, 5.0000000001), line(0, 0, 1, 0)))
     assert drawing.import_report.outcome[0] == ImportOutcome.DROPPED
-    assert report_reasons(drawing)[0].startswith("the object has no length (1e-10)")
+    assert report_reasons(drawing)[0].startswith("the length of the object is 1e-10")
     assert len(drawing) == 1
 
 
@@ -211,7 +215,7 @@ def test_paper_space_is_dropped() -> None:
     drawing = read(dxf(line(0, 0, 10, 0, (67, 1)), line(0, 0, 5, 0)))
     assert report_reasons(drawing) == (
         "the object is in a layout (paper space), not in the model",
-        "kept",
+        "the object was imported unchanged",
     )
 
 
@@ -224,7 +228,7 @@ def test_block_that_nothing_places_is_named() -> None:
     drawing = read(dxf(line(0, 0, 1, 0), blocks=(block("SPARE", line(0, 0, 5, 0)),)))
     assert drawing.import_report.kind == ("LINE", "BLOCK")
     assert report_reasons(drawing)[1] == (
-        "the block SPARE with 1 object is not used in the drawing"
+        "the file defines the block SPARE with 1 object, but the drawing does not use it"
     )
 
 
@@ -262,8 +266,8 @@ def test_layer_that_is_off_or_frozen_is_read_with_a_note() -> None:
     )
     assert drawing.colour.tolist() == [3, 4]
     assert report_reasons(drawing) == (
-        "kept: the layer of the object is switched off",
-        "kept: the layer of the object is frozen",
+        "the object was imported; the layer of the object is switched off",
+        "the object was imported; the layer of the object is frozen",
     )
 
 
@@ -335,10 +339,10 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
         (
-            "kept: the object inserts the block PART; the object is a "
+            "the object was imported; the object inserts the block PART; the object is a "
             "grid of copies (3 columns × 2 rows)"
         ),
-        "kept: the object is drawn 6 times",
+        "the object was imported; the drawing contains the object 6 times",
     )
     assert_allclose(drawing.import_report.length, [0, 6])
 
@@ -354,7 +358,10 @@ def test_mirrored_insert_turns_arcs_around() -> None:
     ("text", "reason"),
     [
         (insert("NOWHERE"), "the block 'NOWHERE' is not in the file"),
-        (insert("PART", 0, 0, (41, 0)), "the object is scaled by 0 × 1, so its size is 0"),
+        (
+            insert("PART", 0, 0, (41, 0)),
+            "the object has no size, because it is scaled by 0 in X and 1 in Y",
+        ),
         (
             insert("PART", 0, 0, (50, "nan")),
             "the position, scale or rotation of the object is not a number",
@@ -419,14 +426,16 @@ def test_byte_order_mark_blank_lines_and_utf_16_are_read() -> None:
 
 
 def test_file_larger_than_the_limit_is_refused_unread() -> None:
-    with pytest.raises(DrawingTooLarge, match=r"2\.0 MB; the limit is 1\.0 MB"):
+    with pytest.raises(DrawingTooLarge, match=r"2\.0 MB, but the limit is 1\.0 MB"):
         read(bytes(2 * 2**20), limits=Limits(bytes=2**20))
 
 
 def test_more_entities_than_the_limit_are_refused() -> None:
     many = dxf(*(line(0, i, 10, i) for i in range(11)))
     assert len(read(many, limits=Limits(entities=11))) == 11
-    with pytest.raises(DrawingTooLarge, match="11 entities; the limit is 10"):
+    with pytest.raises(
+        DrawingTooLarge, match=r"11 entities \(drawn objects\), but the limit is 10"
+    ):
         read(many, limits=Limits(entities=10))
 
 
@@ -471,7 +480,7 @@ def test_grid_of_polylines_is_counted_in_segments() -> None:
 
 def test_blocks_nested_deeper_than_the_limit_are_refused() -> None:
     assert len(read(bomb(16, 1))) == 1
-    with pytest.raises(DrawingTooLarge, match="17 levels deep; the limit is 16"):
+    with pytest.raises(DrawingTooLarge, match="17 levels deep, but the limit is 16"):
         read(bomb(17, 1))
 
 
@@ -489,9 +498,9 @@ def test_blocks_that_contain_themselves_are_dropped_and_named() -> None:
     )
     drawing = read(dxf(insert("A"), insert("SELF"), insert("OVER"), blocks=blocks))
     assert_array_equal(drawing.lengths, [4])
-    assert reasons(drawing)["#1"] == "the block 'A' contains itself"
-    assert reasons(drawing)["#2"] == "the block 'SELF' contains itself"
-    assert reasons(drawing)["#3/#1"] == "the block 'A' contains itself"
+    assert reasons(drawing)["#1"] == "the block 'A' inserts itself"
+    assert reasons(drawing)["#2"] == "the block 'SELF' inserts itself"
+    assert reasons(drawing)["#3/#1"] == "the block 'A' inserts itself"
 
 
 def test_reading_stops_when_its_time_is_up() -> None:

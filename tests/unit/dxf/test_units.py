@@ -34,12 +34,18 @@ def test_header_without_a_unit_gives_no_unit_in_any_version(version: str) -> Non
 @pytest.mark.parametrize(
     ("written", "evidence"),
     [
-        ("0", "the header states that the drawing has no unit ($INSUNITS = 0)"),
-        ("9", "the header states a unit that is not supported: mils ($INSUNITS = 9)"),
-        ("77", "the header states no valid unit: $INSUNITS = 77 is not defined"),
-        ("-1", "the header states no valid unit: $INSUNITS = -1 is not defined"),
-        ("MM", "the header states no valid unit: $INSUNITS = 'MM' is not a number"),
-        ("1E999", "the header states no valid unit: $INSUNITS = '1E999' is not a number"),
+        ("0", "the header of the DXF file states that the drawing has no unit ($INSUNITS = 0)"),
+        (
+            "9",
+            "the header of the DXF file states a unit that is not supported: mils ($INSUNITS = 9)",
+        ),
+        ("77", "the header of the DXF file states no valid unit: $INSUNITS = 77 is not defined"),
+        ("-1", "the header of the DXF file states no valid unit: $INSUNITS = -1 is not defined"),
+        ("MM", "the header of the DXF file states no valid unit: $INSUNITS = 'MM' is not a number"),
+        (
+            "1E999",
+            "the header of the DXF file states no valid unit: $INSUNITS = '1E999' is not a number",
+        ),
     ],
 )
 def test_header_with_an_unusable_unit_gives_the_reason(written: str, evidence: str) -> None:

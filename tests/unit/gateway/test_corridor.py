@@ -52,7 +52,7 @@ def test_a_position_off_the_path_is_a_fault_after_three_reports(
 ) -> None:
     error = verdict(Corridor(PROGRAM, START, 15), report(*place))
     assert error is not None
-    assert "away from the path of the program near line" in error.text
+    assert "away from the path of the program near program line" in error.text
     assert "home the machine" in error.hint
 
 

@@ -292,7 +292,7 @@ async def test_no_report_at_all_is_silence() -> None:
         wire.mute = True
         wire.obliging = False
         await controller.send(b"G1 X5", 1)
-        with pytest.raises(ControllerSilent, match="has not answered"):
+        with pytest.raises(ControllerSilent, match="has not responded"):
             await controller.drain()
 
 
@@ -312,7 +312,7 @@ async def test_a_banner_that_nobody_asked_for_is_a_reset() -> None:
         wire.state = "Run"
         await controller.send(b"G1 X5", 1)
         wire.say(BANNER)
-        with pytest.raises(ControllerReset, match=r"was reset; no response to line 1"):
+        with pytest.raises(ControllerReset, match=r"was reset; no response to program line 1"):
             await controller.drain()
         with pytest.raises(ControllerReset):
             await controller.send(b"G1 X6", 2)
@@ -352,7 +352,9 @@ async def test_a_lost_connection_says_which_answer_was_due() -> None:
         wire.obliging = False
         await controller.send(b"G1 X5", 1)
         await wire.close()
-        with pytest.raises(ControllerError, match=r"is lost; no response to line 1 \(G1 X5\)"):
+        with pytest.raises(
+            ControllerError, match=r"is lost; no response to program line 1 \(G1 X5\)"
+        ):
             await controller.drain()
 
 
@@ -475,7 +477,7 @@ async def test_more_bytes_in_the_buffer_than_are_unanswered_is_an_answer_too_man
         async with asyncio.timeout(5.0):
             while (fault := fault_of(controller)) is None:
                 await asyncio.sleep(0.001)
-        assert "A response was duplicated" in fault.text
+        assert "a response was sent twice" in fault.text
 
 
 async def test_an_alarm_that_is_over_does_not_unlock_a_later_one() -> None:
@@ -502,7 +504,7 @@ async def test_the_answer_of_another_line_to_that_question_is_an_answer_too_many
     # A late ok of a line that was already counted as answered, then the expected answer.
     wire = Wire({"$G": "ok\n[GC:G0 G54]"})
     async with opened(wire) as controller:
-        with pytest.raises(ControllerError, match="A response was duplicated"):
+        with pytest.raises(ControllerError, match="a response was sent twice"):
             await controller.settle()
 
 

@@ -225,7 +225,7 @@ async def test_a_spoilt_answer_ends_the_job_with_the_machine_safe(bench: Bench, 
     with pytest.raises(error, match=words) as raised:
         await bench.run()
     bench.assert_safe()
-    assert "was stopped and lifted to Z 20.0, and its stations were released" in raised.value.text
+    assert "head was lifted to Z 20.0 mm, and the stations were released" in raised.value.text
     assert raised.value.hint
     # The machine is in a known state: the next program runs.
     assert bench.controller.fault is None
@@ -285,7 +285,7 @@ async def test_an_alarm_with_a_cause_at_the_machine_is_left_to_the_operator(benc
             ControllerError,
             "away from the path of the program",
         ),
-        (lambda line: line[:-1], ControllerRejected, "rejected line"),
+        (lambda line: line[:-1], ControllerRejected, "rejected program line"),
         (lambda line: line + line, ControllerError, "did not send"),
     ],
     ids=["digit", "newline", "doubled"],

@@ -342,9 +342,9 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     assert job.state == "interrupted"
     assert not store.leases.run()
     assert str(job.message) == (
-        "The job was interrupted at line 199 of 231. The gateway "
+        "The job was interrupted at program line 199 of 231. The gateway "
         "gateway stopped responding. The machine may have "
-        "executed more lines than the gateway reported."
+        "executed more program lines than the gateway reported."
     )
     assert store.gateways.jobs_on_tables() == {"table": job.id}
 
@@ -362,7 +362,7 @@ def test_a_finish_that_is_said_twice_does_no_harm(store: Store) -> None:
     job = running(store)
     store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
     again = store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
-    assert str(again.message) == "The job was interrupted at line 0 of 231. A belt tore."
+    assert str(again.message) == "The job was interrupted at program line 0 of 231. A belt tore."
     assert course(store, job.id).count("interrupted") == 1
 
 
@@ -384,7 +384,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
     assert (
         str(store.events.of_job(job.id)[-1].message)
-        == "Copy 1 of 3 is finished. The next copy needs a new sheet."
+        == "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board."
     )
     store.gateways.finish(job.id, job.epoch, "interrupted")
     store.jobs.requeue(job.id)
@@ -477,7 +477,10 @@ def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Stor
 
 def test_another_board_on_the_table_is_refused(store: Store) -> None:
     job = waiting(store)
-    with pytest.raises(WrongState, match=r"for the board e-flute, not 'greyboard-2\.0'"):
+    with pytest.raises(
+        WrongState,
+        match=r"needs the board e-flute, but the confirmation names the board 'greyboard-2\.0'",
+    ):
         store.jobs.confirm(job.id, board="greyboard-2.0")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
 
@@ -524,7 +527,7 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     row = store.jobs.get(job.id)
     assert (row.state, row.confirmation, row.owner) == ("queued", "", "")
     assert str(store.events.of_job(job.id)[-1].message) == (
-        "The gateway returned the job to the queue. The gateway gateway stopped responding."
+        "The gateway put the job back into the queue. The gateway gateway stopped responding."
     )
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
@@ -582,7 +585,7 @@ def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: St
     row = store.gateways.finish(job.id, job.epoch, "returned", stored("Nothing was sent."))
     assert (row.state, str(row.message)) == (
         "interrupted",
-        "The job was interrupted at line 0 of 231. Nothing was sent.",
+        "The job was interrupted at program line 0 of 231. Nothing was sent.",
     )
 
 
@@ -597,7 +600,7 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_somebody_confi
         == "The job was started without the confirmation of the operator."
     )
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
-    with pytest.raises(WrongState, match="without a confirmation"):
+    with pytest.raises(WrongState, match="has not confirmed"):
         store.jobs.resume(job.id)
     store.jobs.confirm(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "resume"
@@ -697,7 +700,7 @@ def test_a_late_report_that_the_job_is_done_ends_it(store: Store, clock: Clock) 
     last = store.events.of_job(job.id)[-1]
     assert (last.who, str(last.message)) == (
         "gateway gateway",
-        "The gateway reported late: Every line of the program was executed.",
+        "A late report of the gateway arrived: The machine executed every line of the program.",
     )
     assert store.gateways.finish(job.id, job.epoch, "done").state == "done"
     assert store.gateways.jobs_on_tables() == {}
@@ -710,7 +713,7 @@ def test_a_late_report_of_another_end_corrects_the_line(
     job = interrupted(store, clock, 56)
     row = store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert (row.state, row.line) == ("interrupted", 77)
-    assert str(row.message) == "The job was interrupted at line 77 of 231. A belt tore."
+    assert str(row.message) == "The job was interrupted at program line 77 of 231. A belt tore."
     events = len(course(store, job.id))
     store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
     assert len(course(store, job.id)) == events
@@ -740,7 +743,7 @@ def test_a_job_interrupted_at_its_last_line_is_not_offered_to_be_cut_again(
 ) -> None:
     job = interrupted(store, clock, LINES)
     row = store.jobs.get(job.id)
-    assert str(row.message).startswith("The job was interrupted at line 231 of 231. ")
+    assert str(row.message).startswith("The job was interrupted at program line 231 of 231. ")
     assert "again" not in hint_of(row)
     assert "finished" in hint_of(row)
     with pytest.raises(WrongState) as caught:
@@ -756,7 +759,8 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     row = store.jobs.get(job.id)
     assert (row.line, row.copies_done) == (0, 1)
     assert str(row.message).startswith(
-        "The job was interrupted after copy 1 of 3, before the first line of the next copy. "
+        "The job was interrupted after copy 1 of 3, before the first "
+        "program line of the next copy. "
     )
     assert "remaining copies" in hint_of(row)
     # The gateway reports that the second copy was cut to its end.
@@ -777,7 +781,8 @@ def test_an_operator_declares_an_interrupted_job_finished(store: Store, clock: C
     last = store.events.of_job(job.id)[-1]
     assert (last.who, str(last.message)) == (
         "operator",
-        "The operator marked the job as finished at line 200 of 231.",
+        "The operator marked the job as finished, after the machine "
+        "had stopped at program line 200 of 231.",
     )
     with pytest.raises(WrongState, match="is done"):
         store.jobs.declare_finished(job.id)
@@ -835,7 +840,8 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
         store.jobs.cancel(job.id)
     assert caught.value.hint == hint_of(store.jobs.get(job.id))
     assert caught.value.hint.startswith(
-        "Check the log of the gateway. Check the table. Then queue the job again"
+        "Look for the cause in the log of the gateway. Check the "
+        "table. Then either queue the job again"
     )
 
 

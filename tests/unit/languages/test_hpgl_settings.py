@@ -145,7 +145,10 @@ def test_an_invalid_file_is_refused_with_the_reason(
 
 
 def test_a_machine_without_a_device_cannot_be_driven_with_hpgl() -> None:
-    with pytest.raises(LibraryError, match=r"cannot be driven with HPGL.*Choose grblhal"):
+    with pytest.raises(
+        LibraryError,
+        match=r"cannot be controlled with programs in HPGL.*Choose the language grblhal",
+    ):
         with_language(load.machine("demo-table"), "hpgl")
 
 

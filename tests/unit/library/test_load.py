@@ -250,7 +250,8 @@ def test_the_fault_of_an_invalid_board_is_reported(
         (
             "high = 1400.0",
             "high = -1.0",
-            "axes → x → high is -1, but must be greater than the value of low, 0",
+            "axes → x → high is -1, but must be greater than the value "
+            "of the field low, which is 0",
         ),
         (
             "velocity = 500.0",
@@ -285,11 +286,11 @@ def test_the_fault_of_an_invalid_machine_is_reported(
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("travel_z =", "travelz =", "travelz is not a known field; did you mean travel_z?"),
+        ("travel_z =", "travelz =", "travelz is not a known field; perhaps travel_z is meant"),
         (
             "tilt = 45.0",
             "tilt = 45.0\ntill = 3.0",
-            "tool → till is not a known field; did you mean tilt?",
+            "tool → till is not a known field; perhaps tilt is meant",
         ),
         ("into_mat = 0.3", "into_mat = 0.3\nzebra = 1", "zebra is not a known field."),
     ],

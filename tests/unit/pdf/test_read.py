@@ -162,9 +162,13 @@ def test_lines_outside_the_crop_box_are_dropped() -> None:
     )
     assert_allclose(drawing.ends[0] * MM, [[10, 10], [20, 20]])
     assert outcomes(drawing) == [
-        ("path", "kept"),
+        ("path", "the object was imported unchanged"),
         ("path", "the object lies outside the visible area of the page"),
-        ("path", "kept: a part of the object lies outside the visible area of the page"),
+        (
+            "path",
+            "the object was imported; a part of the object lies outside "
+            "the visible area of the page",
+        ),
     ]
 
 
@@ -353,7 +357,10 @@ def test_several_spot_colours_on_one_layer_are_the_names() -> None:
         )
     )
     assert drawing.layers == ("CutContour", "Crease")
-    assert reasons(drawing)["#1"] == "kept: the object lies on the layer Outside"
+    assert (
+        reasons(drawing)["#1"]
+        == "the object was imported; the object also lies on the layer Outside"
+    )
 
 
 @pytest.mark.parametrize(
@@ -433,7 +440,7 @@ def test_a_visible_layer_inside_a_hidden_one_is_hidden() -> None:
     )
     assert report_reasons(drawing) == (
         "the object is hidden, because the layer Cut is switched off",
-        "kept",
+        "the object was imported unchanged",
     )
 
 
@@ -479,7 +486,7 @@ def test_the_box_of_a_form_clips_its_content() -> None:
         )
     )
     assert [outcome for _, outcome in outcomes(drawing)] == [
-        "kept",
+        "the object was imported unchanged",
         "the object lies outside the visible area of the page",
     ]
 
@@ -492,7 +499,7 @@ def test_a_form_that_contains_itself_is_dropped() -> None:
             more=[form("0 0 m 5 0 l S /B Do"), form("/A Do 0 9 m 5 9 l S")],
         )
     )
-    assert reasons(drawing)["A/B/#2"] == "the object contains itself"
+    assert reasons(drawing)["A/B/#2"] == "the object contains a reference to itself"
     assert len(drawing) == 2
 
 
@@ -521,25 +528,29 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
         )
     )
     assert outcomes(drawing) == [
-        ("path", "kept"),
+        ("path", "the object was imported unchanged"),
         ("path", "the object is a filled area without a line, and the page has lines"),
-        ("path", "the object is only a clipping path"),
+        ("path", "the object only limits the visible area of other objects (clipping path)"),
         ("path", "the object has neither a stroke nor a fill, so it is not visible"),
-        ("image", "images are not cut"),
-        ("form", "the PDF has no form or image with the name 'Gone'"),
-        ("image", "images are not cut"),
-        ("shading", "shadings (colour gradients) are not cut"),
+        ("image", "the object is an image, which is not cut"),
+        (
+            "form",
+            "the PDF page uses a form or image with the name 'Gone', "
+            "which the PDF does not contain",
+        ),
+        ("image", "the object is an image, which is not cut"),
+        ("shading", "the object is a shading (colour gradient), which is not cut"),
         ("path", "the path of the object is empty"),
         ("path", "a coordinate of the object is not a number"),
-        ("path", "the PDF operator 'm' has invalid operands"),
-        ("text", "texts are not cut"),
+        ("path", "the path uses the PDF operator 'm' with a wrong number or type of values"),
+        ("text", "the object is a text, which is not cut"),
         ("operator", "the PDF operator 'frobnicate' is not supported"),
         ("path", "the object is completely transparent"),
         (
             "path",
             (
-                "the path is neither stroked nor filled, because the page "
-                "ends before the path is finished"
+                "the path has neither a stroke nor a fill, because the page "
+                "ends before the path ends"
             ),
         ),
         ("annotation", "2 notes and form fields on the page are not cut"),
@@ -551,7 +562,7 @@ def test_fills_are_lines_only_on_pages_without_strokes() -> None:
     assert len(drawing) == 4
     assert drawing.true_colour.tolist() == [0xFF0000] * 4
     assert reasons(drawing)["#1"] == (
-        "kept: the object is the outline of a filled area, which is "
+        "the object was imported; the object is the outline of a filled area, which is "
         "used because the page has no lines"
     )
 
@@ -569,7 +580,10 @@ def test_only_the_first_page_is_read_and_others_are_reported() -> None:
         )
     )
     assert_allclose(drawing.lengths * MM, [9])
-    assert outcomes(drawing)[-1] == ("page", "only the first of 2 pages is read")
+    assert outcomes(drawing)[-1] == (
+        "page",
+        "the file has 2 pages, but only the first page is read",
+    )
 
 
 def test_a_page_may_have_several_content_streams() -> None:
@@ -604,7 +618,7 @@ def test_texts_are_decoded_by_the_table_of_their_font() -> None:
     assert_allclose(np.array([words.x, words.y, words.height]) * MM, [30, 40, 20])
     assert outcomes(drawing)[1] == (
         "text",
-        "texts are not cut, and the characters of this text cannot be read",
+        "the object is a text, which is not cut and whose characters cannot be read",
     )
 
 

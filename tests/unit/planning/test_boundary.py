@@ -55,7 +55,9 @@ def test_a_gap_before_the_edge_is_added_to_the_run_out() -> None:
 
 
 def test_a_groove_along_the_edge_is_refused() -> None:
-    with pytest.raises(FlankOutside, match=r"edge 7 meets the edge of the board at only 4\.0°"):
+    with pytest.raises(
+        FlankOutside, match=r"edge 7 meets the edge of the board at an angle of only 4\.0°"
+    ):
         out((50, 100), (np.cos(np.radians(4)), np.sin(np.radians(4))))
 
 

@@ -151,7 +151,7 @@ def test_coincident_edges_do_not_change_the_faces() -> None:
 
 def test_too_many_crossings_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(noding, "_MOST_PAIRS", 10)
-    with pytest.raises(PlanError, match="pairs of cuts cross"):
+    with pytest.raises(PlanError, match="pairs of cuts that cross"):
         layers(PANEL, WINDOW, PART, HOLE)
 
 

@@ -116,7 +116,7 @@ def test_a_slit_has_no_side_and_comes_before_the_holes() -> None:
 
 def test_an_edge_that_two_blanks_share_is_refused_and_one_gap_between_them_is_enough() -> None:
     shared = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((100, 0), (100, 100)))))
-    with pytest.raises(PlanError, match=r"share edge 4, but the cutter removes 6 mm") as refused:
+    with pytest.raises(PlanError, match=r"share edge 4, so a cutter of 6 mm") as refused:
         plan(shared, ROUTED, BOARD)
     assert "6 mm apart" in refused.value.hint
     apart = dieline(

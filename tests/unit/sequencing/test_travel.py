@@ -32,7 +32,7 @@ def test_the_v_cutter_does_not_reach_the_left_edge() -> None:
     travelled(LineType.CUT, 10, 200)
     # Its tip at 10 on the way back, the head 1.5 further left: joint 10 - 1.5 - 60.
     with pytest.raises(
-        TravelExceeded, match=r"V-cutter \(station 3\) would exceed the lower end .* by 51\.50 mm"
+        TravelExceeded, match=r"V-cutter \(station 3\) would move 51\.50 mm beyond the lower end"
     ):
         travelled(LineType.V_GROOVE, 10, 200)
 
@@ -40,6 +40,6 @@ def test_the_v_cutter_does_not_reach_the_left_edge() -> None:
 def test_the_knife_does_not_reach_the_right_edge() -> None:
     travelled(LineType.V_GROOVE, 300, 550)
     with pytest.raises(
-        TravelExceeded, match=r"Knife \(station 1\) would exceed the upper end .* by 47\.70 mm"
+        TravelExceeded, match=r"Knife \(station 1\) would move 47\.70 mm beyond the upper end"
     ):
         travelled(LineType.CUT, 300, 550)

@@ -133,7 +133,7 @@ def test_a_packed_file_truncated_anywhere_is_refused() -> None:
         (b"<svg><path d='&nbsp;'/></svg>", "undefined entity"),
         (b"<svg>\xff\xfe</svg>", "not well-formed"),
         (b"\x00\x01\x02", "damaged"),
-        (b"\x1f\x8bnonsense", "compressed SVG (.svgz) is damaged"),
+        (b"\x1f\x8bnonsense", "compressed SVG file (.svgz) is damaged"),
     ],
 )
 def test_other_files_are_refused_with_their_kind(data: bytes, words: str) -> None:

@@ -287,8 +287,8 @@ def test_rules_of_a_style_sheet_apply_by_specificity() -> None:
         *("111111", "222222", "333333", "444444", "888888", "777777", "222222")
     ]
     assert (
-        reasons(drawing)["style"]
-        == "the style sheet has rules that are not supported: @media print, line + path"
+        reasons(drawing)["style"] == "the style sheet of the drawing has rules that are not "
+        "supported: @media print, line + path"
     )
 
 
@@ -388,7 +388,7 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(alone) == 3
     assert alone.true_colour.tolist() == [0xFF0000] * 3
     assert reasons(alone)["area"] == (
-        "kept: the object is the outline of a filled area, which is "
+        "the object was imported; the object is the outline of a filled area, which is "
         "used because the drawing has no lines"
     )
     beside = only(area + '<path d="M0 0h1"/>')
@@ -413,11 +413,11 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     )
     reason = reasons(drawing)
     assert reason["a"] == (
-        "kept: the path data of the object is invalid at character 8 ('oops'), "
+        "the object was imported; the path data of the object is invalid at character 8 ('oops'), "
         "so only the path before this character was imported, as in a browser"
     )
     assert reason["n"] == (
-        "kept: the path data of the object ends inside a command, "
+        "the object was imported; the path data of the object ends inside a command, "
         "so only the commands before it were imported, as in a browser"
     )
     assert reason["b"] == "the object has no size: its width is -3 and its height 2"
@@ -425,16 +425,17 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     assert reason["d"] == "the object has no points"
     assert reason["e"] == (
         "the attribute transform of the object cannot be read: "
-        "the transform spin has a wrong number of values (1)"
+        "the transform spin has 1 values, which is a wrong number of values"
     )
     assert reason["f"] == "a coordinate of the object is 1e+09, but the limit is 1e+07"
     assert reason["g"].startswith("a coordinate of the object is 2e+300")
-    assert reason["h"] == "the radius is 0, but must be greater than 0"
-    assert reason["j"] == "pictures are not cut"
+    assert reason["h"] == "the radius of the object is 0, but must be greater than 0"
+    assert reason["j"] == "the object is a picture, which is not cut"
     assert reason["k"] == "the content of the object is not SVG"
     assert reason["l"] == "the object is in another file, 'other.svg#x', which is not loaded"
     assert (
-        reason["m"] == "the object refers to an object with the id 'nobody', which does not exist"
+        reason["m"] == "the object refers to another object by the id 'nobody', "
+        "which does not exist in the file"
     )
     assert_allclose(drawing.lengths.sum(), 10.0 + 6 * math.pi)
 
@@ -481,8 +482,8 @@ def test_use_that_contains_itself_is_dropped() -> None:
     )
     assert drawing.lengths.tolist() == [1.0]
     reason = reasons(drawing)
-    assert reason["u"] == "the object contains itself"
-    assert reason["x/v/w"] == "the object contains itself"
+    assert reason["u"] == "the object contains a reference to itself"
+    assert reason["x/v/w"] == "the object contains a reference to itself"
 
 
 # ── Files of other programs ───────────────────────────────────────────────────────────────────

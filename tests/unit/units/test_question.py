@@ -34,7 +34,7 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert set(question.choices) == {"mm", "cm", "m", "in", "ft"}
     assert question.text.startswith(
         "The file does not state the unit of the drawing. In which unit is the drawing? "
-        "The size of the drawing would be 250.0 × 180.0 mm in mm, "
+        "Its possible sizes are: 250.0 × 180.0 mm if the unit is mm,  "
         "2500 × 1800 mm in cm, 6350 × 4572 mm in inches,"
     )
     assert "The strongest evidence for mm is: in mm 2 of 2 different edge lengths" in question.text
@@ -57,7 +57,7 @@ def test_pixels_are_offered_where_they_are_likely() -> None:
 def test_question_names_an_unsupported_unit() -> None:
     assert question_about(dxf(*BOX, units=9)).text.startswith(
         "The unit of the drawing is not known: "
-        "the header states a unit that is not supported: mils ($INSUNITS = 9)."
+        "the header of the DXF file states a unit that is not supported: mils ($INSUNITS = 9)."
     )
 
 

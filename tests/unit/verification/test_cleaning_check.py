@@ -60,8 +60,8 @@ def test_an_edge_that_is_ignored_is_found() -> None:
     kinds = made.dieline.line_type.copy()
     kinds[2] = LineType.IGNORED
     assert (
-        "Edge 2: Internal error in cleaning: the drawn edge has the "
-        "line type cut, but the cleaned edge has the line type ignored"
+        "Edge 2: Internal error in cleaning: the edge has the "
+        "line type cut before cleaning and ignored after it"
         in findings_text(with_changes(made, line_type=kinds))
     )
 
@@ -71,8 +71,8 @@ def test_a_cut_that_became_a_crease_is_found() -> None:
     kinds = made.dieline.line_type.copy()
     kinds[1] = CREASE
     assert (
-        "Edge 1: Internal error in cleaning: the drawn edge has the "
-        "line type cut, but the cleaned edge has the line type crease"
+        "Edge 1: Internal error in cleaning: the edge has the "
+        "line type cut before cleaning and crease after it"
         in findings_text(with_changes(made, line_type=kinds))
     )
 
@@ -93,7 +93,8 @@ def test_an_edge_that_was_not_drawn_is_found() -> None:
     )
     assert (
         findings_text(replace(made, dieline=more))
-        == "Edge 3: Internal error in cleaning: the cleaned edge has no counterpart in the drawing."
+        == "Edge 3: Internal error in cleaning: the cleaned edge "
+        "corresponds to no edge of the drawing."
     )
 
 
@@ -128,7 +129,7 @@ def test_a_stretch_without_a_record_is_found() -> None:
         parts.by_other_edge[keep],
     )
     assert (
-        "Edge 6: Internal error in cleaning: the kept, merged and dropped parts"
+        "Edge 6: Internal error in cleaning: the lengths of the kept, merged and dropped parts"
         in findings_text(replace(made, stretches=short))
     )
 

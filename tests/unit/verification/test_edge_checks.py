@@ -75,7 +75,9 @@ def test_a_cut_beside_its_edge_is_a_deviation() -> None:
     text = LINUXCNC.decode().replace("Y35.0000", "Y35.0300").encode()
     finding = find_finding("deviation", SLIT, list(verdict_of(text).findings))
     assert finding.measure == pytest.approx(0.03)
-    assert "The path of the knife is 0.030 mm away from the drawn line" in finding.text
+    assert (
+        "The path of the knife is 0.030 mm away from the edge that it should follow" in finding.text
+    )
 
 
 def test_the_rounding_of_the_controller_is_added_to_the_distance() -> None:

@@ -134,7 +134,7 @@ def test_pairs_within_agrees_with_all_distances() -> None:
 
 
 def test_too_many_edges_at_one_point_raise_an_error() -> None:
-    with pytest.raises(GeometryError, match="pairs of edge ends"):
+    with pytest.raises(GeometryError, match="pairs of end points of edges"):
         pairs_within(np.zeros((5000, 2)), np.zeros((5000, 2)), 0.05)
 
 

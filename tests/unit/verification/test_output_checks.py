@@ -42,7 +42,7 @@ def with_head(program: bytes, head: str) -> bytes:
         ("M65 P1\n", "moves the head before it switches off output 1 (M65 P1)"),
         (
             "M65 P2\n",
-            "while station 3 may still be lowered. Release station 3 first (M65 P2)",
+            "while station 3 may still be lowered. Release station 3 (M65 P2) before",
         ),
         ("M5\n", "moves the head before it switches off the spindle (M5)"),
         (
@@ -107,7 +107,7 @@ def test_the_first_lift_clears_the_longest_station() -> None:
     long = replace(MACHINE, stations=(replace(MACHINE.stations[0], z=6.0), *MACHINE.stations[1:]))
     lift = "G21 G90 G91.1 G17 G40 G49 G94 G54\n" + HEAD + "G49\nM2\n"
     low = program_findings(lift.encode(), long, drawn=False)
-    assert "only lift the head straight up to Z 26.000 mm or higher" in low[0]
+    assert "only lift the head straight up, to Z 26.000 mm or higher" in low[0]
     assert any("while axis Z is at 20.000 mm, which is too low" in line for line in low)
     assert program_findings(lift.replace("Z20.0000", "Z26.0000").encode(), long, drawn=False) == []
 
@@ -130,7 +130,7 @@ def test_the_lift_before_the_last_release_is_needed(program: bytes) -> None:
     assert lines == [lines[0]]
     assert (
         "while axis Z is at 4.000 mm, which is too low. Lift the "
-        "head to Z 20.000 mm before this line." in lines[0]
+        "head to Z 20.000 mm before this program line." in lines[0]
     )
 
 
@@ -157,7 +157,7 @@ def test_a_spindle_is_not_started_again_in_the_board(program: bytes) -> None:
 def test_a_program_without_work_must_set_all_states() -> None:
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54\nG0 Z20.0000\nM2\n"
     assert program_findings(bare, drawn=False) == [
-        f"The program never switches off {thing}, which may be on from an earlier program. "
+        f"The program never switches off {thing}, although an earlier program may have left it on. "
         f"Switch off {thing} at the beginning of the program."
         for thing in (
             "output 0 (M65 P0)",

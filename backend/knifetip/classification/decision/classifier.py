@@ -241,7 +241,8 @@ class Classifier:
         weak = confidence < 0.9
         if kind == LineType.IGNORED:
             if role in (Role.OUTLINE, Role.DIVIDER):
-                return Message("classification.not-made"), (_likeliest_type(role), LineType.CUT)
+                kinds = (_likeliest_type(role), LineType.CUT)
+                return Message("classification.must-be-processed"), kinds
             return None, ()
         if role in (Role.STRAY, Role.DEBRIS):
             return Message("classification.closes-nothing"), (LineType.IGNORED,)

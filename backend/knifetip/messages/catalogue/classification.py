@@ -17,9 +17,17 @@ MESSAGES: Final[Entries] = {
     "classification.bleed": entry(
         "the edge surrounds a blank at a constant distance, as a bleed line does",
     ),
-    "classification.board-ends": entry(", where the board ends unless the outline is open"),
-    "classification.closes-nothing": entry(" and does not close an outline"),
-    "classification.contradicted": entry("{rule}; but {reason}", rule="message", reason="message"),
+    "classification.board-ends": entry(
+        ", which must be cut unless the outline is open",
+    ),
+    "classification.closes-nothing": entry(
+        ", and the edge does not close an outline",
+    ),
+    "classification.contradicted": entry(
+        "{rule}, but {reason}",
+        rule="message",
+        reason="message",
+    ),
     "classification.convention": entry(
         'the colours match the colour convention "{name}": with this convention the outline '
         "closes, and {folds} of {lines:# dividing line is a fold|# dividing lines are folds}",
@@ -29,7 +37,7 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.cuts-panel-off": entry("a cut there would separate a panel from its blank"),
     "classification.dashed": entry(
-        "the edges are dashed",
+        "the edges are drawn with a dashed line",
     ),
     "classification.divider": entry("the edge divides two panels"),
     "classification.divides-panels": entry(", but edges of type {type} divide panels", type="text"),
@@ -37,7 +45,7 @@ MESSAGES: Final[Entries] = {
     "classification.free": entry("the edge lies inside a panel and touches no other edge"),
     "classification.hole": entry("the edge closes a hole in a panel"),
     "classification.inner": entry(
-        "the edge lies inside a hole or divides a hole",
+        "the edge lies inside a hole or divides a hole into parts",
     ),
     "classification.layer-denies": entry(
         'but the name of the layer of the edge, "{layer}", suggests another line type',
@@ -58,13 +66,16 @@ MESSAGES: Final[Entries] = {
         "the edge has the layer, colour and linetype of the outline",
     ),
     "classification.like-outline-not-folds": entry(
-        "the edge has the layer, colour and linetype of the outline, and the folds have others",
+        "the edge has the layer, colour and linetype of the outline, which differ from those "
+        "of the folds",
     ),
     "classification.linetype-name": entry(
         'the name of the linetype of the edge contains "{word}"',
         word="text",
     ),
-    "classification.mark": entry("the edge closes a shape that is much smaller than the blank"),
+    "classification.mark": entry(
+        "the edge belongs to a closed shape that is much smaller than the blank",
+    ),
     "classification.mirror-cut": entry(
         "the mirror image of the edge in the drawing is a cut",
     ),
@@ -75,25 +86,31 @@ MESSAGES: Final[Entries] = {
         "{reason} (this is true for most of the length of the edge)",
         reason="message",
     ),
-    "classification.named": entry(
-        "the name of the layer of the edge shows that the edge is not part of the carton, and "
-        "the outlines close without the edge",
+    "classification.must-be-processed": entry(
+        ", so the edge must not be ignored",
     ),
-    "classification.no-rule": entry("no rule of the profile {profile} matches", profile="text"),
+    "classification.named": entry(
+        "the name of the layer marks the edge as not being part of the carton, and the "
+        "outlines close without the edge",
+    ),
+    "classification.no-rule": entry(
+        "no rule of the profile {profile} matches the edge",
+        profile="text",
+    ),
     "classification.no-rule-but-shape": entry(
-        "no rule of the profile {profile} matches, but {shape}",
+        "no rule of the profile {profile} matches the edge, but {shape}",
         profile="text",
         shape="message",
     ),
     "classification.none-closes": entry(
-        ", as all edges of the same layer, colour and linetype do, and none of these edges "
-        "closes an outline",
+        ", and so do all edges with the same layer, colour and linetype, none of which closes "
+        "an outline",
     ),
     "classification.not-made": entry(
         ", so the edge must not be processed",
     ),
     "classification.on-cut": entry(
-        "{rule}, and the edge lies on a cut",
+        "{rule}, and the edge lies on top of a cut",
         rule="message",
     ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
@@ -102,26 +119,30 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.outline": entry("the edge closes the outline of a blank"),
     "classification.override": entry(
-        "set by the user",
+        "the user set the line type of the edge",
     ),
     "classification.paired": entry(
-        "some of the edges are parallel pairs",
+        "some of the edges form pairs of parallel lines",
     ),
     "classification.panel-hangs": entry(
         "only this edge connects a panel to the rest of the blank",
     ),
     "classification.panels-hang": entry(
-        "most of the edges connect a panel to the rest of the blank",
+        "most of the edges are the only connection between a panel and the rest of the blank",
     ),
     "classification.role-against": entry("{role}{against}", role="message", against="message?"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),
     "classification.shape": entry("{parts:, }", parts="messages"),
-    "classification.slit": entry("the edge begins at another edge and ends inside a panel"),
+    "classification.slit": entry(
+        "the edge is a slit: it begins at another edge and ends inside a panel",
+    ),
     "classification.slot": entry("the edge closes a slot or a round hole in a panel"),
     "classification.speck": entry(
         "the edge is short, lies outside all blanks and touches no other edge",
     ),
-    "classification.stray": entry("the edge lies outside all blanks"),
+    "classification.stray": entry(
+        "the edge lies outside all blanks of the drawing",
+    ),
     "classification.swapped": entry(
         "this rule makes edges of the closed outline creases, so cut and crease may be swapped",
     ),

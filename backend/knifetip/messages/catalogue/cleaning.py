@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "cleaning.as-drawn": entry(
-        "the edge is unchanged",
+        "cleaning did not change the edge",
     ),
     "cleaning.dropped-speck": entry(
         "the edge was dropped, because it is only {length:.4g} mm long and connects no other edges",
@@ -19,40 +19,44 @@ MESSAGES: Final[Entries] = {
         distance="number",
     ),
     "cleaning.fitted": entry(
-        "the edge was part of a curve made of short lines, which was replaced by one line or arc",
+        "the edge was part of a curve made of short lines; one line or arc replaces this curve",
     ),
     "cleaning.fitted-edge": entry(
-        "the edge was part of a curve made of short lines, which was replaced, together with "
-        "edge {edge}, by one line or arc (deviation up to {distance:.2g} mm)",
+        "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, "
+        "which deviates by at most {distance:.2g} mm from this curve, replaces them",
         edge="count",
         distance="number",
     ),
     "cleaning.ignored": entry(
         "the edge has the line type ignored, so it is displayed but not processed",
     ),
-    "cleaning.joined": entry("the edge was merged into another edge on the same line"),
+    "cleaning.joined": entry(
+        "the edge and another edge on the same line were merged into one edge",
+    ),
     "cleaning.joined-edge": entry(
         "the edge was merged into edge {edge}, which lies on the same line",
         edge="count",
     ),
     "cleaning.kept": entry(
-        "kept",
+        "the edge was kept unchanged",
     ),
     "cleaning.kept-changed": entry(
-        "kept: {changes:; }",
+        "the edge was kept; {changes:; }",
         changes="messages",
     ),
     "cleaning.length-on-others": entry(
-        "{length:.4g} mm of the length of the edge lie on other edges and were merged with them",
+        "a part of the edge, {length:.4g} mm long, lies on other edges and was merged with them",
         length="number",
     ),
-    "cleaning.longer": entry("other edges on the same line were merged into this edge"),
+    "cleaning.longer": entry(
+        "other edges on the same line were merged into the edge, which is longer now",
+    ),
     "cleaning.moved": entry("one end of the edge was moved to meet another edge"),
     "cleaning.no-work": entry(
-        "the edge is unchanged, because no tool processes it",
+        "the edge is unchanged, because no tool processes an edge of its line type",
     ),
     "cleaning.on-edge": entry(
-        "the edge was merged into edge {edge}, on which it lies",
+        "the edge lies on edge {edge} and was merged into it",
         edge="count",
     ),
     "cleaning.part-dropped": entry(
@@ -64,5 +68,7 @@ MESSAGES: Final[Entries] = {
     "cleaning.twice": entry(
         "the edge was removed, because it lies completely on other edges",
     ),
-    "cleaning.unclassified": entry("the edge has no line type yet"),
+    "cleaning.unclassified": entry(
+        "the edge has no line type yet, so it is displayed but not processed",
+    ),
 }

@@ -9,9 +9,10 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "bridges.no-room": entry(
         "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# "
-        "bridge|# bridges} of {gap:.2f} mm. The distance between bridges may be at most "
-        "{spacing:.1f} mm, and bridges must stay away from corners and narrow slots.",
-        "Choose narrower bridges or a larger spacing, or cut this board without bridges.",
+        "bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that "
+        "hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
+        "Choose narrower bridges or a larger spacing of bridges, or choose a board without "
+        "bridges.",
         edge="count",
         length="number",
         fewest="count",
@@ -19,9 +20,9 @@ MESSAGES: Final[Entries] = {
         spacing="number",
     ),
     "crease.tight-bend": entry(
-        "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too "
-        "small for a second line {offset:.2f} mm inside it.",
-        "Draw a wider bend, or set the double crease of the board to 0.",
+        "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is "
+        "too small for a second crease line {offset:.2f} mm inside the bend.",
+        "Draw the crease with a larger radius, or set the double crease of the board to 0.",
         edge="count",
         radius="number",
         offset="number",
@@ -29,30 +30,32 @@ MESSAGES: Final[Entries] = {
     "crease.too-short": entry(
         "The crease at edge {edge} is {length:.2f} mm long, which is too short for a creasing "
         "wheel of {radius:.1f} mm radius that must stop {clearance:.2f} mm before each end.",
-        "Join the crease to a collinear crease, set it to ignored, or choose a board on which "
-        "short creases are pressed.",
+        "Join the crease to a crease on the same straight line, set its line type to ignored, "
+        "or choose a board on which short creases are pressed.",
         edge="count",
         length="number",
         radius="number",
         clearance="number",
     ),
     "cut.too-many-crossings": entry(
-        "More than {limit:,} pairs of cuts cross or lie beside each other.",
-        "Delete hatching and duplicate lines, or split the drawing.",
+        "The drawing has more than {limit:,} pairs of cuts that cross each other or lie beside "
+        "each other.",
+        "Delete hatching and duplicate lines, or split the drawing into several drawings.",
         limit="count",
     ),
     "cut.too-short": entry(
         "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a "
-        "bridge. The slanted blade needs a length of at least {lead:.2f} mm.",
-        "Set the cut to ignored, join it to another cut, or choose a steeper blade.",
+        "bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
+        "Set the line type of the cut to ignored, join the cut to another cut, or choose a "
+        "knife with a steeper blade.",
         edge="count",
         length="number",
         lead="number",
     ),
     "cutter.does-not-fit": entry(
-        "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge {edge}, "
-        "nor into {others:# other contour|# other contours}.",
-        "Choose a thinner cutter, or set the contours to ignored.",
+        "The cutter of {diameter:.2f} mm diameter does not fit into the contour at edge "
+        "{edge}, nor into {others:# other contour|# other contours}.",
+        "Choose a thinner cutter, or set the line type of the contours to ignored.",
         diameter="number",
         edge="count",
         others="count",
@@ -60,36 +63,37 @@ MESSAGES: Final[Entries] = {
     "cutter.misses-bridge": entry(
         "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from its start, "
         "but the cutter does not reach the contour there.",
-        "Choose a thinner cutter, another spacing of bridges, or a board without bridges.",
+        "Choose a thinner cutter, a board with another spacing of bridges, or a board without "
+        "bridges.",
         edge="count",
         distance="number",
     ),
     "cutter.short-lead": entry(
-        "The lead-in of the cutter is {lead:g} mm long, but must be longer than its radius of "
-        "{radius:g} mm.",
+        "The lead-in of the cutter is {lead:g} mm long, but must be longer than the radius of "
+        "the cutter, {radius:g} mm.",
         "Correct the lead-in in the machine file.",
         lead="number",
         radius="number",
     ),
     "groove.along-edge": entry(
-        "The V-groove at edge {edge} meets the edge of the board at only {angle:.1f}°, so its "
-        "flanks would not leave the board.",
-        "End the groove before the edge of the board, or let it meet the edge at 5° or more.",
+        "The V-groove at edge {edge} meets the edge of the board at an angle of only "
+        "{angle:.1f}°, so it would run along the edge of the board instead of ending there.",
+        "End the groove before the edge of the board, or let it meet the edge of the board at "
+        "5° or more.",
         edge="count",
         angle="number",
     ),
     "groove.curved": entry(
-        "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight "
-        "blade cannot follow.",
-        "Draw straight lines, or choose another line type.",
+        "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a "
+        "straight blade cannot follow.",
+        "Draw the V-grooves with straight lines, or choose another line type for them.",
         count="count",
         edge="count",
     ),
     "groove.overcut": entry(
-        "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the "
-        "board, but "
-        "the board allows an overcut of only {allowed:.2f} mm.",
-        "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board.",
+        "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside "
+        "the board, but the board allows an overcut of only {allowed:.2f} mm.",
+        "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file.",
         overrun="number",
         allowed="number",
     ),
@@ -105,7 +109,8 @@ MESSAGES: Final[Entries] = {
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
         "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
         "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
-        "Move the groove and the cut {through:.2f} mm further apart, or make the groove less deep.",
+        "Move the groove and the cut apart by another {through:.2f} mm, or choose a shallower "
+        "groove.",
         groove="count",
         width="number",
         through="number",
@@ -127,8 +132,10 @@ MESSAGES: Final[Entries] = {
     ),
     "groove.tight-bend": entry(
         "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight "
-        "blade of {blade:.2f} mm would deviate from this bend by more than {error:.3f} mm.",
-        "Draw a wider bend, choose a narrower blade, or allow a larger deviation for this board.",
+        "blade of {blade:.2f} mm width would deviate from this bend by more than {error:.3f} "
+        "mm.",
+        "Draw the groove with a larger radius, choose a V-cutter with a narrower blade, or "
+        "allow a larger deviation in the board file.",
         edge="count",
         radius="number",
         blade="number",
@@ -145,24 +152,25 @@ MESSAGES: Final[Entries] = {
     "groove.too-short": entry(
         "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm "
         "wide.",
-        "Draw a longer groove, or choose a narrower blade.",
+        "Draw a longer groove, or choose a V-cutter with a narrower blade.",
         edge="count",
         length="number",
         blade="number",
     ),
     "milling.shared-edge": entry(
-        "Two parts share edge {edge}, but the cutter removes {diameter:g} mm from one of them.",
+        "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a "
+        "strip of one of the parts.",
         "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife.",
         edge="count",
         diameter="number",
     ),
     "tool.bad-radius": entry(
         "The radius of a tool is negative or not a number.",
-        "Correct the radius in the machine file.",
+        "Correct the radius of the tool in the machine file.",
     ),
     "tool.cannot-work": entry(
         "Station {station} ({name}) of {machine} cannot be used: {reason}",
-        "Complete the tool in the machine file.",
+        "Correct the settings of the tool in the machine file.",
         station="count",
         name="text",
         machine="text",
@@ -183,7 +191,7 @@ MESSAGES: Final[Entries] = {
     "tool.tilted": entry(
         "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be "
         "lifted along their axis.",
-        "Choose a tool that is less tilted.",
+        "Choose a tool that is tilted by at most {limit:g}°.",
         tilt="number",
         limit="number",
     ),

@@ -17,7 +17,7 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.alarm-code": entry("ALARM:{code} ({alarm})", code="count", alarm="message"),
     "controller.alarm-state": entry(
-        "{name} reports an alarm{due}.",
+        "{name} has stopped and reports an alarm{due}.",
         "Check the table, then home the machine ($H) or unlock it ($X).",
         name="text",
         due="message",
@@ -27,16 +27,16 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.answer-lost": entry(
         "{name} has reported the state {state} for {seconds:g} s{due}. A response of the "
-        "controller was lost.",
-        "Check the cable, then check the board.",
+        "controller was probably lost.",
+        "Check the cable to the controller, then check the board on the table.",
         name="text",
         state="text",
         seconds="number",
         due="message?",
     ),
     "controller.bad-address": entry(
-        "{address!r} is not the address of a controller.",
-        "Write the address as host:port, for example 127.0.0.1:2323.",
+        "{address!r} is not the network address of a controller.",
+        "Write the address as HOST:PORT, for example 127.0.0.1:2323.",
         address="text",
     ),
     "controller.busy": entry(
@@ -46,7 +46,8 @@ MESSAGES: Final[Entries] = {
         state="text",
     ),
     "controller.check-end-not-confirmed": entry(
-        "{name} did not confirm the end of its check mode within {seconds:g} s.",
+        "{name} did not confirm within {seconds:g} s that its check mode ($C), in which "
+        "nothing moves, has ended.",
         "Check the table, then try again.",
         name="text",
         seconds="number",
@@ -63,7 +64,7 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "controller.due": entry(
-        "; no response to line {line} ({text}) was received",
+        "; no response to program line {line} ({text}) was received",
         line="count",
         text="text",
     ),
@@ -87,14 +88,14 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.lost": entry(
         "The connection to {name} is lost{due}.",
-        "Check the cable, then check the board.",
+        "Check the cable to the controller, then check the board on the table.",
         name="text",
         due="message?",
     ),
     "controller.lost-in-buffer": entry(
-        "The connection to {name} is lost. The controller may still execute the lines in its "
-        "buffer.",
-        "Check the table before you touch it.",
+        "The connection to {name} is lost. The controller may still execute the program lines "
+        "in its buffer.",
+        "Keep clear of the table until the machine has stopped, then check the table.",
         name="text",
     ),
     "controller.not-in-laser-mode": entry(
@@ -110,13 +111,13 @@ MESSAGES: Final[Entries] = {
         state="text",
     ),
     "controller.not-recovered": entry(
-        "{name} did not reach its safe state (tool lifted, stations raised).",
+        "{name} did not reach its safe state, with the tool lifted and the stations raised.",
         "Lift the tool and raise the stations at the table.",
         name="text",
     ),
     "controller.not-secured": entry(
-        "{name} cannot be brought into its safe state (tool lifted, stations raised), because "
-        "it reports the state {state}.",
+        "{name} cannot be brought into its safe state, with the tool lifted and the stations "
+        "raised, because it reports the state {state}.",
         "Lift the tool and raise the stations at the table.",
         name="text",
         state="text",
@@ -129,10 +130,11 @@ MESSAGES: Final[Entries] = {
         unsafe="message",
     ),
     "controller.off-path": entry(
-        "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f}, which is {distance:.1f} mm away from "
-        "the path of the program near line {line}. A line was corrupted on its way to the "
-        "controller, or steps were lost.",
-        "Check the cable and home the machine. Check the board, which may be spoiled.",
+        "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f} mm, which is {distance:.1f} mm away "
+        "from the path of the program near program line {line}. Either a program line was "
+        "corrupted on its way to the controller, or a motor lost steps.",
+        "Check the cable to the controller and home the machine. Check the board on the table, "
+        "which may be spoiled.",
         x="number",
         y="number",
         z="number",
@@ -154,7 +156,8 @@ MESSAGES: Final[Entries] = {
         code="count",
     ),
     "controller.rejected-in-check": entry(
-        "{name} rejected line {line} ({text}) before anything moved: {error} (error:{code}).",
+        "{name} rejected program line {line} ({text}) in its check mode, before the machine "
+        "moved: {error} (error:{code}).",
         "Compile the job again for this controller.",
         name="text",
         line="count",
@@ -163,8 +166,8 @@ MESSAGES: Final[Entries] = {
         code="count",
     ),
     "controller.rejected-line": entry(
-        "{name} rejected line {line} ({text}): {error} (error:{code}).",
-        "Check the board, then compile the job again for this controller.",
+        "{name} rejected program line {line} ({text}): {error} (error:{code}).",
+        "Check the board on the table, then compile the job again for this controller.",
         name="text",
         line="count",
         text="text",
@@ -177,8 +180,9 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "controller.reset": entry(
-        "{name} was reset{due}. The position of the machine may be lost.",
-        "Check the table and home the machine. The job does not continue automatically.",
+        "{name} was reset{due}. The position of the machine may be lost, so the job does not "
+        "continue automatically.",
+        "Check the table and home the machine. Then queue the job again or scrap it.",
         name="text",
         due="message?",
     ),
@@ -189,24 +193,25 @@ MESSAGES: Final[Entries] = {
         seconds="number",
     ),
     "controller.silent": entry(
-        "{name} has not answered for {seconds:g} s{due}.",
-        "Check the cable, then check the board.",
+        "{name} has not responded for {seconds:g} s{due}.",
+        "Check the cable to the controller, then check the board on the table.",
         name="text",
         seconds="number",
         due="message?",
     ),
     "controller.stopped": entry(
-        "{error} {progress} The machine was stopped and lifted to Z {height:.1f}, and its "
-        "stations were released.",
+        "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, "
+        "and the stations were released.",
         "{error:hint}",
         error="message",
         progress="message",
         height="number",
     ),
     "controller.unexpected-answer": entry(
-        "{name} responded to a line that this gateway did not send. A response was duplicated, "
-        "or another program sends lines to the controller.",
-        "Check the cable, and close any other program that is connected to the controller.",
+        "{name} responded to a program line that this gateway did not send. Either a response "
+        "was sent twice, or another program sends lines to the controller.",
+        "Check the cable to the controller, and close any other program that is connected to "
+        "the controller.",
         name="text",
     ),
     "controller.unreachable": entry(
@@ -221,13 +226,13 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "run.executed": entry(
-        "{executed} of {lines} lines were executed.",
+        "{executed} of {lines} program lines were executed.",
         executed="count",
         lines="count",
     ),
     "run.in-buffer": entry(
-        "{executed} of {lines} lines were executed. Up to {rest} more lines, which were in the "
-        "buffer of the controller, may also have been executed.",
+        "{executed} of {lines} program lines were executed. Up to {rest} more program lines, "
+        "which were in the buffer of the controller, may also have been executed.",
         executed="count",
         lines="count",
         rest="count",

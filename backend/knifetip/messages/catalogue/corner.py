@@ -7,16 +7,21 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "corner.at": entry(" at ({x:g}, {y:g})", x="number", y="number"),
+    "corner.at": entry(
+        " at X {x:g} mm, Y {y:g} mm",
+        x="number",
+        y="number",
+    ),
     "corner.bad-interference": entry(
-        "{interference!r} is not a valid method for contours into which the cutter does not fit.",
-        "Choose trim or refuse.",
+        "{interference!r} is not a valid method for the parts of a contour that the cutter "
+        "cannot reach.",
+        "Choose trim (leave these parts uncut) or refuse (write no program).",
         interference="text",
     ),
     "corner.bad-k": entry(
         "The parameter k of the corner at the start of edge {edge} is {k}, but must be between "
         "0 and 1.",
-        "Choose a k from 0 (equal to type B) to 1 (equal to type C).",
+        "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C).",
         edge="count",
         k="text",
     ),
@@ -29,25 +34,27 @@ MESSAGES: Final[Entries] = {
     ),
     "corner.bad-place": entry(
         "The position ({x}, {y}) of a corner is not valid.",
-        "Give X and Y as numbers, in mm of the drawing.",
+        "Give X and Y as numbers in mm, in the coordinates of the drawing.",
         x="text",
         y="text",
     ),
     "corner.bad-share": entry(
-        "Corner {corner} has type D with the parameter k = {k}, which must be between 0 and 1.",
-        "Choose a k from 0 (equal to type B) to 1 (equal to type C).",
+        "Corner number {corner} of a contour has type D with the parameter k = {k}, which must "
+        "be between 0 and 1.",
+        "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C).",
         corner="count",
         k="text",
     ),
     "corner.inside": entry(
-        "The corner at ({x:g}, {y:g}) is an inside corner, for which no corner type can be chosen.",
-        "Choose corner types only for outside corners.",
+        "The corner at X {x:g} mm, Y {y:g} mm is an inside corner, but corner types apply only "
+        "to outside corners.",
+        "Remove the corner type of this corner from the request.",
         x="number",
         y="number",
     ),
     "corner.no-contour": entry(
-        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}), because "
-        "the drawing has no contour whose outside corners are milled.",
+        "No corner type can be set at X {x:g} mm, Y {y:g} mm (searched within {within:g} mm), "
+        "because the drawing has no contour whose outside corners are milled.",
         "Remove the corner types from the request for this drawing.",
         within="number",
         x="number",
@@ -59,9 +66,10 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "corner.not-found": entry(
-        "No corner of a milled contour lies within {within:g} mm of ({x:g}, {y:g}); the "
-        "nearest corner is {distance:.2f} mm away.",
-        "Give X and Y of a corner in mm of the drawing. The nearest corners are {known:, }.",
+        "No corner of a milled contour lies within {within:g} mm of X {x:g} mm, Y {y:g} mm. "
+        "The nearest corner is {distance:.2f} mm away.",
+        "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest "
+        "corners are {known:, }.",
         within="number",
         x="number",
         y="number",
@@ -69,7 +77,7 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "corner.unknown-number": entry(
-        "Corner {corner} has the type {type}, which does not exist.",
+        "Corner number {corner} of a contour has the corner type {type}, which does not exist.",
         "Choose corner type B, C or D.",
         corner="count",
         type="count",
@@ -86,25 +94,27 @@ MESSAGES: Final[Entries] = {
         where="message?",
     ),
     "deflection.arc-too-small": entry(
-        "Near ({x:.2f}, {y:.2f}) the centre of the cutter moves on an arc of {radius:.3f} mm "
-        "radius, which is too small to correct a deflection of {deflection:.3f} mm.",
-        "Choose a smaller k or corner type B, or measure the deflection of the cutter again.",
+        "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of "
+        "{radius:.3f} mm radius. This radius is too small to correct a deflection of the "
+        "cutter by {deflection:.3f} mm.",
+        "Choose a smaller corner parameter k or corner type B, or measure the deflection of "
+        "the cutter again.",
         radius="number",
         x="number",
         y="number",
         deflection="number",
     ),
     "deflection.path-too-short": entry(
-        "Near ({x:.2f}, {y:.2f}) the path of the centre of the cutter is too short or turns "
-        "too sharply to correct the deflection of the cutter.",
-        "Join short edges near this point, or measure the deflection again.",
+        "Near X {x:.2f} mm, Y {y:.2f} mm the path of the centre of the cutter is too short or "
+        "turns too sharply to correct the deflection of the cutter.",
+        "Join short edges near this position, or measure the deflection of the cutter again.",
         x="number",
         y="number",
     ),
     "calibration.bad-points": entry(
-        "The {count:# measured point|# measured points} cannot be used. At least one point is "
-        "needed, and all values must be finite numbers.",
-        "Measure at least one point on a slanted part of the contour.",
+        "The {count:# measured point|# measured points} of the test cut cannot be used. At "
+        "least one point is needed, and all values must be finite numbers.",
+        "Measure at least one point on a slanted part of the contour of the test cut.",
         count="count",
     ),
     "calibration.choose-cutter": entry(
@@ -116,8 +126,8 @@ MESSAGES: Final[Entries] = {
     ),
     "calibration.missing-column": entry(
         "Line {line} of {file} has no value for {columns}.",
-        "Write azimuth,dx,dy on the first line. Write degrees, mm and mm on all other lines, "
-        "for example 45,-0.05,0.06.",
+        "Write the heading azimuth,dx,dy on the first line. Write three numbers, in degrees, "
+        "mm and mm, on each other line, for example 45,-0.05,0.06.",
         file="text",
         line="count",
         columns="text",
@@ -136,9 +146,9 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "calibration.undetermined": entry(
-        "The contour runs along {along} at every measured point, so the deflection of the "
-        "cutter along {other} cannot be determined. The sum of squares is {weight:.4f}, but "
-        "must be at least {least}.",
+        "The contour runs along {along} at every measured point, so the deflection {other} of "
+        "the cutter cannot be determined. The measured points have a total weight of "
+        "{weight:.4f} for {other}, but at least {least} is needed.",
         "Measure one more point where the contour runs along {direction}, or at 45°.",
         along="text",
         other="text",
@@ -147,9 +157,9 @@ MESSAGES: Final[Entries] = {
         direction="text",
     ),
     "calibration.wrong-sign": entry(
-        "The measured points mean that the tool is pulled into the board (δx {x:.3f}, δy "
-        "{y:.3f} mm), which is not possible.",
-        "Check the signs of ΔX and ΔY, and check on which side of the contour the tool moves.",
+        "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y, which "
+        "would mean that the board pulls the tool towards itself. This is not possible.",
+        "Check the signs of dx and dy, and check on which side of the contour the tool moves.",
         x="number",
         y="number",
     ),

@@ -17,14 +17,14 @@ MESSAGES: Final[Entries] = {
     ),
     "drawing.in-use": entry(
         "Drawing {drawing} cannot be deleted, because job {job} was made from it.",
-        "Delete only drawings from which no job was made.",
+        "Keep the drawing. Only drawings from which no job was made can be deleted.",
         job="text",
         drawing="text",
     ),
     "drawing.larger-than-table": entry(
-        "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} has only "
-        "{room_x:.0f} × {room_y:.0f} mm.",
-        "Check the unit of the drawing, turn it, or choose a larger machine.",
+        "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} "
+        "measures only {room_x:.0f} × {room_y:.0f} mm.",
+        "Check the unit of the drawing, rotate the drawing, or choose a larger machine.",
         width="number",
         height="number",
         machine="text",
@@ -38,11 +38,11 @@ MESSAGES: Final[Entries] = {
         questions="messages",
     ),
     "drawing.read": entry(
-        "The drawing was read from {name}.",
+        "The drawing was imported from the file {name}.",
         name="text",
     ),
     "drawing.reinterpreted": entry(
-        "The drawing was read again with the unit {unit:unit} and the profile {profile}.",
+        "The drawing was imported again with the unit {unit:unit} and the profile {profile}.",
         unit="text",
         profile="text",
     ),
@@ -59,8 +59,8 @@ MESSAGES: Final[Entries] = {
         count="count",
     ),
     "drawing.unit-for-cleaning": entry(
-        "The drawing has no unit, so the lengths of short edges and gaps cannot be compared "
-        "with the limits in mm.",
+        "The drawing has no unit, so the lengths of its short edges and gaps cannot be "
+        "compared with the limits of the cleaning, which are in mm.",
         "Set the unit of the drawing on the page, or with PATCH /api/drawings/ID.",
     ),
     "drawing.unit-unknown": entry(
@@ -69,13 +69,13 @@ MESSAGES: Final[Entries] = {
         evidence="message",
     ),
     "drawing.unknown": entry(
-        "Drawing {drawing} does not exist.",
-        "Go back to the list of drawings and open one of them; it may have been deleted.",
+        "Drawing {drawing} does not exist. It may have been deleted.",
+        "Go back to the list of drawings and open another drawing.",
         drawing="text",
     ),
     "drawing.upload-too-large": entry(
         "The file {name} is larger than {limit} MB.",
-        "Send a smaller file.",
+        "Send a smaller file, for example without pictures.",
         name="text",
         limit="count",
     ),
@@ -88,8 +88,8 @@ MESSAGES: Final[Entries] = {
     "question.line-type": entry(
         '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, linetype {linetype}) '
         "{edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
-        "{width:,.1f} × {height:,.1f} {unit:unit} at ({x:,.1f}, {y:,.1f}). Which line type should "
-        "{edges:it|they} get?{guess}",
+        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y "
+        "{y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
         edges="count",
         layer="text",
         colour="text",
@@ -107,15 +107,14 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "question.tool": entry(
-        "{machine} has no tool for {edges:# edge|# edges} of type {type}. Which line type should "
-        "{edges:it|they} get?",
+        "{machine} has no tool for {edges:# edge|# edges} of the line type {type}. Which other "
+        "line type should {edges:this edge|these edges} get?",
         edges="count",
         type="text",
         machine="text",
     ),
     "question.unit": entry(
-        "{reason} In which unit is the drawing? The size of the drawing would be {sizes:, "
-        "}.{evidence}",
+        "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }.{evidence}",
         reason="message",
         sizes="messages",
         evidence="message?",
@@ -137,7 +136,7 @@ MESSAGES: Final[Entries] = {
     ),
     "question.unit-not-stated": entry("The file does not state the unit of the drawing."),
     "question.unit-size": entry(
-        "{width:mm} × {height:mm} mm in {unit:unit}",
+        "{width:mm} × {height:mm} mm if the unit is {unit:unit}",
         unit="text",
         width="number",
         height="number",
@@ -147,9 +146,9 @@ MESSAGES: Final[Entries] = {
         evidence="message",
     ),
     "override.ambiguous": entry(
-        "An override must select its edges in exactly one way: by number, by handle, or by "
-        "layer and colour.",
-        "Give either edges, or handles, or layer and colour.",
+        "The request changes the line type of edges, but does not select these edges in "
+        "exactly one way.",
+        "Give either edges (edge numbers), or handles, or layer and colour.",
     ),
     "override.no-edges-there": entry(
         "The drawing has no edge {place: and }.",
@@ -163,10 +162,13 @@ MESSAGES: Final[Entries] = {
         edge="text",
     ),
     "override.no-such-handle": entry(
-        "No edge has the handle {handle!r}.",
+        "No edge of the drawing has the handle {handle!r}.",
         "Choose a handle that GET /api/drawings/ID/edges lists.",
         handle="text",
     ),
-    "override.of-colour": entry("of colour {colour}", colour="text"),
+    "override.of-colour": entry(
+        "with colour {colour}",
+        colour="text",
+    ),
     "override.on-layer": entry("on layer {layer!r}", layer="text"),
 }

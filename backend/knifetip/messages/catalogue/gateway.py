@@ -8,18 +8,18 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "gateway.cancelled": entry(
-        "The operator cancelled the job at line {line}.",
+        "The operator cancelled the job at program line {line}.",
         line="count",
     ),
     "gateway.controller-not-idle": entry(
         "{name} is not idle: it reports the state {state}.",
-        "Wait until the controller is idle, or reset it at the table.",
+        "Wait until the controller is idle, or reset the controller at the table.",
         name="text",
         state="text",
     ),
     "gateway.job-withdrawn": entry(
-        "The server withdrew the job from the gateway; the machine was stopped.",
-        "Check the table.",
+        "The server withdrew the job from the gateway, and the machine was stopped.",
+        "Check the table and the board on it.",
     ),
     "gateway.job-withdrawn-before-start": entry(
         "The server withdrew the job from the gateway before the job was started. Nothing was "
@@ -27,7 +27,7 @@ MESSAGES: Final[Entries] = {
     ),
     "gateway.no-reason": entry(
         "The gateway ended the job without stating a reason.",
-        "Check the log of the gateway.",
+        "Look for the cause in the log of the gateway.",
     ),
     "gateway.switched-off": entry(
         "The gateway was switched off.",
@@ -38,12 +38,13 @@ MESSAGES: Final[Entries] = {
         "Switch on the gateway.",
     ),
     "gateway.switched-off-in-run": entry(
-        "The gateway was switched off while it executed the job. It stopped the machine.",
-        "Switch on the gateway.",
+        "The gateway was switched off while it executed the job. It stopped the machine before "
+        "it ended.",
+        "Check the table, then switch on the gateway again.",
     ),
     "gateway.system-error": entry(
-        "The operating system of the gateway reports an error: {reason}.",
-        "Correct the cause on the computer of the gateway.",
+        "The operating system on the computer of the gateway reports an error: {reason}.",
+        "Correct the cause of the error on this computer, then start the gateway again.",
         reason="text",
     ),
 }

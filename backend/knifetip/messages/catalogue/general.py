@@ -9,7 +9,7 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "stored.text": entry("{text}", "{hint}", text="text", hint="text"),
     "error.at-edge": entry(
-        '{error} The object has the handle {handle} and lies on the layer "{layer}".',
+        '{error} The fault concerns the object with the handle {handle} on the layer "{layer}".',
         "{error:hint}",
         error="message",
         handle="text",
@@ -21,18 +21,28 @@ MESSAGES: Final[Entries] = {
         edges="texts",
         error="message",
     ),
-    "error.in-file": entry("{name}: {error}", "{error:hint}", name="text", error="message"),
+    "error.in-file": entry(
+        "File {name}: {error}",
+        "{error:hint}",
+        name="text",
+        error="message",
+    ),
     "finding.at-edge": entry("Edge {edge}: {fault}", "{fault:hint}", edge="count", fault="message"),
     "finding.at-edge-and-line": entry(
-        "Edge {edge}, line {line}: {fault}",
+        "Edge {edge}, program line {line}: {fault}",
         "{fault:hint}",
         edge="count",
         line="count",
         fault="message",
     ),
-    "finding.at-line": entry("Line {line}: {fault}", "{fault:hint}", line="count", fault="message"),
+    "finding.at-line": entry(
+        "Program line {line}: {fault}",
+        "{fault:hint}",
+        line="count",
+        fault="message",
+    ),
     "finding.more": entry(
-        " {count:# more finding is|# more findings are} not listed.",
+        " {count:# more finding is|# more findings are} not listed here.",
         count="count",
     ),
 }

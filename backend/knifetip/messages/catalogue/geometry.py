@@ -9,7 +9,7 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "curve.bad-ellipse": entry(
         "An ellipse has an angle range that is not valid, or one of its values is not a number.",
-        "Draw the ellipse again.",
+        "Delete the ellipse and draw it again.",
     ),
     "curve.bad-spline": entry(
         "A spline is damaged: degree {degree}, {points} control points and {knots} knots do "
@@ -29,30 +29,31 @@ MESSAGES: Final[Entries] = {
         "Draw the curve again, as lines and arcs.",
     ),
     "curve.not-fitted": entry(
-        "A curve cannot be converted to lines and arcs within {tolerance:g} mm.",
+        "A curve cannot be converted to lines and arcs that deviate from it by at most "
+        "{tolerance:g} mm.",
         "Draw the curve again, as lines and arcs.",
         tolerance="number",
     ),
     "curve.parameters": entry(
-        "The parameter values of a curve do not increase.",
+        "A curve is damaged: its parameter values (knots) do not increase.",
         "Draw the curve again, as lines and arcs.",
     ),
     "curve.too-many-pieces": entry(
-        "A curve must be divided into more than {limit:,} lines and arcs to stay within "
-        "{tolerance:g} mm.",
-        "Increase the tolerance, or simplify the curve.",
+        "More than {limit:,} lines and arcs are needed to convert a curve with a deviation of "
+        "at most {tolerance:g} mm.",
+        "Allow a larger deviation, or simplify the curve.",
         limit="count",
         tolerance="number",
     ),
     "curve.too-many-spans": entry(
-        "A spline has {spans:,} spans; the limit is {limit:,}.",
-        "Simplify the curve before exporting.",
+        "A spline has {spans:,} spans (polynomial pieces), but the limit is {limit:,}.",
+        "Simplify the spline in the CAD program before exporting.",
         spans="count",
         limit="count",
     ),
     "edge.no-length": entry(
         "Edge {edges:, } has a length of 0, so it has no direction.",
-        "Delete the edge from the drawing.",
+        "Delete these edges from the drawing.",
         edges="texts",
     ),
     "edge.not-finite": entry(
@@ -62,13 +63,14 @@ MESSAGES: Final[Entries] = {
     ),
     "edge.place": entry(" at edge {edge}", edge="count"),
     "edge.too-crowded": entry(
-        "More than {limit:,} pairs of edge ends lie closer together than {distance} mm.",
+        "More than {limit:,} pairs of end points of edges lie closer together than {distance} mm.",
         "Delete edges that are drawn many times on top of each other.",
         limit="count",
         distance="number",
     ),
     "edge.too-far": entry(
-        "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far.",
+        "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too "
+        "far to be processed.",
         "Check the unit of the drawing, or delete the edge.",
         edge="count",
         distance="number",
@@ -80,7 +82,8 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "segment.not-finite": entry(
-        "Segment {segment} of the path has a coordinate or a bulge that is not a number.",
+        "Segment {segment} of the path has a coordinate, or a bulge (curvature of an arc), "
+        "that is not a number.",
         "Draw this segment of the path again.",
         segment="count",
     ),
@@ -99,18 +102,19 @@ MESSAGES: Final[Entries] = {
         "Correct the radius of the tool.",
     ),
     "offset.bad-interference": entry(
-        "{interference!r} is not a valid method for contours into which the tool does not fit.",
-        "Choose 'trim' or 'refuse'.",
+        "{interference!r} is not a valid method for the parts of a contour that the tool "
+        "cannot reach.",
+        "Choose 'trim' (leave these parts uncut) or 'refuse' (write no program).",
         interference="text",
     ),
     "offset.bad-side": entry(
-        "The side of a path must be +1 (left) or -1 (right).",
-        "Give +1 or -1.",
+        "The side on which a tool follows a path is neither +1 (left) nor -1 (right).",
+        "Give +1 or -1 as the side.",
     ),
     "offset.dead-end": entry(
-        "The offset of path {path} by {radius:g} mm is not closed, because {depth:.4g} mm of "
-        "the offset beside segment {segment} do not connect to the rest.",
-        "Draw the contour without overlaps, or change the radius slightly.",
+        "The curve at {radius:g} mm from path {path} is not closed, because a piece of it, "
+        "{depth:.4g} mm long and beside segment {segment}, does not connect to the rest.",
+        "Draw the contour without overlaps, or change the radius of the tool slightly.",
         path="count",
         radius="number",
         depth="number",
@@ -119,20 +123,20 @@ MESSAGES: Final[Entries] = {
     "offset.interference": entry(
         "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} "
         "mm into segment {other}.",
-        "Choose a smaller tool, or accept uncut areas where the tool does not fit.",
+        "Choose a tool with a smaller radius, or accept uncut areas where the tool does not fit.",
         radius="number",
         segment="count",
         depth="number",
         other="count",
     ),
     "offset.mixed-group": entry(
-        "Path {path} has a different radius or offset side than the rest of its group.",
+        "Path {path} has a different radius or offset side than the other paths of its group.",
         "Reverse the path, or put it into a separate group.",
         path="count",
     ),
     "offset.self-contact": entry(
-        "The offset of path {path} by {radius:g} mm is not closed, because the contour touches "
-        "itself at ({x:.4f}, {y:.4f}) in segments {one} and {two}.",
+        "The curve at {radius:g} mm from path {path} is not closed, because the contour "
+        "touches itself at X {x:.4f} mm, Y {y:.4f} mm in segments {one} and {two}.",
         "Trim the two segments at their intersection, or move one of the segments.",
         path="count",
         radius="number",

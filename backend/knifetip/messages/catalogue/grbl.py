@@ -86,7 +86,7 @@ MESSAGES: Final[Entries] = {
         "the controller does not support this command",
     ),
     "grbl.error-21": entry(
-        "the line has two commands of one modal group",
+        "the line has two commands of one modal group, for example G0 and G1",
     ),
     "grbl.error-22": entry(
         "no feed has been set",
@@ -119,7 +119,7 @@ MESSAGES: Final[Entries] = {
         "G53 is used without G0 or G1",
     ),
     "grbl.error-31": entry(
-        "the line has axis words that no command uses",
+        "the line has axis words (X, Y, Z), but no command that uses them",
     ),
     "grbl.error-32": entry(
         "the arc has no axis words in its plane",
@@ -131,10 +131,10 @@ MESSAGES: Final[Entries] = {
         "the radius of the arc cannot be computed",
     ),
     "grbl.error-35": entry(
-        "the arc has neither I nor J",
+        "the arc has no centre, because both I and J are missing",
     ),
     "grbl.error-36": entry(
-        "the line has words that no command uses",
+        "the line has words (a letter with a number) that no command uses",
     ),
     "grbl.error-37": entry(
         "the tool length offset is applied to the wrong axis",

@@ -14,14 +14,14 @@ MESSAGES: Final[Entries] = {
         value="text",
     ),
     "hpgl.bad-byte": entry(
-        "The byte {byte} is not allowed here.",
+        "The program line contains the byte {byte}, which is not allowed in an HPGL program.",
         "Remove the byte.",
         byte="text",
     ),
     "hpgl.bad-feed": entry(
         "{place} has a feed of {feed:g} mm/min, but {device} supports only whole cm/s from "
         "{slowest} to {fastest}.",
-        "Give the tool a feed that is a multiple of {step:g} mm/min.",
+        "In the machine file, give the tool a feed that is a multiple of {step:g} mm/min.",
         place="message",
         feed="number",
         device="text",
@@ -30,7 +30,8 @@ MESSAGES: Final[Entries] = {
         step="number",
     ),
     "hpgl.bad-number": entry(
-        "A plus or minus sign is not followed by a number, or a number has too many digits.",
+        "The program line has a plus or minus sign that is not followed by a number, or a "
+        "number with too many digits.",
         "Correct the number.",
     ),
     "hpgl.bad-range": entry(
@@ -52,11 +53,11 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.ends-down": entry(
         "The program ends while the tool is down.",
-        "Lift the tool (PU) before the end.",
+        "Lift the tool (PU) before the end of the program.",
     ),
     "hpgl.ends-with-pen": entry(
         "The program ends while a pen is selected.",
-        "Add SP0 before the end.",
+        "Deselect the pen (SP0) before the end of the program.",
     ),
     "hpgl.feed-not-supported": entry(
         "{path} is {value:g} mm/min, but {device} supports only multiples of {step:g} mm/min from "
@@ -70,31 +71,35 @@ MESSAGES: Final[Entries] = {
         fastest="number",
     ),
     "hpgl.force-out-of-range": entry(
-        "The force (FS) is not between {low} and {high}.",
+        "The force (FS) in the program line is not between {low} and {high}.",
         "Give a force in this range.",
         low="count",
         high="count",
     ),
     "hpgl.initialised-again": entry(
-        "The device is initialised (IN) a second time.",
+        "The program line initialises the device (IN) a second time.",
         "Delete the second IN.",
     ),
     "hpgl.lone-letter": entry(
-        "A single letter is not an instruction; instructions have two letters.",
+        "The program line has a single letter, but each HPGL instruction has two letters.",
         "Correct the instruction.",
     ),
     "hpgl.loose-number": entry(
-        "A number stands before any instruction.",
-        "Delete the number, or add the instruction before it.",
+        "The program line has a number that belongs to no instruction.",
+        "Delete the number, or add the instruction before the number.",
     ),
     "hpgl.moves-before-pa": entry(
-        "The line moves the tool before the program has chosen absolute coordinates (PA).",
+        "The program line moves the tool before the program has chosen absolute coordinates (PA).",
         "Write PA before the first move.",
     ),
     "hpgl.needs-no-number": entry(
-        "The instruction in this line does not take a number.", "Delete the number."
+        "The instruction in this program line does not take a number.",
+        "Delete the number.",
     ),
-    "hpgl.needs-one-number": entry("The instruction needs exactly one number.", "Give one number."),
+    "hpgl.needs-one-number": entry(
+        "The instruction in this program line needs exactly one number.",
+        "Give one number.",
+    ),
     "hpgl.never-down": entry(
         "The toolpath never lowers a tool, so nothing would be cut.",
         "Give at least one edge a line type for which the machine has a tool.",
@@ -119,12 +124,12 @@ MESSAGES: Final[Entries] = {
         device="text",
     ),
     "hpgl.no-force-setting": entry(
-        "The instruction FS is not allowed, because the device has no force setting.",
+        "The program line sets the force (FS), but the device has no force setting.",
         "Remove FS.",
     ),
     "hpgl.no-instruction": entry(
         "The program contains no instruction.",
-        "Choose an HPGL program.",
+        "Choose a file with an HPGL program.",
     ),
     "hpgl.no-pen": entry(
         "The machine file of {machine} assigns no pen to {work} with station {station}.",
@@ -134,27 +139,27 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "hpgl.no-pen-selected": entry(
-        "The line lowers the tool, but no pen is selected.",
-        "Select a pen (SP) before this line.",
+        "The program line lowers the tool, but no pen is selected.",
+        "Select a pen (SP) before this program line.",
     ),
     "hpgl.no-speed": entry(
-        "The line cuts, but no speed has been set.",
-        "Set the speed (VS) before this line.",
+        "The program line cuts, but no speed has been set.",
+        "Set the speed (VS) before this program line.",
     ),
     "hpgl.no-speed-setting": entry(
-        "The instruction VS is not allowed, because the device has no speed setting.",
+        "The program line sets the speed (VS), but the device has no speed setting.",
         "Remove VS.",
     ),
     "hpgl.no-terminator": entry(
         "The last instruction of the program has no semicolon.",
-        "Add the semicolon, or send the complete program.",
+        "Add the semicolon, or send the complete program again.",
     ),
     "hpgl.not-initialised": entry(
-        "The first instruction of the program is not IN.",
-        "Begin the program with IN.",
+        "The first instruction of the program is not IN (initialise).",
+        "Write IN at the beginning of the program.",
     ),
     "hpgl.outside-area": entry(
-        "The line moves the tool outside the working area of the device.",
+        "The program line moves the tool outside the working area of the device.",
         "Move the drawing on the table, or choose a larger machine.",
     ),
     "hpgl.pen-cannot": entry(
@@ -165,8 +170,9 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "hpgl.plunge-without-move": entry(
-        "The line lowers the tool, but no move follows, so the direction of the tool is not known.",
-        "Add a move after PD.",
+        "The program line lowers the tool, but no move follows, so the direction of the tool "
+        "is not known.",
+        "Add a move after the instruction PD.",
     ),
     "hpgl.press": entry(
         "{place} presses the tool into the board at one point, but HPGL cannot turn the tool "
@@ -180,8 +186,8 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "hpgl.selects-while-down": entry(
-        "The line selects a pen while the tool is down.",
-        "Lift the tool first (PU).",
+        "The program line selects a pen while the tool is down.",
+        "Lift the tool (PU) before the pen is selected.",
     ),
     "hpgl.send-by-hand": entry(
         "Download the program and send it with the software of the cutter, where a person can "
@@ -189,11 +195,11 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.slanted-plunge": entry(
         "{place} lowers or lifts the tool along a slope, which HPGL cannot express.",
-        "Choose a tool that moves straight down.",
+        "Choose a tool that enters the board vertically.",
         place="message",
     ),
     "hpgl.speed-out-of-range": entry(
-        "The speed (VS) is not between {low} and {high}.",
+        "The speed (VS) in the program line is not between {low} and {high}.",
         "Give a speed in this range.",
         low="count",
         high="count",
@@ -204,9 +210,9 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "hpgl.swivel": entry(
-        "{place} rotates the head about the tip of the knife, which HPGL cannot express.",
-        "Set the trail of the knife to 0 in the machine file, because the device itself "
-        "compensates for the trail.",
+        "{place} rotates the head about the tip of the knife, which HPGL cannot express. The "
+        "device itself compensates for the trail of the knife.",
+        "Set the trail of the knife to 0 in the machine file.",
         place="message",
     ),
     "hpgl.tool-not-supported": entry(
@@ -233,28 +239,28 @@ MESSAGES: Final[Entries] = {
     "hpgl.turn-in-board": entry(
         "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is "
         "allowed.",
-        "Lift the tool before the corner.",
+        "Lift the tool before it turns.",
         degrees="number",
         most="number",
     ),
     "hpgl.unknown-instruction": entry(
-        "The instruction {name} is not supported.",
+        "The instruction {name} in the program line is not supported.",
         "Remove the instruction.",
         name="text",
     ),
     "hpgl.unknown-pen": entry(
-        "The device has no pen with this number.",
+        "The program line selects a pen that the device does not have.",
         "Select a pen that is defined in the machine file.",
     ),
     "hpgl.wrong-force": entry(
-        "The line lowers pen {pen} with a force that differs from the force of this pen in the "
-        "machine file (FS{force}).",
-        "Write FS{force} before this line.",
+        "The program line lowers pen {pen} with a force that differs from the force of this "
+        "pen in the machine file (FS{force}).",
+        "Write FS{force} before this program line.",
         pen="count",
         force="count",
     ),
     "hpgl.x-without-y": entry(
-        "An X coordinate is not followed by a Y coordinate.",
+        "The program line has an X coordinate without a Y coordinate.",
         "Give both coordinates.",
     ),
 }

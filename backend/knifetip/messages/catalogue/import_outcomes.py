@@ -7,9 +7,12 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "import.angles-not-numbers": entry("the angles of the arc are not numbers"),
+    "import.angles-not-numbers": entry(
+        "the start or end angle of the arc is not a number",
+    ),
     "import.annotations": entry(
-        "{count:# note or form field|# notes and form fields} on the page {count:is|are} not cut",
+        "{count:# note or form field|# notes and form fields} on the PDF page {count:is|are} "
+        "not cut",
         count="count",
     ),
     "import.area-outline": entry(
@@ -20,12 +23,12 @@ MESSAGES: Final[Entries] = {
         "the object is the outline of a filled area, which is used because the page has no lines",
     ),
     "import.array": entry(
-        "the object is a grid of copies ({columns} columns × {rows} rows)",
+        "the object inserts a grid of copies ({columns} columns × {rows} rows)",
         columns="count",
         rows="count",
     ),
     "import.bad-operands": entry(
-        "the PDF operator {operator!r} has invalid operands",
+        "the path uses the PDF operator {operator!r} with a wrong number or type of values",
         operator="text",
     ),
     "import.bad-path-data": entry(
@@ -43,7 +46,7 @@ MESSAGES: Final[Entries] = {
         points="text",
     ),
     "import.bad-radius": entry(
-        "the radius is {radius:g}, but must be greater than 0",
+        "the radius of the object is {radius:g}, but must be greater than 0",
         radius="number",
     ),
     "import.bad-size": entry(
@@ -55,47 +58,55 @@ MESSAGES: Final[Entries] = {
         "the attribute transform of the object cannot be read: {reason}",
         reason="message",
     ),
-    "import.bad-value": entry("{value!r} is not a length", value="text"),
+    "import.bad-value": entry(
+        "the value {value!r} is not a length",
+        value="text",
+    ),
     "import.bad-window": entry(
         "the position or size of the nested drawing cannot be read: {reason}",
         reason="message",
     ),
     "import.block-external": entry(
-        "the block {block!r} is in another file",
-        "Bind the external reference in the CAD program and export again.",
+        "the object inserts the block {block!r}, which is defined in another file",
+        "Bind the external reference in the CAD program, and export the drawing again.",
         block="text",
     ),
-    "import.block-in-itself": entry("the block {block!r} contains itself", block="text"),
+    "import.block-in-itself": entry(
+        "the block {block!r} inserts itself",
+        block="text",
+    ),
     "import.block-missing": entry(
-        "the block {block!r} is not in the file",
-        "Insert the block in the CAD program and export again.",
+        "the object inserts the block {block!r}, which is not defined in the file",
+        "Add the definition of the block in the CAD program, and export the drawing again.",
         block="text",
     ),
     "import.bridge": entry(
-        "the steel rule of the die has 1 bridge, {width:g} wide (in units of the file)",
+        "the steel rule of the cutting die has 1 bridge (gap), which is {width:g} file units wide",
         width="number",
     ),
     "import.bridges": entry(
-        "the steel rule of the die has {bridges:g} bridges, each {width:g} wide (in units of "
-        "the file)",
+        "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file "
+        "units wide",
         bridges="number",
         width="number",
     ),
     "import.clip-path": entry(
-        "the object is only a clipping path",
+        "the object only limits the visible area of other objects (clipping path)",
     ),
-    "import.contains-itself": entry("the object contains itself"),
+    "import.contains-itself": entry(
+        "the object contains a reference to itself",
+    ),
     "import.coordinate-not-a-number": entry("a coordinate of the object is not a number"),
     "import.curves-fitted": entry(
         "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, "
-        "which deviate by at most {tolerance:.2g} file units",
+        "which deviate by at most {tolerance:.2g} file units from the curves",
         pieces="count",
         tolerance="number",
     ),
     "import.curves-fitted-relative": entry(
         "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, "
-        "which deviate by at most {tolerance:.2g} file units (1/250,000 of the size of the "
-        "drawing)",
+        "which deviate by at most {tolerance:.2g} file units from the curves (1/250,000 of the "
+        "size of the drawing)",
         pieces="count",
         tolerance="number",
     ),
@@ -103,14 +114,16 @@ MESSAGES: Final[Entries] = {
     "import.damaged-or-frame": entry(
         "the object is damaged, or is only the frame around a text",
     ),
-    "import.dimension": entry("dimensions and notes are not cut"),
+    "import.dimension": entry(
+        "the object is a dimension or a note, which is not cut",
+    ),
     "import.drawn-twice": entry(
-        "the object is drawn twice, because it lies exactly on {same:, }",
+        "the object is drawn twice: it has the same shape and position as {same:, }",
         same="texts",
     ),
     "import.drawn-twice-often": entry(
-        "the object is drawn several times, because it lies exactly on {same:, } and {more} "
-        "more {more:object|objects}",
+        "the object is drawn several times: it has the same shape and position as {same:, } "
+        "and {more} more {more:object|objects}",
         same="texts",
         more="count",
     ),
@@ -121,7 +134,7 @@ MESSAGES: Final[Entries] = {
     "import.endless-line": entry("the object is a construction line of infinite length"),
     "import.extrusion-not-a-number": entry("the extrusion direction of the object is not a number"),
     "import.few-vertices": entry(
-        "the polyline has {vertices:# vertex|# vertices}, but needs at least 2",
+        "the object is a polyline with {vertices:# vertex|# vertices}, but needs at least 2",
         vertices="count",
     ),
     "import.filled-area": entry("the object is a filled area without a line"),
@@ -132,88 +145,100 @@ MESSAGES: Final[Entries] = {
         "the object is a filled area without a line, and the page has lines",
     ),
     "import.fit-points": entry(
-        "the curve was computed from its fit points",
+        "the curve was computed from its fit points, through which it passes",
     ),
     "import.font-shape": entry(
         "the object is a shape from a font file, which cannot be read",
-        "Explode the shape into lines in the CAD program and export again.",
+        "Explode the object into lines in the CAD program, and export the drawing again.",
     ),
     "import.height-not-a-number": entry("the height (z) of the object is not a number"),
     "import.height-too-far": entry(
-        "the height (z) of the object is {height:g}; the limit is {limit:g}",
+        "the height (z) of the object is {height:g} file units, but the limit is {limit:g}",
         height="number",
         limit="number",
     ),
     "import.hidden": entry("the object is hidden"),
     "import.hidden-layer": entry(
         "the object is hidden, because the layer {layer} is switched off",
-        "Switch the layer on and export again if the object must be cut.",
+        "Switch the layer on and export the drawing again if the object must be cut.",
         layer="text",
     ),
-    "import.image": entry("images are not cut"),
+    "import.image": entry(
+        "the object is an image, which is not cut",
+    ),
     "import.incomplete": entry(
         "the object is incomplete, because its {part} is missing",
         part="text",
     ),
     "import.interrupted-path": entry(
-        "the path is neither stroked nor filled, because another object begins before the path "
-        "is finished",
+        "the path has neither a stroke nor a fill, because another object begins before the "
+        "path ends",
     ),
     "import.invisible": entry("the object is marked as invisible"),
     "import.kept": entry(
-        "kept",
+        "the object was imported unchanged",
     ),
     "import.kept-changed": entry(
-        "kept: {notes:; }",
+        "the object was imported; {notes:; }",
         notes="messages",
     ),
     "import.laid-flat": entry(
-        "the object was moved from the height z = {height:g} to z = 0",
+        "the object was moved from the height z = {height:g} file units to z = 0",
         height="number",
     ),
     "import.layer-frozen": entry(
         "the layer of the object is frozen",
-        "Thaw the layer and export again if the object must be cut.",
+        "Thaw the layer and export the drawing again if the object must be cut.",
     ),
     "import.layer-not-plotted": entry(
-        "the layer of the object is not plotted",
-        "Set the layer to be plotted and export again if the object must be cut.",
+        "the layer of the object is set to be not plotted",
+        "Set the layer to be plotted and export the drawing again if the object must be cut.",
     ),
     "import.layer-off": entry(
         "the layer of the object is switched off",
-        "Switch the layer on and export again if the object must be cut.",
+        "Switch the layer on and export the drawing again if the object must be cut.",
     ),
-    "import.light": entry("lights are not cut"),
+    "import.light": entry(
+        "the object is a light, which is not cut",
+    ),
     "import.line-not-numbers": entry(
-        "the values of line {line} are not all numbers: {values:, }",
+        "the values in line {line} of the file are not all numbers: {values:, }",
         line="count",
         values="texts",
     ),
-    "import.lone-vertex": entry("the vertex does not belong to a polyline"),
+    "import.lone-vertex": entry(
+        "the object is a vertex that belongs to no polyline",
+    ),
     "import.mesh": entry(
         "the object is a three-dimensional mesh, not a line in a plane",
     ),
     "import.missing-id": entry(
-        "the object refers to an object with the id {id!r}, which does not exist",
+        "the object refers to another object by the id {id!r}, which does not exist in the file",
         id="text",
     ),
-    "import.missing-subroutine": entry("the subroutine {name} does not exist", name="text"),
-    "import.multiple-line": entry(
-        "multilines cannot be read",
-        "Explode the multiline into lines in the CAD program and export again.",
+    "import.missing-subroutine": entry(
+        "the object inserts the subroutine {name}, which is not in the file",
+        name="text",
     ),
-    "import.no-length": entry("the object has no length ({length:g})", length="number"),
+    "import.multiple-line": entry(
+        "the object is a multiline, which cannot be read",
+        "Explode the multiline into lines in the CAD program, and export the drawing again.",
+    ),
+    "import.no-length": entry(
+        "the length of the object is {length:g}, which is too short to be cut",
+        length="number",
+    ),
     "import.no-major-axis": entry("the major axis of the ellipse has a length of 0"),
     "import.no-paint": entry(
         "the object has neither a stroke nor a fill, so it is not visible",
     ),
     "import.no-parameter-range": entry(
-        "the object has no length: it starts and ends at parameter {parameter:g}",
+        "the object has no length, because it starts and ends at the same parameter, {parameter:g}",
         parameter="number",
     ),
     "import.no-points": entry("the object has no points"),
     "import.no-scale": entry(
-        "the object is scaled by {x:g} × {y:g}, so its size is 0",
+        "the object has no size, because it is scaled by {x:g} in X and {y:g} in Y",
         x="number",
         y="number",
     ),
@@ -223,12 +248,15 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "import.no-sweep": entry(
-        "the arc has no length: it starts and ends at {degrees:g}°",
+        "the arc has no length, because it starts and ends at the same angle, {degrees:g}°",
         degrees="number",
     ),
-    "import.not-a-line": entry("objects of type {kind} cannot be read", kind="text"),
+    "import.not-a-line": entry(
+        "the object is of the type {kind}, which cannot be read",
+        kind="text",
+    ),
     "import.not-clipped": entry(
-        "the object is clipped in the file, but it is imported completely",
+        "the file clips the object, but the complete object was imported",
     ),
     "import.not-flat": entry(
         "the object is not parallel to the XY plane",
@@ -240,11 +268,11 @@ MESSAGES: Final[Entries] = {
     "import.not-svg": entry("the content of the object is not SVG"),
     "import.not-visible": entry("the object is completely transparent"),
     "import.nothing-named": entry(
-        "the PDF has no form or image with the name {name!r}",
+        "the PDF page uses a form or image with the name {name!r}, which the PDF does not contain",
         name="text",
     ),
     "import.on-layer": entry(
-        "the object lies on the layer {layer}",
+        "the object also lies on the layer {layer}",
         layer="text",
     ),
     "import.other-file": entry(
@@ -253,20 +281,22 @@ MESSAGES: Final[Entries] = {
         file="text",
     ),
     "import.other-pages": entry(
-        "only the first of {pages:# page|# pages} is read",
+        "the file has {pages:# page|# pages}, but only the first page is read",
         "Export each page as a separate file.",
         pages="count",
     ),
     "import.outside-page": entry("the object lies outside the visible area of the page"),
     "import.page-ends-early": entry(
-        "the path is neither stroked nor filled, because the page ends before the path is finished",
+        "the path has neither a stroke nor a fill, because the page ends before the path ends",
     ),
     "import.paper-space": entry("the object is in a layout (paper space), not in the model"),
     "import.parameters-not-numbers": entry("the parameters of the object are not numbers"),
     "import.partly-outside-page": entry(
         "a part of the object lies outside the visible area of the page",
     ),
-    "import.picture": entry("pictures are not cut"),
+    "import.picture": entry(
+        "the object is a picture, which is not cut",
+    ),
     "import.picture-block": entry(
         "the block {block} with {entities:# object|# objects} is the graphic of a dimension or "
         "a hatch, which is not cut",
@@ -274,22 +304,22 @@ MESSAGES: Final[Entries] = {
         entities="count",
     ),
     "import.pieces-drawn-twice": entry(
-        "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, }, so {pieces:it "
-        "is|they are} drawn twice",
+        "{pieces} of the {all} segments of the object {pieces:is|are} drawn twice: {pieces:it "
+        "lies|they lie} exactly on {same:, }",
         pieces="count",
         all="count",
         same="texts",
     ),
     "import.pieces-drawn-twice-often": entry(
-        "{pieces} of {all} segments {pieces:lies|lie} exactly on {same:, } and {more} more "
-        "{more:object|objects}, so {pieces:it is|they are} drawn several times",
+        "{pieces} of the {all} segments of the object {pieces:is|are} drawn several times: "
+        "{pieces:it lies|they lie} exactly on {same:, } and {more} more {more:object|objects}",
         pieces="count",
         all="count",
         same="texts",
         more="count",
     ),
     "import.pieces-no-length": entry(
-        "{pieces} of {all} segments {pieces:has|have} no length",
+        "{pieces} of the {all} segments of the object {pieces:has|have} no length",
         pieces="count",
         all="count",
     ),
@@ -307,24 +337,26 @@ MESSAGES: Final[Entries] = {
     ),
     "import.point": entry("the object is a point, which has no length"),
     "import.proxy": entry(
-        "only the program that made this object can read it",
+        "the object can be read only by the program that made it",
         "Explode the object into lines in that program and export again.",
     ),
     "import.region": entry(
-        "regions cannot be read",
-        "Explode the region into lines in the CAD program and export again.",
+        "the object is a region, which cannot be read",
+        "Explode the region into lines in the CAD program, and export the drawing again.",
     ),
     "import.repeated": entry(
-        "the object is drawn {times} times",
+        "the drawing contains the object {times} times",
         times="count",
     ),
     "import.rules-not-read": entry(
-        "the style sheet has rules that are not supported: {rules:, }",
+        "the style sheet of the drawing has rules that are not supported: {rules:, }",
         rules="texts",
     ),
-    "import.script": entry("scripts are not executed"),
+    "import.script": entry(
+        "the object is a script, which is not executed",
+    ),
     "import.shading": entry(
-        "shadings (colour gradients) are not cut",
+        "the object is a shading (colour gradient), which is not cut",
     ),
     "import.short-path-data": entry(
         "the path data of the object ends inside a command, so only the commands before it "
@@ -337,10 +369,15 @@ MESSAGES: Final[Entries] = {
         "the object is drawn in the spot colour {colour}",
         colour="text",
     ),
-    "import.subroutine-in-itself": entry("the subroutine {name} contains itself", name="text"),
-    "import.text": entry("texts are not cut"),
+    "import.subroutine-in-itself": entry(
+        "the subroutine {name} inserts itself",
+        name="text",
+    ),
+    "import.text": entry(
+        "the object is a text, which is not cut",
+    ),
     "import.text-unknown-letters": entry(
-        "texts are not cut, and the characters of this text cannot be read",
+        "the object is a text, which is not cut and whose characters cannot be read",
     ),
     "import.tilted": entry(
         "the object is not parallel to the XY plane: its plane is tilted by {degrees:g}°",
@@ -351,41 +388,50 @@ MESSAGES: Final[Entries] = {
         rise="number",
     ),
     "import.too-far": entry(
-        "a coordinate of the object is {coordinate:g}, but the limit is {limit:g}",
+        "a coordinate of the object is {coordinate:g} file units, but the limit is {limit:g}",
         coordinate="number",
         limit="number",
     ),
     "import.too-many-fit-points": entry(
-        "the curve has {points:,} fit points; the limit is {limit:,}",
+        "the curve has {points:,} fit points, but the limit is {limit:,}",
         points="count",
         limit="count",
     ),
     "import.uncentred-arc": entry(
-        "the centre of the arc is {first:g} away from its start, but {second:g} away from its end",
+        "the centre of the arc is {first:g} file units away from the start of the arc, but "
+        "{second:g} file units away from its end",
         first="number",
         second="number",
     ),
-    "import.underlay": entry("underlays (inserted pictures and PDF pages) are not cut"),
+    "import.underlay": entry(
+        "the object is an underlay (an inserted picture or PDF page), which is not cut",
+    ),
     "import.uneven-height": entry(
-        "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g}",
+        "the object is not parallel to the XY plane: its height z varies from {low:g} to "
+        "{high:g} file units",
         low="number",
         high="number",
     ),
     "import.unknown-operator": entry(
-        "the PDF operator {operator!r} is not supported",
+        "the PDF page uses the operator {operator!r}, which is not supported",
         operator="text",
     ),
     "import.unknown-record": entry(
-        "CF2 records of this type are not supported",
+        "the object is a CF2 record of a type that is not supported",
     ),
-    "import.unsupported-element": entry("elements of type {kind} are not supported", kind="text"),
+    "import.unsupported-element": entry(
+        "the object is an SVG element of the type {kind}, which is not supported",
+        kind="text",
+    ),
     "import.unused-block": entry(
-        "the block {block} with {entities:# object|# objects} is not used in the drawing",
+        "the file defines the block {block} with {entities:# object|# objects}, but the "
+        "drawing does not use it",
         block="text",
         entities="count",
     ),
     "import.unused-subroutine": entry(
-        "the subroutine {name} with {records:# record|# records} is not used in the drawing",
+        "the file defines the subroutine {name} with {records:# record|# records}, but the "
+        "drawing does not use it",
         name="text",
         records="count",
     ),
@@ -393,17 +439,23 @@ MESSAGES: Final[Entries] = {
         "the angle {degrees:g}° is not finite",
         degrees="number",
     ),
-    "import.value-not-numbers": entry("{value!r} is not a number", value="text"),
+    "import.value-not-numbers": entry(
+        "the value {value!r} is not a number",
+        value="text",
+    ),
     "import.value-not-transform": entry(
-        "{value!r} is not a valid transform",
+        "the value {value!r} is not a valid transform",
         value="text",
     ),
     "import.value-transform-numbers": entry(
-        "the transform {name} has a wrong number of values ({count})",
+        "the transform {name} has {count} values, which is a wrong number of values",
         name="text",
         count="count",
     ),
-    "import.value-unit": entry("{value!r} has an unknown unit of length", value="text"),
+    "import.value-unit": entry(
+        "the value {value!r} has an unknown unit of length",
+        value="text",
+    ),
     "import.viewport": entry(
         "the object is a viewport, which only displays a part of the drawing",
     ),

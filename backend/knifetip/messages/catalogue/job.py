@@ -12,17 +12,17 @@ MESSAGES: Final[Entries] = {
         action="text",
     ),
     "job.at-line": entry(
-        "The program is at line {line}.",
+        "The machine is at program line {line}.",
         line="count",
     ),
     "job.awaits-kernels": entry(
-        "The job waits until the functions for the machine {machine} are compiled. This "
-        "happens once after an installation.",
-        "Wait. The job starts automatically when the functions are compiled.",
+        "The job waits until the server has compiled the parts of knifetip that it needs for "
+        "the machine {machine}. The server does this once after an installation.",
+        "Wait. The job continues automatically.",
         machine="text",
     ),
     "job.being-cancelled": entry(
-        "Job {job} is being cancelled.",
+        "Job {job} is already being cancelled.",
         "Wait until the machine has stopped.",
         job="text",
     ),
@@ -36,14 +36,15 @@ MESSAGES: Final[Entries] = {
         request="text",
     ),
     "job.claim-returned": entry(
-        "The gateway returned the job to the queue. {reason}",
+        "The gateway put the job back into the queue. {reason}",
         reason="message",
     ),
     "job.claimed": entry(
-        "The gateway claimed the job.",
+        "The gateway of the machine took the job from the queue (claimed it).",
     ),
     "job.claimed-to-confirm": entry(
-        "The gateway claimed the job, which now waits for the confirmation of the operator.",
+        "The gateway of the machine took the job from the queue. The job now waits for the "
+        "confirmation of the operator.",
     ),
     "job.compile-cancelled": entry(
         "The compilation of the job was cancelled.",
@@ -69,84 +70,88 @@ MESSAGES: Final[Entries] = {
         board="text",
     ),
     "job.confirmed-table": entry(
-        "The operator confirmed that the table is clear and that the board is {board}.",
+        "The operator confirmed that the table is clear and that the board on it is {board}.",
         board="text",
     ),
     "job.copy-done": entry(
-        "Copy {copy} of {copies} is finished.",
+        "Copy {copy} of {copies} of the job is finished.",
         copy="count",
         copies="count",
     ),
     "job.copy-done-next-sheet": entry(
-        "Copy {copy} of {copies} is finished. The next copy needs a new sheet.",
-        "Put a new sheet on the table.",
+        "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet of board.",
+        "Put a new sheet of board on the table, then confirm the new sheet on the page of the "
+        "job. The machine then starts the next copy.",
         copy="count",
         copies="count",
     ),
     "job.declared-finished": entry(
-        "The operator marked the job as finished at line {line} of {lines}.",
+        "The operator marked the job as finished, after the machine had stopped at program "
+        "line {line} of {lines}.",
         line="count",
         lines="count",
     ),
     "job.executed": entry(
-        "Every line of the program was executed.",
+        "The machine executed every line of the program.",
     ),
     "job.fully-executed": entry(
-        "Job {job} was executed to its last line ({lines}), so it cannot be queued again.",
-        "Look at the table. Mark the job finished if the sheet is complete, otherwise scrap it.",
+        "The machine executed job {job} to its last program line ({lines}), so the job cannot "
+        "be queued again.",
+        "Check the table. Mark the job finished if the sheet is complete, otherwise scrap the job.",
         job="text",
         lines="count",
     ),
     "job.gateway-fell-silent": entry(
         "The gateway {gateway} stopped responding.",
-        "Check the gateway and its network connection.",
+        "Check the computer of the gateway and its network connection.",
         gateway="text",
     ),
     "job.gateway-lost": entry(
-        "The gateway {gateway} stopped responding. The machine may have executed more lines "
-        "than the gateway reported.",
-        "Check the gateway and its network connection.",
+        "The gateway {gateway} stopped responding. The machine may have executed more program "
+        "lines than the gateway reported.",
+        "Check the computer of the gateway and its network connection.",
         gateway="text",
     ),
     "job.gateway-silent": entry(
         "The gateway {gateway}, which claimed job {job}, does not respond.",
-        "Switch on the machine and its gateway, then confirm the job when it waits for "
+        "Switch on the machine and its gateway. Confirm the job when it waits for a "
         "confirmation again.",
         gateway="text",
         job="text",
     ),
     "job.held-before-start": entry(
-        "The job is held before its first line.",
+        "The job is on hold before its first program line.",
     ),
     "job.interrupted": entry(
-        "The job was interrupted at line {line} of {lines}{copy}. {cause}",
-        "{cause:hint} Check the table. Then queue the job again to cut a new sheet from the "
-        "first line, mark the job finished if the sheet is complete, or scrap the job.",
+        "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
+        "{cause:hint} Check the table. Then either queue the job again (a new sheet is cut "
+        "from the first program line), or mark the job finished if the sheet is complete, or "
+        "scrap the job.",
         line="count",
         lines="count",
         copy="message?",
         cause="message",
     ),
     "job.interrupted-at-end": entry(
-        "The job was interrupted at line {line} of {lines}{copy}. {cause}",
+        "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
         "{cause:hint} Check the table. Mark the job finished if the sheet is complete, "
-        "otherwise scrap it.",
+        "otherwise scrap the job.",
         line="count",
         lines="count",
         copy="message?",
         cause="message",
     ),
     "job.interrupted-between-copies": entry(
-        "The job was interrupted after copy {copy} of {copies}, before the first line of the "
-        "next copy. {cause}",
-        "{cause:hint} Check the table. Then queue the job again for the remaining copies, mark "
-        "it finished, or scrap it.",
+        "The job was interrupted after copy {copy} of {copies}, before the first program line "
+        "of the next copy. {cause}",
+        "{cause:hint} Check the table. Then either queue the job again for the remaining "
+        "copies, or mark the job finished, or scrap it.",
         copy="count",
         copies="count",
         cause="message",
     ),
     "job.late-report": entry(
-        "The gateway reported late: {report}",
+        "A late report of the gateway arrived: {report}",
         report="message",
     ),
     "job.no-confirmation-awaited": entry(
@@ -157,7 +162,7 @@ MESSAGES: Final[Entries] = {
         advice="message",
     ),
     "job.no-sheet-awaited": entry(
-        "Job {job} is held, but it does not wait for a new sheet.",
+        "Job {job} is on hold, but it does not wait for a new sheet.",
         "Resume the job.",
         job="text",
     ),
@@ -166,20 +171,20 @@ MESSAGES: Final[Entries] = {
         "Give at least one edge a line type for which the machine has a tool.",
     ),
     "job.not-confirmed": entry(
-        "Job {job} was started without a confirmation of its sheet.",
+        "Job {job} was started, although the operator has not confirmed that the table is ready.",
         "Check the table, then confirm the job or cancel it.",
         job="text",
     ),
     "job.not-running": entry(
         "Job {job} is {state}, so no machine executes it.",
-        "Claim the job first.",
+        "Let the gateway claim the job before it reports on the job.",
         job="text",
         state="text",
     ),
     "job.not-taken": entry(
-        "Job {job} is queued, and its machine {machine} has not claimed it yet.",
-        "Confirm the job after the machine has claimed it. The reason in the job shows what "
-        "the job waits for.",
+        "Job {job} is queued, and the gateway of its machine {machine} has not claimed it yet.",
+        "Confirm the job after the gateway has claimed it. The field reason of the job shows "
+        "what the job waits for.",
         job="text",
         machine="text",
     ),
@@ -187,46 +192,48 @@ MESSAGES: Final[Entries] = {
         "The gateway sent nothing to the machine.",
     ),
     "job.nothing-to-confirm": entry(
-        "Job {job} is running, so there is nothing to confirm.",
+        "Job {job} is already running, so there is nothing to confirm.",
         "Hold or cancel the job if the machine must stop.",
         job="text",
     ),
     "job.of-copy": entry(
-        " of copy {copy} of {copies}",
+        ", in copy {copy} of {copies}",
         copy="count",
         copies="count",
     ),
     "job.ordered": entry(
-        "The job was ordered.",
+        "The job was created.",
     ),
     "job.other-board": entry(
-        "Job {job} is for the board {board}, not {given}.",
-        "Put {board} on the table.",
+        "Job {job} needs the board {board}, but the confirmation names the board {given}.",
+        "Put a sheet of {board} on the table, then confirm the job again.",
         job="text",
         board="text",
         given="text",
     ),
     "job.program-refused": entry(
         "The program does not match the drawing, so nothing was cut: {findings: }{more}",
-        "Change the drawing, the line types or the board.",
+        "Change the drawing, the line types of its edges or the board.",
         findings="messages",
         more="message?",
     ),
     "job.released": entry(
-        "The job was released.",
+        "The operator released the job, so it is queued for its machine.",
     ),
     "job.released-by-order": entry(
-        "The job was released automatically, as requested in its order.",
+        "The job was released automatically, as its order requested, so it is queued for its "
+        "machine.",
     ),
     "job.requeued": entry(
-        "The job was queued again.",
+        "The operator queued the job again.",
     ),
     "job.scrapped": entry(
-        "The job was scrapped.",
+        "The operator scrapped the job.",
     ),
     "job.stale-epoch": entry(
-        "Another claim of job {job} has replaced the claim of this gateway: the job is {state} "
-        "and in epoch {current}, but the request names epoch {epoch}.",
+        "Job {job} was claimed again, so the claim of this gateway is no longer valid. The job "
+        "is {state}. Its valid claim has the number (epoch) {current}, but the request has the "
+        "number {epoch}.",
         "Stop the machine and claim the job again.",
         job="text",
         state="text",
@@ -245,7 +252,7 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.verified": entry(
-        "The job was compiled and verified.",
+        "The job was compiled, and its program was verified.",
     ),
     "job.worker-silent": entry(
         "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",
@@ -294,58 +301,59 @@ MESSAGES: Final[Entries] = {
     ),
     "machine.busy": entry(
         "Job {job} already occupies the table of {machine}.",
-        "Finish that job, queue it again or scrap it, because a machine can process only one "
+        "Mark that job finished, queue it again or scrap it. A machine can process only one "
         "job at a time.",
         job="text",
         machine="text",
     ),
     "machine.busy-with-another": entry(
         "Another job already occupies the table of {machine}.",
-        "Finish that job, queue it again or scrap it, because a machine can process only one "
+        "Mark that job finished, queue it again or scrap it. A machine can process only one "
         "job at a time.",
         machine="text",
     ),
     "machine.no-cutter": entry(
-        "{machine} has no cutter {cutter!r}: none of its tools is a rotating cutter or a laser.",
-        "Choose a machine with a rotating cutter or a laser, because only these tools can be "
-        "calibrated.",
+        "{machine} has no cutter with the name {cutter!r}, because none of its tools is a "
+        "rotating cutter or a laser.",
+        "Choose a machine with a rotating cutter or a laser. Only these tools can be calibrated.",
         machine="text",
         cutter="text",
     ),
     "machine.no-such-cutter": entry(
-        "{machine} has no cutter {cutter!r}.",
-        "Choose one of {known:, }.",
+        "{machine} has no cutter with the name {cutter!r}.",
+        "Choose one of the cutters {known:, }.",
         machine="text",
         cutter="text",
         known="texts",
     ),
     "store.no-column": entry(
         "The {kind} {id} has no {column} yet.",
-        "Wait until it is compiled. If compilation failed, its state and reason show why.",
+        "Wait until the {kind} is compiled. If the compilation failed, the fields state and "
+        "reason of the {kind} show why.",
         kind="text",
         id="text",
         column="text",
     ),
     "store.unknown": entry(
         "The {kind} {id} does not exist.",
-        "Choose one that GET /api/{kind}s lists.",
+        "Choose an id that GET /api/{kind}s lists.",
         kind="text",
         id="text",
     ),
     "worker.died": entry(
         "The process that computed the drawing ended unexpectedly (exit code {code}), probably "
         "because it used too much memory.",
-        "Send a smaller drawing, or split this one.",
+        "Send a smaller drawing, or split the drawing into several drawings.",
         code="text",
     ),
     "worker.memory": entry(
         "The drawing needs more than the {limit} GB of memory that are allowed for one drawing.",
-        "Send a smaller drawing, or split this one.",
+        "Send a smaller drawing, or split the drawing into several drawings.",
         limit="count",
     ),
     "worker.timeout": entry(
         "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
-        "Send a smaller drawing, or split this one.",
+        "Send a smaller drawing, or split the drawing into several drawings.",
         stage="text",
         seconds="number",
     ),

@@ -51,13 +51,13 @@ MESSAGES: Final[Entries] = {
     ),
     "field.blank": entry("{path} is empty", path="text"),
     "field.inconsistent": entry(
-        "{path} does not agree with other fields: {fault}",
+        "{path} contradicts other fields: {fault}",
         path="text",
         fault="message",
     ),
     "field.missing": entry("{path} is missing", path="text"),
     "field.misspelt": entry(
-        "{path} is not a known field; did you mean {near}?",
+        "{path} is not a known field; perhaps {near} is meant",
         path="text",
         near="text",
     ),
@@ -86,7 +86,7 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "field.not-a-table": entry(
-        "{path} is {value}, but must be a table",
+        "{path} is {value}, but must be a table of fields",
         path="text",
         value="text",
     ),
@@ -97,7 +97,8 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "field.not-above-low": entry(
-        "{path} is {value:g}, but must be greater than the value of low, {low:g}",
+        "{path} is {value:g}, but must be greater than the value of the field low, which is "
+        "{low:g}",
         path="text",
         value="number",
         low="number",
@@ -151,7 +152,7 @@ MESSAGES: Final[Entries] = {
         numbers="texts",
     ),
     "field.spacing": entry(
-        "{path} is {value:g} mm, but must be 0 or at least {least:g} mm",
+        "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
         path="text",
         value="number",
         least="number",
@@ -181,18 +182,19 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "profile.bad-if-match": entry(
-        "The header If-Match is {match!r}, which is not a version.",
+        "The header If-Match is {match!r}, which is not a version number of a profile.",
         'Send the ETag of the profile in If-Match, for example "3".',
         match="text",
     ),
     "profile.bad-name": entry(
         "{name!r} is not a valid profile name.",
-        "Use up to 64 lower-case letters, digits, - and _; put other characters into the title.",
+        "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other "
+        "characters into the title of the profile.",
         name="text",
     ),
     "profile.exists": entry(
-        "A profile {name} already exists, at version {version}.",
-        'Send If-Match: "{version}" to replace it, or choose another name.',
+        "A profile with the name {name} already exists, at version {version}.",
+        'Send If-Match: "{version}" to replace this profile, or choose another name.',
         name="text",
         version="count",
     ),
@@ -209,12 +211,12 @@ MESSAGES: Final[Entries] = {
     "profile.not-an-extension": entry(
         "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks "
         "some rules of {extends!r}.",
-        "Save the profile without extends.",
+        "Save the profile without the field extends.",
         name="text",
         extends="text",
     ),
     "profile.not-kept": entry(
-        "The server has no custom profile {name}.",
+        "The server has no user-made profile with the name {name}.",
         "Choose one of the profiles that GET /api/profiles lists.",
         name="text",
     ),
@@ -225,7 +227,7 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "profile.not-utf8": entry(
-        "{name} is not UTF-8 text.",
+        "The file {name} is not UTF-8 text.",
         "Save the file as UTF-8.",
         name="text",
     ),
@@ -237,7 +239,7 @@ MESSAGES: Final[Entries] = {
     ),
     "profile.shipped": entry(
         "The profile {name!r} is part of knifetip and cannot be changed.",
-        "Save your profile under another name. Your profile can extend this one.",
+        "Save your profile under another name. It can extend {name!r}.",
         name="text",
     ),
     "profile.shipped-command": entry(
@@ -246,30 +248,36 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "profile.stale": entry(
-        "Another user has changed the profile {name}: it is at version {version}, but your "
+        "Another user has changed the profile {name}: it now has version {version}, but your "
         "change is based on version {given}.",
-        'Check the profile again, then send your change with If-Match: "{version}".',
+        'Load the profile again and check it. Then send your change with If-Match: "{version}".',
         name="text",
         version="count",
         given="count",
     ),
     "profile.too-long": entry(
         "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",
-        "Combine rules: a rule can list many layers, and * matches any characters.",
+        "Combine rules of the profile: one rule can list many layers, and * matches any "
+        "characters.",
         name="text",
         size="count",
         limit="count",
     ),
     "profile.too-many": entry(
-        "The server already has {limit} profiles, the largest number allowed.",
+        "The server already has {limit} profiles, which is the largest number allowed.",
         "Delete a profile that is not used.",
         limit="count",
     ),
-    "rule.block": entry("block {patterns:or}", patterns="texts"),
+    "rule.block": entry(
+        "inside the block {patterns:or}",
+        patterns="texts",
+    ),
     "rule.colour": entry("colour {colours:or}", colours="texts"),
     "rule.conditions": entry("{conditions:, }", conditions="messages"),
     "rule.entity": entry("object type {kinds:or}", kinds="texts"),
-    "rule.everything": entry("every edge"),
+    "rule.everything": entry(
+        "every edge of the drawing",
+    ),
     "rule.layer": entry("layer {patterns:or}", patterns="texts"),
     "rule.linetype": entry("linetype {patterns:or}", patterns="texts"),
 }

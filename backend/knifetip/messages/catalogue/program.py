@@ -8,21 +8,22 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "program.bad-tolerance": entry(
-        "A tolerance of {tolerance} mm is too small for the path blending of the controller.",
+        "A tolerance of {tolerance} mm is too small for the path blending (rounding of "
+        "corners) of the controller.",
         "Choose a tolerance of 0.001 mm or more.",
         tolerance="number",
     ),
     "program.control-byte": entry(
-        "Line {line} of the program contains the byte 0x{byte}, a control command that the "
-        "controller would execute at once.",
+        "Line {line} of the program contains the byte 0x{byte}, which is a control command "
+        "that the controller would execute at once.",
         "Remove the byte, or compile the job again.",
         line="count",
         byte="text",
     ),
     "program.line-too-long": entry(
         "A program line for row {row} of the toolpath has {length} characters ({line} …), but "
-        "{dialect} accepts only {limit}.",
-        "Check the coordinates of the drawing, which are too large for any table.",
+        "{dialect} accepts only {limit} characters.",
+        "Check the coordinates of the drawing. They are too large for any table.",
         row="count",
         length="count",
         line="text",
@@ -30,7 +31,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "program.line-too-long-to-send": entry(
-        "Line {line} of the program has {length} bytes, but {name} accepts only {limit}.",
+        "Line {line} of the program has {length} bytes, but {name} accepts only {limit} bytes.",
         "Compile the job again with shorter comments.",
         line="count",
         length="count",
@@ -39,7 +40,8 @@ MESSAGES: Final[Entries] = {
     ),
     "program.no-placement": entry(
         "{program} does not contain the position of the drawing on the sheet.",
-        "Give the position with --placement X,Y. The report of the program contains the position.",
+        "Give the position with --placement X,Y. The report that knifetip program --report "
+        "writes contains the position.",
         program="text",
     ),
     "program.not-bytes": entry(
@@ -91,7 +93,7 @@ MESSAGES: Final[Entries] = {
         "Give at least one edge a line type for which the machine has a tool.",
     ),
     "toolpath.feed-too-fast": entry(
-        "{place} has a feed that no machine can reach: {move}.",
+        "{place} has a feed that is too fast for any machine: {move}.",
         "Correct the feed of the tool in the machine file.",
         place="message",
         move="text",
@@ -148,7 +150,7 @@ MESSAGES: Final[Entries] = {
         move="text",
     ),
     "toolpath.unknown-station": entry(
-        "{place} is for station {station}, which {machine} does not have.",
+        "{place} uses station {station}, which {machine} does not have.",
         "Choose one of the stations {known:, }.",
         place="message",
         station="count",
@@ -156,9 +158,9 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "travel.above": entry(
-        "{tool} (station {station}) would exceed the upper end of the travel of axis {axis} "
-        "({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
-        "Move or turn the drawing on the table, or choose a larger machine.",
+        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of axis "
+        "{axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+        "Move or rotate the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
         excess="number",
@@ -169,9 +171,9 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "travel.below": entry(
-        "{tool} (station {station}) would exceed the lower end of the travel of axis {axis} "
-        "({low:g} to {high:g}{unit}) by {excess:.2f}{unit}{place}.",
-        "Move or turn the drawing on the table, or choose a larger machine.",
+        "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of axis "
+        "{axis}{place}. The travel of axis {axis} is {low:g} to {high:g}{unit}.",
+        "Move or rotate the drawing on the table, or choose a larger machine.",
         tool="text",
         station="count",
         excess="number",
@@ -182,14 +184,14 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "language.bad-entry-point": entry(
-        "The entry point {name!r} in the group {group} does not provide a controller language "
-        "with this name.",
+        "The entry point {name!r} in the entry point group {group} does not provide a "
+        "controller language with this name.",
         "Correct or remove the Python package that declares the entry point.",
         name="text",
         group="text",
     ),
     "language.no-driver": entry(
-        "Programs in {language} cannot be sent to a machine, because there is no gateway driver "
+        "Programs in {language} cannot be sent to a machine, because the gateway has no driver "
         "for this language.",
         "{advice}",
         language="text",
@@ -209,8 +211,8 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "language.unusable": entry(
-        "{machine} cannot be driven with {language}: {faults:; }.",
-        "{faults:hint} Choose {own}, which is the language in the machine file.",
+        "{machine} cannot be controlled with programs in {language}: {faults:; }.",
+        "{faults:hint} Choose the language {own}, which the machine file names.",
         machine="text",
         language="text",
         faults="messages",

@@ -8,13 +8,13 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "reading.crashed": entry(
-        "{name} is damaged and cannot be read ({reason}).",
+        "The file {name} cannot be read, probably because it is damaged ({reason}).",
         "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program.",
         name="text",
         reason="text",
     ),
     "reading.damaged": entry(
-        "The {format} file is damaged and cannot be read ({reason}).",
+        "The {format} file cannot be read, because it is damaged ({reason}).",
         "Export the drawing again, if necessary from another program.",
         reason="text",
         format="text",
@@ -38,20 +38,20 @@ MESSAGES: Final[Entries] = {
         format="text",
     ),
     "reading.too-large": entry(
-        "The file has {size:.1f} MB; the limit is {limit:.1f} MB.",
+        "The file has {size:.1f} MB, but the limit is {limit:.1f} MB.",
         "Export a single carton, without pictures.",
         size="number",
         limit="number",
     ),
     "reading.too-many-elements": entry(
         "The {format} file has more than {limit:,} elements.",
-        "Export a single carton.",
+        "Export a drawing with a single carton.",
         limit="count",
         format="text",
     ),
     "reading.too-many-entities": entry(
-        "The file has {count:,} entities; the limit is {limit:,}.",
-        "Export a single carton.",
+        "The file has {count:,} entities (drawn objects), but the limit is {limit:,}.",
+        "Export a drawing with a single carton.",
         count="count",
         limit="count",
     ),
@@ -68,62 +68,71 @@ MESSAGES: Final[Entries] = {
         format="text",
     ),
     "reading.truncated": entry(
-        "The {format} file is incomplete and cannot be read.",
+        "The {format} file is incomplete, so it cannot be read.",
         "Send the complete file, or export the drawing again.",
         format="text",
     ),
     "reading.unexpected": entry(
-        "The {format} file is damaged and cannot be read (internal error {reason}).",
-        "Export the drawing again, if necessary from another program.",
+        "The {format} file cannot be read, probably because it is damaged. The reader stopped "
+        "with the error {reason}.",
+        "Export the drawing again, if necessary from another program. If this happens again, "
+        "report the error with the file.",
         format="text",
         reason="text",
     ),
     "reading.unknown-kind": entry(
-        "The file is {what}, not a drawing that can be read.",
+        "The file is {what}, not a drawing of a supported type.",
         "Send the drawing as {formats:or}.",
         what="text",
         formats="texts",
     ),
-    "dxf.at-line": entry("at line {line}", line="count"),
+    "dxf.at-line": entry(
+        "at line {line} of the file",
+        line="count",
+    ),
     "dxf.blocks-expand-too-far": entry(
-        "The blocks of the DXF expand to {count} entities; the limit is {limit:,}.",
-        "Export a single carton, or explode the blocks and delete the copies.",
+        "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit "
+        "is {limit:,}.",
+        "Export a drawing with a single carton, or explode the blocks and delete the copies.",
         count="text",
         limit="count",
     ),
     "dxf.blocks-too-deep": entry(
-        "The blocks of the DXF are nested {depth} levels deep; the limit is {limit}.",
+        "The blocks of the DXF file are nested {depth} levels deep, but the limit is {limit} "
+        "levels.",
         "Explode the blocks in the CAD program and export again.",
         depth="count",
         limit="count",
     ),
     "dxf.cut-short": entry(
         "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# "
-        "entity|# entities}, so lines of the drawing may be missing.",
+        "entity (drawn object)|# entities (drawn objects)}. Objects of the drawing may be "
+        "missing.",
         "Send the complete file, or export the drawing again.",
         where="message",
         section="text",
         count="count",
     ),
     "dxf.no-section": entry(
-        "The file is not a DXF: it has no section.",
+        "The file is not a DXF file, because it has no section.",
         "Export the drawing as DXF (text or binary, any version).",
     ),
     "dxf.not-a-group-code": entry(
-        "The file is not a DXF: line {line} is {text!r} instead of a group code.",
+        "The file is not a DXF file, because line {line} is {text!r} instead of a group code "
+        "(a whole number).",
         "Export the drawing as DXF (text or binary, any version).",
         line="count",
         text="text",
     ),
     "dxf.other-kind": entry(
-        "The file is {kind}, not a DXF.",
+        "The file is {kind}, not a DXF file.",
         "Export the drawing as DXF (text or binary, any version).",
         kind="text",
     ),
     "dxf.too-large-unusual": entry(
-        "The DXF has {size:.1f} MB and uses features that take long to read; the limit for such "
-        "files is {limit:.1f} MB.",
-        "Export a single carton, or save it as DXF R2000.",
+        "The DXF file has {size:.1f} MB and uses features that take long to read. The limit "
+        "for such files is {limit:.1f} MB.",
+        "Export a drawing with a single carton, or save it as DXF R2000.",
         size="number",
         limit="number",
     ),
@@ -131,43 +140,50 @@ MESSAGES: Final[Entries] = {
         "without the end marker EOF",
     ),
     "cf2.cut-short": entry(
-        "The CF2 file is incomplete: it ends at line {line} inside {inside}, so lines of the "
+        "The CF2 file is incomplete: it ends at line {line} inside {inside}. Objects of the "
         "drawing may be missing.",
         "Send the complete file, or export the drawing again as CF2.",
         line="count",
         inside="message",
     ),
     "cf2.decimal-commas": entry(
-        "Line {line} of the CF2 has {fields} fields instead of {expected} for record {record}. It "
-        "seems to use decimal commas, but commas separate the fields.",
-        "Export the drawing with decimal points.",
+        "Line {line} of the CF2 file has {fields} fields instead of {expected} for the record "
+        "{record}. The file seems to use decimal commas, but in CF2 files commas separate the "
+        "fields.",
+        "Export the drawing again with decimal points.",
         line="count",
         fields="count",
         record="text",
         expected="count",
     ),
     "cf2.empty": entry(
-        "The CF2 contains no drawing: it has neither a MAIN section nor a subroutine.",
+        "The CF2 file contains no drawing: it has neither a MAIN section nor a subroutine.",
         "Send the complete file, or export the drawing again as CF2.",
     ),
     "cf2.main": entry("the MAIN section"),
-    "cf2.section": entry("the section {name}", name="text"),
+    "cf2.section": entry(
+        "the section {name}",
+        name="text",
+    ),
     "cf2.subroutine": entry("the subroutine {name}", name="text"),
     "svg.cut-short": entry(
         "The SVG file is incomplete: it ends at line {line}, after {count:# element|# "
-        "elements}, so lines of the drawing may be missing.",
+        "elements}. Objects of the drawing may be missing.",
         "Send the complete file, or export the drawing again as plain SVG.",
         line="count",
         count="count",
     ),
     "svg.damaged-at": entry(
-        "The SVG is damaged at line {line}, column {column}: {reason}.",
+        "The SVG file is damaged at line {line}, column {column}: {reason}.",
         "Export the drawing again as plain SVG.",
         line="count",
         column="count",
         reason="text",
     ),
-    "svg.empty": entry("The SVG contains no element.", "Export the drawing again as plain SVG."),
+    "svg.empty": entry(
+        "The SVG file contains no element.",
+        "Export the drawing again as plain SVG.",
+    ),
     "svg.external-entity": entry(
         "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is "
         "not loaded.",
@@ -193,7 +209,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "svg.other-xml": entry(
-        "The file is XML, but its outermost element is {element} instead of svg.",
+        "The file is an XML file, but not SVG: its outermost element is {element} instead of svg.",
         "Save the drawing as plain SVG.",
         element="text",
     ),
@@ -202,40 +218,41 @@ MESSAGES: Final[Entries] = {
         "Send the complete file, or export the drawing again as plain SVG.",
     ),
     "svg.packed-damaged": entry(
-        "The compressed SVG (.svgz) is damaged: {reason}.",
+        "The compressed SVG file (.svgz) is damaged: {reason}.",
         "Export the drawing again as plain SVG.",
         reason="text",
     ),
     "svg.too-many-rules": entry(
-        "The style sheet of the SVG has {count:,} rules; the limit is {limit:,}.",
-        "Export the drawing with the style in each element.",
+        "The style sheet of the SVG file has {count:,} rules, but the limit is {limit:,}.",
+        "Export the drawing with style attributes in each element instead of a style sheet.",
         count="count",
         limit="count",
     ),
     "svg.unpacks-too-far": entry(
-        "The compressed SVG (.svgz) is larger than {limit:.1f} MB when unpacked.",
-        "Export a single carton, without pictures.",
+        "The compressed SVG file (.svgz) is larger than {limit:.1f} MB when unpacked.",
+        "Export a drawing with a single carton, without pictures.",
         limit="number",
     ),
     "pdf.blank": entry(
         "The first page of the PDF contains no drawing.",
-        "Export the drawing as the first page.",
+        "Export the drawing again, as the first page of the PDF.",
     ),
     "pdf.content-damaged": entry(
-        "The content of {where} of the PDF {reason}, so lines of the drawing may be missing.",
+        "The content of {where} of the PDF is damaged: it {reason}. Objects of the drawing may "
+        "be missing.",
         "Export the drawing again, or send it as DXF.",
         where="message",
         reason="message",
     ),
     "pdf.cut-short": entry(
-        "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF, so lines of "
-        "the drawing may be missing.",
+        "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF. Objects of the "
+        "drawing may be missing.",
         "Send the complete file, or export the drawing again.",
         bytes="count",
     ),
     "pdf.encrypted": entry(
         "The PDF is encrypted, so it cannot be read.",
-        "Save the PDF without a password and without restrictions.",
+        "Save the PDF without a password and without restrictions, then send it again.",
     ),
     "pdf.expands-too-far": entry(
         "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
@@ -246,9 +263,12 @@ MESSAGES: Final[Entries] = {
         "The PDF is a dynamic form (XFA), whose page contains no drawing.",
         "Print the drawing to a PDF, or send it as DXF.",
     ),
-    "pdf.form-named": entry("form {name}", name="text"),
+    "pdf.form-named": entry(
+        "the form {name}",
+        name="text",
+    ),
     "pdf.illustrator-only": entry(
-        "The Illustrator file was saved without PDF content, so its page contains no line.",
+        "The Illustrator file was saved without PDF content, so its page contains no drawing.",
         "Save the file with the option 'Create PDF Compatible File', or as PDF.",
     ),
     "pdf.layers-too-deep": entry(
@@ -257,34 +277,40 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "pdf.nested-arrays": entry(
-        "has arrays that are nested too deeply",
+        "contains arrays that are nested too deeply",
     ),
     "pdf.no-header": entry(
         "The file is not a PDF: it does not begin with %PDF.",
         "Export the drawing again, or send it as DXF.",
     ),
     "pdf.no-page": entry("The PDF has no page.", "Export the drawing again, or send it as DXF."),
-    "pdf.open-array": entry("ends inside an array"),
-    "pdf.open-image": entry("ends inside an image"),
-    "pdf.open-text": entry("ends inside a text"),
+    "pdf.open-array": entry(
+        "ends before an array is closed",
+    ),
+    "pdf.open-image": entry(
+        "ends before an image is complete",
+    ),
+    "pdf.open-text": entry(
+        "ends before a text is closed",
+    ),
     "pdf.page": entry("the page"),
     "pdf.page-too-large": entry(
-        "The page of the PDF extends to {size:g} mm; the limit is {limit:g} mm.",
+        "The page of the PDF has an extent of {size:g} mm, but the limit is {limit:g} mm.",
         "Export the drawing in its true size.",
         size="number",
         limit="number",
     ),
     "pdf.part-missing": entry(
-        "A part of the content of the PDF page is missing in the file, so lines of the drawing "
-        "may be missing.",
+        "A part of the content of the PDF page does not exist in the file. Objects of the "
+        "drawing may be missing.",
         "Export the drawing again, or send it as DXF.",
     ),
     "pdf.stream-cut-short": entry(
-        "A data stream of the PDF is incomplete, so lines of the drawing may be missing.",
+        "A data stream of the PDF is incomplete. Objects of the drawing may be missing.",
         "Send the complete file, or export the drawing again.",
     ),
     "pdf.stream-damaged": entry(
-        "A data stream of the PDF is damaged ({reason}), so lines of the drawing may be missing.",
+        "A data stream of the PDF is damaged ({reason}). Objects of the drawing may be missing.",
         "Export the drawing again, or send it as DXF.",
         reason="text",
     ),
@@ -294,7 +320,7 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "pdf.too-many-states": entry(
-        "The PDF saves more than {limit:,} graphics states at once.",
+        "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
         "Export the drawing again from the program that drew it.",
         limit="count",
     ),

@@ -8,49 +8,49 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "rs274.after-end": entry(
-        "The line comes after the end of the program (M2 or M30).",
-        "Delete the line.",
+        "The program line comes after the end of the program (M2 or M30).",
+        "Delete the program line.",
     ),
     "rs274.axis-without-motion": entry(
-        "The line has coordinates, but no motion word (G0, G1, G2 or G3).",
+        "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
         "Add G0, G1, G2 or G3.",
     ),
     "rs274.bad-arc": entry(
-        "The distances from the centre of the arc to its start and to its end differ by more than "
-        "{limit:g} mm.",
+        "In the program line, the distances from the centre of the arc to its start and to its "
+        "end differ by more than {limit:g} mm.",
         "Correct the centre (I, J) or the end (X, Y) of the arc.",
         limit="number",
     ),
     "rs274.bad-character": entry(
-        "The character {character!r} is not allowed here.",
+        "The character {character!r} is not allowed at this position of the program line.",
         "Remove the character.",
         character="text",
     ),
     "rs274.bad-feed": entry(
-        "The feed (F) is 0 or negative.",
+        "The feed (F) in the program line is 0 or negative.",
         "Give a feed greater than 0.",
     ),
     "rs274.bad-line-number": entry(
-        "The line number (N) is negative or not an integer.",
+        "The program line number (N) in the program line is negative or not an integer.",
         "Correct or delete the line number.",
     ),
     "rs274.centre-without-arc": entry(
-        "The line has the centre of an arc (I, J), but no arc motion (G2 or G3).",
+        "The program line has the centre of an arc (I, J), but no arc motion (G2 or G3).",
         "Add G2 or G3, or delete I and J.",
     ),
     "rs274.change-without-station": entry(
-        "The line changes the tool (M6), but no station (T) was selected before.",
+        "The program line changes the tool (M6), but no station (T) was selected before.",
         "Write the T word of the station before M6.",
     ),
     "rs274.control-byte": entry(
-        "The byte {byte} is a control command that the controller would execute at once, even "
-        "in a comment.",
+        "The program line contains the byte {byte}, a control command that the controller "
+        "would execute at once, even in a comment.",
         "Remove the byte.",
         byte="text",
     ),
     "rs274.ends-lowered": entry(
         "The program ends while a station is lowered.",
-        "Release the station (M65) and lift the head before the end.",
+        "Release the station (M65) and lift the head before the end of the program.",
     ),
     "rs274.ends-oscillating": entry(
         "The program ends while a tool oscillates or rotates.",
@@ -58,32 +58,32 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.ends-output-on": entry(
         "The program ends while an output is on.",
-        "Switch the output off (M65) before the end.",
+        "Switch the output off (M65) before the end of the program.",
     ),
     "rs274.ends-with-offset": entry(
         "The program ends while the offset of a station is active.",
-        "Cancel the offset (G49) before the end.",
+        "Cancel the offset (G49) before the end of the program.",
     ),
     "rs274.g64-unsupported": entry(
-        "G64 is not supported by the controller of this machine.",
+        "The program line contains G64, which the controller of this machine does not support.",
         "Remove G64.",
     ),
     "rs274.incomplete-arc": entry(
-        "The arc lacks X, Y, I or J.",
+        "The arc in the program line lacks X, Y, I or J.",
         "Give X, Y, I and J.",
     ),
     "rs274.letter-without-number": entry(
-        "The letter {letter} is not followed by a number.",
+        "The letter {letter} in the program line is not followed by a number.",
         "Add the number or delete the letter.",
         letter="text",
     ),
     "rs274.line-too-long": entry(
-        "The line is longer than {limit} characters, the limit of the controller.",
+        "The program line is longer than {limit} characters, the limit of the controller.",
         "Shorten the line.",
         limit="count",
     ),
     "rs274.missing-p": entry(
-        "The line has no P word, although a command in this line needs one.",
+        "A command in the program line needs a P word, but the line has none.",
         "Add the P word.",
     ),
     "rs274.mode-g17": entry("the XY plane (G17)"),
@@ -97,95 +97,106 @@ MESSAGES: Final[Entries] = {
     "rs274.mode-g91-1": entry("arc centres relative to the start of the arc (G91.1)"),
     "rs274.mode-g94": entry("the feed in mm/min (G94)"),
     "rs274.motion-without-axis": entry(
-        "The line has a motion word (G0 to G3), but no coordinates.",
+        "The program line has a motion word (G0 to G3), but no coordinates.",
         "Add the coordinates or delete the motion word.",
     ),
     "rs274.moves-and-switches": entry(
-        "The line moves the head and switches an output or the spindle at the same time.",
-        "Write the move and the switching command on separate lines.",
+        "The program line moves the head and switches an output or the spindle at the same time.",
+        "Write the move and the switching command in separate program lines.",
     ),
     "rs274.moves-unstated": entry(
-        "The line moves before the program has set {mode}.",
+        "The program line moves the head before the program has set {mode}.",
         "Set this mode at the beginning of the program.",
         mode="message",
     ),
     "rs274.nested-comment": entry(
-        "A comment begins inside another comment.",
-        "Close the first comment before the second begins.",
+        "In the program line, a comment begins inside another comment.",
+        "Close the first comment before the second comment begins.",
     ),
-    "rs274.no-end": entry("The program has no end (M2 or M30).", "Add M2 as the last line."),
+    "rs274.no-end": entry(
+        "The program has no end (M2 or M30).",
+        "Add M2 as the last line of the program.",
+    ),
     "rs274.no-feed": entry(
-        "The line cuts, but the program has set no feed (F) since the feed mode (G93 or G94) "
+        "The program line cuts, but no feed (F) has been set since the feed mode (G93 or G94) "
         "was chosen.",
         "Add an F word.",
     ),
     "rs274.not-settled": entry(
-        "The line moves the head before the output or spindle that was switched has reached "
-        "its new state.",
-        "Add a dwell (G4) before the line.",
+        "The program line moves the head before an output or the spindle, which was switched, "
+        "has reached its new state.",
+        "Add a dwell (G4) before this program line.",
     ),
-    "rs274.number-too-large": entry("A number is larger than 1,000,000.", "Correct the number."),
+    "rs274.number-too-large": entry(
+        "A number in the program line is larger than 1,000,000.",
+        "Correct the number.",
+    ),
     "rs274.offset-without-station": entry(
-        "The line applies the offset of a station (G43), but no station (T) was selected before.",
+        "The program line applies the offset of a station (G43), but no station (T) was "
+        "selected before.",
         "Write the T word of the station before G43.",
     ),
     "rs274.open-comment": entry(
-        "A comment is not closed.",
-        "Close the comment with ) on the same line.",
+        "A comment in the program line is not closed.",
+        "Close the comment with a closing parenthesis in the same program line.",
     ),
     "rs274.repeated-word": entry(
-        "The line sets the same value twice.",
+        "The program line has two words that set the same value.",
         "Delete one of the two words.",
     ),
     "rs274.speed-without-m3": entry(
-        "The line has a spindle speed (S), but no M3.",
+        "The program line has a spindle speed (S), but no M3.",
         "Add M3 or delete the speed.",
     ),
     "rs274.stray-p": entry(
-        "The P word belongs to no command of the line, or to more than one.",
-        "Delete the P word, or write the commands on separate lines.",
+        "The P word belongs to no command of the program line, or to more than one command.",
+        "Delete the P word, or write the commands into separate program lines.",
     ),
     "rs274.stray-q": entry(
-        "The Q word belongs to no command of the line.",
+        "The Q word belongs to no command of the program line.",
         "Delete the Q word.",
     ),
     "rs274.timed-without-f": entry(
-        "The line moves in inverse time mode (G93), but has no F word.",
+        "The program line moves in inverse time mode (G93), but has no F word.",
         "Add the F word.",
     ),
-    "rs274.too-many-digits": entry("A number has more than 15 digits.", "Round the number."),
+    "rs274.too-many-digits": entry(
+        "A number in the program line has more than 15 digits.",
+        "Round the number.",
+    ),
     "rs274.unbounded-rounding": entry(
-        "The line cuts, but the program does not limit by how much the controller may round "
-        "corners.",
-        "Set the limit with G64 P before the line.",
+        "The program line cuts, but the program does not limit by how much the controller may "
+        "round corners.",
+        "Set the limit with G64 P before this program line.",
     ),
     "rs274.unknown-letter": entry(
-        "The letter {letter} is not supported.",
+        "The letter {letter} in the program line is not supported.",
         "Remove the letter and its number.",
         letter="text",
     ),
     "rs274.unknown-output": entry(
-        "The line switches an output that {machine} does not have.",
+        "The program line switches an output that {machine} does not have.",
         "Choose an output that is defined in the machine file.",
         machine="text",
     ),
     "rs274.unknown-station": entry(
-        "The line selects a station (T) that {machine} does not have.",
+        "The program line selects a station (T) that {machine} does not have.",
         "Choose a station that is defined in the machine file.",
         machine="text",
     ),
     "rs274.unknown-word": entry(
-        "{word} is not supported.",
+        "The word {word} in the program line is not supported.",
         "Remove the word.",
         word="text",
     ),
     "rs274.wrong-dwell": entry(
-        "The dwell (G4) is shorter than the {settle:g} s that the machine needs after switching.",
+        "The dwell (G4) in the program line is shorter than the {settle:g} s that the machine "
+        "needs after switching.",
         "Make the dwell {settle:g} s or longer.",
         settle="number",
     ),
     "rs274.wrong-speed": entry(
-        "The speed (S) at M3 is not the speed of the tool in the machine file.",
+        "The spindle speed (S) at M3 differs from the speed of the tool in the machine file.",
         "Correct the speed, or compile the job again.",
     ),
 }

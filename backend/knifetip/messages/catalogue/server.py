@@ -16,7 +16,7 @@ MESSAGES: Final[Entries] = {
     ),
     "server.answered": entry(
         "The request to {url} failed with the HTTP status {status}.",
-        "Check the address of the server and the log of the server.",
+        "Check the address and the log of the server.",
         url="text",
         status="count",
     ),
@@ -37,7 +37,7 @@ MESSAGES: Final[Entries] = {
     ),
     "server.not-started": entry(
         "The server could not start with the database {database}.",
-        "Correct the cause, which is shown in the lines above this message.",
+        "Correct the cause, which the lines above this message show.",
         database="text",
     ),
     "server.stopping": entry(
@@ -71,12 +71,13 @@ MESSAGES: Final[Entries] = {
     ),
     "request.invalid": entry(
         "The request is invalid: {faults:; }.",
-        "Correct these fields. /api/openapi.json describes all fields of the request.",
+        "Correct these fields of the request. /api/openapi.json describes all fields.",
         faults="texts",
     ),
     "request.key-needed": entry(
         "This request needs the access key of the server.",
-        "Send the header Authorization: Bearer KEY, or sign in on the page.",
+        "Send the access key in the header Authorization: Bearer KEY, or sign in on the page "
+        "of the server.",
     ),
     "request.key-reused": entry(
         "The Idempotency-Key {key} was already used for a different request.",
@@ -84,7 +85,7 @@ MESSAGES: Final[Entries] = {
         key="text",
     ),
     "request.local-only": entry(
-        "This server has no key, so it accepts only requests from its own computer.",
+        "This server has no access key, so it accepts only requests from its own computer.",
         "Start the server with --key-file PATH or --key KEY, or open it at http://localhost.",
     ),
     "request.no-host": entry(
@@ -92,8 +93,8 @@ MESSAGES: Final[Entries] = {
         "Send one Host header, as HTTP/1.1 requires.",
     ),
     "request.not-marked": entry(
-        "The header X-Knifetip is missing, which protects the server against requests from "
-        "other websites.",
+        "The request lacks the header X-Knifetip, which protects the server against requests "
+        "from other websites.",
         "Send the header X-Knifetip with any value.",
     ),
     "request.not-storable": entry(
@@ -111,8 +112,8 @@ MESSAGES: Final[Entries] = {
         detail="text",
     ),
     "request.upload-too-large": entry(
-        "The file is larger than {limit} MB, the limit of this server.",
-        "Send a smaller file.",
+        "The file is larger than {limit} MB, which is the limit of this server.",
+        "Send a smaller file, for example without pictures.",
         limit="count",
     ),
     "request.wrong-host": entry(

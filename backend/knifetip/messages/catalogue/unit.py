@@ -7,37 +7,43 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "unit.cf2-inches": entry("the CF2 states inches (record UI)"),
-    "unit.cf2-millimetres": entry("the CF2 states millimetres (record UM)"),
-    "unit.cf2-none": entry("the CF2 states no unit: it has neither a UM nor a UI record"),
+    "unit.cf2-inches": entry(
+        "the CF2 file states inches (record UI)",
+    ),
+    "unit.cf2-millimetres": entry(
+        "the CF2 file states millimetres (record UM)",
+    ),
+    "unit.cf2-none": entry(
+        "the CF2 file states no unit: it has neither a UM nor a UI record",
+    ),
     "unit.cf2-scale-applied": entry(
-        "the coordinates were multiplied by the record SCALE,{x:g},{y:g}, which gives the size "
-        "in the records LL and UR",
+        "the coordinates in the CF2 file were multiplied by the factors in the record "
+        "SCALE,{x:g},{y:g}, so that the drawing has the size in the records LL and UR",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-invalid": entry(
-        "the record SCALE,{x:g},{y:g} is invalid and was ignored",
+        "the factors in the record SCALE,{x:g},{y:g} of the CF2 file are invalid, so the "
+        "record was ignored",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-not-applied": entry(
-        "the record SCALE,{x:g},{y:g} was not applied, because the coordinates already have "
-        "the size in the records LL and UR",
+        "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the coordinates "
+        "already have the size in the records LL and UR",
         x="number",
         y="number",
     ),
     "unit.cf2-scale-undecided": entry(
-        "the record SCALE,{x:g},{y:g} was not applied, because the records LL and UR do not "
-        "show whether the coordinates are already scaled",
+        "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the records LL and "
+        "UR do not show whether the coordinates are already scaled",
         x="number",
         y="number",
     ),
     "unit.cf2-scaled": entry("{unit}; {scale}", unit="message", scale="message"),
     "unit.dimensions-larger": entry(
-        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions "
-        "are} drawn at a scale that is {factor:.3g} times larger than the scale of the other "
-        "{others:dimension|# dimensions}.",
+        "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions "
+        "are} drawn {factor:.3g} times larger than the other {others:dimension|# dimensions}.",
         "Check which dimensions belong to the carton, and delete details that are drawn at "
         "another scale.",
         count="count",
@@ -45,9 +51,8 @@ MESSAGES: Final[Entries] = {
         factor="number",
     ),
     "unit.dimensions-smaller": entry(
-        "Dimensions on the sheet have different scales: {count:# dimension is|# dimensions "
-        "are} drawn at a scale that is {factor:.3g} times smaller than the scale of the other "
-        "{others:dimension|# dimensions}.",
+        "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions "
+        "are} drawn {factor:.3g} times smaller than the other {others:dimension|# dimensions}.",
         "Check which dimensions belong to the carton, and delete details that are drawn at "
         "another scale.",
         count="count",
@@ -55,47 +60,64 @@ MESSAGES: Final[Entries] = {
         factor="number",
     ),
     "unit.drawn-in-imperial": entry(
-        "fractions of inches that are stored in {unit:unit}",
+        "inches with fractions, which are stored in {unit:unit}",
         unit="text",
     ),
-    "unit.drawn-in-inches": entry("fractions of inches"),
-    "unit.drawn-in-metric": entry("round millimetres that are stored in {unit:unit}", unit="text"),
+    "unit.drawn-in-inches": entry(
+        "inches with fractions",
+    ),
+    "unit.drawn-in-metric": entry(
+        "whole millimetres, which are stored in {unit:unit}",
+        unit="text",
+    ),
     "unit.drawn-in-millimetres": entry("millimetres"),
     "unit.given": entry(
-        "the user set the unit",
+        "the user set the unit of the drawing",
     ),
-    "unit.header": entry("the header states the unit ($INSUNITS = {value})", value="count"),
+    "unit.header": entry(
+        "the header of the DXF file states the unit ($INSUNITS = {value})",
+        value="count",
+    ),
     "unit.header-decimal-inches": entry(
-        "the header displays lengths in feet and decimal inches ($LUNITS = 3)",
+        "the header of the DXF file displays lengths in feet and decimal inches ($LUNITS = 3)",
     ),
     "unit.header-factor": entry(
-        "the header multiplies the displayed dimensions by {factor:g} ({variable})",
+        "the header of the DXF file multiplies the displayed dimensions by {factor:g} ({variable})",
         variable="text",
         factor="number",
     ),
     "unit.header-fractions": entry(
-        "the header displays lengths in feet and fractions of inches ($LUNITS = 4)",
+        "the header of the DXF file displays lengths in feet and fractions of inches ($LUNITS = 4)",
     ),
-    "unit.header-imperial": entry("the header sets imperial units ($MEASUREMENT = 0)"),
-    "unit.header-metric": entry("the header sets metric units ($MEASUREMENT = 1)"),
-    "unit.header-missing": entry("the file states no unit ($INSUNITS is missing)"),
+    "unit.header-imperial": entry(
+        "the header of the DXF file sets imperial units ($MEASUREMENT = 0)",
+    ),
+    "unit.header-metric": entry(
+        "the header of the DXF file sets metric units ($MEASUREMENT = 1)",
+    ),
+    "unit.header-missing": entry(
+        "the DXF file states no unit ($INSUNITS is missing)",
+    ),
     "unit.header-not-a-number": entry(
-        "the header states no valid unit: $INSUNITS = {value!r} is not a number",
+        "the header of the DXF file states no valid unit: $INSUNITS = {value!r} is not a number",
         value="text",
     ),
     "unit.header-undefined": entry(
-        "the header states no valid unit: $INSUNITS = {value} is not defined",
+        "the header of the DXF file states no valid unit: $INSUNITS = {value} is not defined",
         value="count",
     ),
-    "unit.header-unitless": entry("the header states that the drawing has no unit ($INSUNITS = 0)"),
+    "unit.header-unitless": entry(
+        "the header of the DXF file states that the drawing has no unit ($INSUNITS = 0)",
+    ),
     "unit.header-unsupported": entry(
-        "the header states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
+        "the header of the DXF file states a unit that is not supported: {name:unit} "
+        "($INSUNITS = {value})",
         value="count",
         name="text",
     ),
     "unit.imprecise": entry(
-        "in {unit:unit} the lengths of the edges are too imprecise to show whether they are "
-        "multiples of a round number",
+        "if the unit is {unit:unit}, the lengths of the edges are too imprecise to show "
+        "whether they are multiples of a round number",
         unit="text",
     ),
     "unit.inconclusive": entry(
@@ -104,8 +126,8 @@ MESSAGES: Final[Entries] = {
         unit="text",
     ),
     "unit.multiples": entry(
-        "in {unit:unit} {count} of {all} different edge lengths ({percent:.0f} % of their "
-        "total) {count:is a multiple|are multiples} of {grid}",
+        "if the unit is {unit:unit}, {count} of {all} different edge lengths ({percent:.0f} % "
+        "of the total length) {count:is a multiple|are multiples} of {grid}",
         unit="text",
         count="count",
         all="count",
@@ -113,49 +135,55 @@ MESSAGES: Final[Entries] = {
         grid="text",
     ),
     "unit.no-number-matches": entry(
-        "in {unit:unit} none of {all:# number|# numbers} on the sheet is the length of an edge",
+        "if the unit is {unit:unit}, no edge is as long as one of {all:# number|# numbers} in "
+        "the texts of the drawing",
         unit="text",
         all="count",
     ),
-    "unit.not-given": entry("the unit is not known"),
+    "unit.not-given": entry(
+        "the unit of the drawing is not known",
+    ),
     "unit.number": entry("{text}", text="text"),
     "unit.number-in": entry("{text} ({unit:unit})", text="text", unit="text"),
     "unit.numbers-match": entry(
-        "in {unit:unit} {count} of {all} numbers on the sheet {count:is the length|are the "
-        "lengths} of an edge: {numbers:, }",
+        "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing "
+        "{count:equals|equal} the length of an edge: {numbers:, }",
         unit="text",
         count="count",
         all="count",
         numbers="messages",
     ),
     "unit.numbers-match-often": entry(
-        "in {unit:unit} {count} of {all} numbers on the sheet are the lengths of edges: "
-        "{numbers:, } …",
+        "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing "
+        "equal the length of an edge, for example {numbers:, }",
         unit="text",
         count="count",
         all="count",
         numbers="messages",
     ),
     "unit.overruled": entry(
-        "{stated}, but the drawing supports {unit:unit}, because {reason}",
+        "{stated}, but the unit of the drawing is more likely {unit:unit}, because {reason}",
         stated="message",
         unit="text",
         reason="message",
     ),
     "unit.page-in-pixels": entry(
-        "the file states its page size without a unit, as files in pixels or points do",
+        "the file states the size of its page without a unit, as files in pixels or points do",
     ),
-    "unit.page-in-points": entry("the file was written by Illustrator, which uses points"),
+    "unit.page-in-points": entry(
+        "the file was written by Illustrator, which uses points as the unit",
+    ),
     "unit.paper-size": entry(
-        "in {unit:unit} the drawing has exactly the size of a sheet of paper ({sheet})",
+        "if the unit is {unit:unit}, the drawing has exactly the size of a sheet of paper "
+        "({sheet})",
         unit="text",
         sheet="text",
     ),
     "unit.part-drawn-twice": entry(
-        "The drawing contains the same part at two sizes: the larger part is {factor:.3g} "
-        "times larger than the smaller. One of the two parts is a detail, or was inserted with "
-        "a wrong unit.",
-        "Delete the part with the wrong size, or set its edges to ignored.",
+        "The drawing contains the same part at two sizes, one of them {factor:.3g} times "
+        "larger than the other. One of the two parts is a detail, or was inserted with a wrong "
+        "unit.",
+        "Delete the part with the wrong size, or set the line type of its edges to ignored.",
         factor="number",
     ),
     "unit.parts-differ": entry(
@@ -165,15 +193,19 @@ MESSAGES: Final[Entries] = {
         one="message",
         other="message",
     ),
-    "unit.pdf": entry("the PDF states its coordinates in points of 1/72 inch"),
+    "unit.pdf": entry(
+        "the PDF states its coordinates in points (1/72 inch)",
+    ),
     "unit.pdf-scaled": entry(
-        "the PDF states coordinate units of {scale:g} points of 1/72 inch (UserUnit)",
+        "the PDF states its coordinates in units of {scale:g} points (UserUnit); one point is "
+        "1/72 inch",
         scale="number",
     ),
     "unit.read-against-evidence": entry(
-        "The drawing is most likely in {best:unit}: {best_width:mm} × {best_height:mm} mm. It was "
-        "read in {unit:unit}: {width:mm} × {height:mm} mm.",
-        "Check the size, and choose another unit if it is wrong.",
+        "The unit of the drawing is most likely {best:unit} ({best_width:mm} × "
+        "{best_height:mm} mm), but the drawing was imported with the unit {unit:unit} "
+        "({width:mm} × {height:mm} mm).",
+        "Check the size of the drawing, and choose another unit if the size is wrong.",
         best="text",
         best_width="number",
         best_height="number",
@@ -182,9 +214,9 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "unit.read-against-header": entry(
-        "The header states {stated:unit}, so the drawing would measure {stated_width:mm} × "
-        "{stated_height:mm} mm. It was read in {unit:unit}: {width:mm} × {height:mm} mm.",
-        "Check the size, and choose another unit if it is wrong.",
+        "The file states the unit {stated:unit} ({stated_width:mm} × {stated_height:mm} mm), "
+        "but the drawing was imported with the unit {unit:unit} ({width:mm} × {height:mm} mm).",
+        "Check the size of the drawing, and choose another unit if the size is wrong.",
         stated="text",
         stated_width="number",
         stated_height="number",
@@ -193,48 +225,49 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "unit.scale-mentioned": entry(
-        "A text on the sheet mentions the scale {scales:, }, so the drawing may not have its true "
-        "size.",
+        "A text in the drawing mentions the scale {scales:, }, so the drawing may not have its "
+        "true size.",
         "Check the size of the drawing.",
         scales="texts",
     ),
     "unit.share-stated": entry(
-        "the header states {stated:unit}, and {percent:.3g} % of the drawings with such a "
-        "header are in {unit:unit}",
+        "the file states the unit {stated:unit}, and {percent:.3g} % of the drawings that "
+        "state this unit are in {unit:unit}",
         stated="text",
         unit="text",
         percent="number",
     ),
     "unit.share-unstated": entry(
-        "the file states no unit, and {percent:.3g} % of such files are in {unit:unit}",
+        "the file states no unit, and {percent:.3g} % of the drawings without a stated unit "
+        "are in {unit:unit}",
         unit="text",
         percent="number",
     ),
     "unit.shortest-edges": entry(
-        "in {unit:unit} the shortest edges of the drawing are {length:mm} mm long",
+        "if the unit is {unit:unit}, the shortest edges of the drawing are {length:mm} mm long",
         unit="text",
         length="number",
     ),
     "unit.size-unusual": entry(
-        "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, an unusual size for a "
-        "carton",
+        "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which "
+        "is an unusual size for a carton",
         unit="text",
         width="number",
         height="number",
     ),
     "unit.size-usual": entry(
-        "in {unit:unit} the drawing measures {width:mm} × {height:mm} mm, a usual size for a "
-        "carton",
+        "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which "
+        "is a usual size for a carton",
         unit="text",
         width="number",
         height="number",
     ),
     "unit.svg-no-size": entry(
-        "the SVG has no width and no height, and {pixel}",
+        "the SVG file has no width and no height, and {pixel}",
         pixel="message",
     ),
     "unit.svg-no-unit": entry(
-        "the SVG states its size without a unit of length ({size: }), and {pixel}",
+        "the SVG file states its size without a unit of length ({size: }), and {pixel}",
         size="texts",
         pixel="message",
     ),
@@ -247,17 +280,21 @@ MESSAGES: Final[Entries] = {
         "in Illustrator, which wrote this file",
     ),
     "unit.svg-size": entry(
-        "the SVG states its size ({size: }) for a viewBox of {width:g} × {height:g}",
+        "the SVG file states its size ({size: }) for a viewBox of {width:g} × {height:g} "
+        "coordinate units",
         size="texts",
         width="number",
         height="number",
     ),
     "unit.svg-size-in-pixels": entry(
-        "the SVG states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 "
-        "inch",
+        "the SVG file states its size ({size: }) and has no viewBox, so one coordinate unit is "
+        "1/96 inch",
         size="texts",
     ),
-    "unit.text-states": entry("a text on the sheet states the unit: “{text}”", text="text"),
+    "unit.text-states": entry(
+        "a text in the drawing states the unit: “{text}”",
+        text="text",
+    ),
     "unit.unsupported": entry(
         "{unit!r} is not a supported unit of length.",
         "Choose one of {known:or}.",

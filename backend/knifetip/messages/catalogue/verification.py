@@ -23,9 +23,10 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "verify.beside-line": entry(
-        "The path of the {tool:tool} is {distance:.3f} mm away from the drawn line.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The path of the {tool:tool} is {distance:.3f} mm away from the edge that it should "
+        "follow.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         tool="text",
         distance="number",
     ),
@@ -47,31 +48,31 @@ MESSAGES: Final[Entries] = {
         high="number",
     ),
     "verify.bridge-near-corner": entry(
-        "The bridge at {place:.3f} mm along the contour is too close to a sharp corner, by "
-        "{distance:.3f} mm.",
-        "Compile the job again, or choose a smaller spacing of bridges for the board.",
+        "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too "
+        "close to a sharp corner.",
+        "Compile the job again, or choose a smaller spacing of bridges in the board file.",
         place="number",
         distance="number",
     ),
     "verify.bridge-spacing": entry(
-        "The bridge at {place:.3f} mm along the contour is {distance:.3f} mm away from the next "
-        "bridge, but the board allows at most {most:g} mm.",
-        "Compile the job again, or allow a larger spacing of bridges for the board.",
+        "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm away "
+        "from the next bridge, but the board allows at most {most:g} mm.",
+        "Compile the job again, or allow a larger spacing of bridges in the board file.",
         place="number",
         distance="number",
         most="number",
     ),
     "verify.bridge-spare": entry(
-        "The bridge at {place:.3f} mm along the contour is not needed, because the bridges "
-        "before and after it are only {distance:.3f} mm apart.",
+        "The bridge at {place:.3f} mm from the start of the contour is not needed, because the "
+        "bridges before and after it are only {distance:.3f} mm apart.",
         "Compile the job again. If the finding remains, report it as an internal error with "
         "the program file.",
         place="number",
         distance="number",
     ),
     "verify.bridge-width": entry(
-        "The bridge at {place:.3f} mm along the contour is {width:.3f} mm wide in the top face of "
-        "the board, but the board needs {planned:g} mm.",
+        "The bridge at {place:.3f} mm from the start of the contour is {width:.3f} mm wide in "
+        "the top face of the board, but the board needs bridges of {planned:g} mm width.",
         "Compile the job again for this board.",
         place="number",
         width="number",
@@ -88,31 +89,31 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.cleaning-beyond": entry(
         "Internal error in cleaning: the cleaned edge extends beyond all edges of the drawing.",
-        "Report it with the drawing.",
+        "Report this error with the drawing.",
     ),
     "verify.cleaning-dropped": entry(
         "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
-        "Report it with the drawing.",
+        "Report this error with the drawing.",
         length="number",
     ),
     "verify.cleaning-incomplete": entry(
-        "Internal error in cleaning: the kept, merged and dropped parts of the edge do not add up "
-        "to its length.",
-        "Report it with the drawing.",
+        "Internal error in cleaning: the lengths of the kept, merged and dropped parts of the "
+        "edge do not add up to the length of the edge.",
+        "Report this error with the drawing.",
     ),
     "verify.cleaning-invented": entry(
-        "Internal error in cleaning: the cleaned edge has no counterpart in the drawing.",
-        "Report it with the drawing.",
+        "Internal error in cleaning: the cleaned edge corresponds to no edge of the drawing.",
+        "Report this error with the drawing.",
     ),
     "verify.cleaning-moved": entry(
         "Internal error in cleaning: the edge was moved by {distance:.4f} mm.",
-        "Report it with the drawing.",
+        "Report this error with the drawing.",
         distance="number",
     ),
     "verify.cleaning-type": entry(
-        "Internal error in cleaning: the drawn edge has the line type {drawn}, but the cleaned "
-        "edge has the line type {worked}.",
-        "Report it with the drawing.",
+        "Internal error in cleaning: the edge has the line type {drawn} before cleaning and "
+        "{worked} after it.",
+        "Report this error with the drawing.",
         drawn="text",
         worked="text",
     ),
@@ -136,10 +137,11 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.crease-too-short": entry(
         "The crease is too short for the creasing wheel.",
-        "Join the crease to a collinear crease, set it to ignored, or choose a smaller wheel.",
+        "Join the crease to a crease on the same straight line, set its line type to ignored, "
+        "or choose a smaller creasing wheel.",
     ),
     "verify.cuts-part": entry(
-        "The cutter removes {depth:.3f} mm from a part that must not be cut.",
+        "The cutter removes a strip of {depth:.3f} mm width from a part that must not be cut.",
         "Move the parts further apart, or choose a thinner cutter.",
         depth="number",
     ),
@@ -148,23 +150,26 @@ MESSAGES: Final[Entries] = {
         "Start the spindle (M3) before the cutter enters the board.",
     ),
     "verify.flank-inside": entry(
-        "The flank of the V-groove meets the top face {distance:.4f} mm inside its planned "
-        "position; the tolerance is {tolerance:g} mm.",
-        "Check the tilt and the offsets of the V-cutter in the machine file, then compile again.",
+        "The flank of the V-groove meets the top face of the board {distance:.4f} mm inside "
+        "its planned position, but the tolerance is {tolerance:g} mm.",
+        "Check the tilt and the offsets of the V-cutter in the machine file, then compile the "
+        "job again.",
         distance="number",
         tolerance="number",
     ),
     "verify.flank-outside": entry(
-        "The flank of the V-groove meets the top face {distance:.4f} mm outside its planned "
-        "position; the tolerance is {tolerance:g} mm.",
-        "Check the tilt and the offsets of the V-cutter in the machine file, then compile again.",
+        "The flank of the V-groove meets the top face of the board {distance:.4f} mm outside "
+        "its planned position, but the tolerance is {tolerance:g} mm.",
+        "Check the tilt and the offsets of the V-cutter in the machine file, then compile the "
+        "job again.",
         distance="number",
         tolerance="number",
     ),
     "verify.flank-through-cut": entry(
-        "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}, which lies "
-        "{distance:.3f} mm beside the groove, at {place:.1f} mm from the start of the groove.",
-        "Move the groove and the cut further apart, or make the groove less deep.",
+        "A flank of the V-groove extends {depth:.3f} mm beyond the cut at edge {edge}. The cut "
+        "lies {distance:.3f} mm beside the groove, {place:.1f} mm from the start of the "
+        "groove.",
+        "Move the groove and the cut further apart, or choose a shallower groove.",
         depth="number",
         edge="count",
         distance="number",
@@ -182,13 +187,13 @@ MESSAGES: Final[Entries] = {
     "verify.groove-past-ends": entry(
         "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows "
         "an overcut of only {most:.2f} mm.",
-        "Choose a V-cutter with a narrower blade, or allow a longer overcut for this board.",
+        "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file.",
         length="number",
         most="number",
     ),
     "verify.groove-shallower": entry(
-        "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass was already "
-        "{before:.3f} mm deep.",
+        "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass of the same groove "
+        "was already {before:.3f} mm deep.",
         "Order the passes by increasing depth.",
         depth="number",
         before="number",
@@ -210,21 +215,21 @@ MESSAGES: Final[Entries] = {
     "verify.loose-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
         "that line {line} has already cut out, so this part of the board may move.",
-        "Process this edge before the contour that cuts out the part.",
+        "Process this edge before the contour that cuts out this part of the board.",
         x="number",
         y="number",
         line="count",
     ),
     "verify.lowers-second": entry(
-        "The line lowers station {station} while station {other} may still be lowered.",
-        "Release station {other} first (M65 P{output}).",
+        "The program line lowers station {station} while station {other} may still be lowered.",
+        "Release station {other} (M65 P{output}) before this program line.",
         station="count",
         other="count",
         output="count",
     ),
     "verify.moves-before-stated": entry(
         "The program moves the head before it switches off {thing}.",
-        "Switch off {thing} first. Before this, only lift the head straight up to Z "
+        "Switch off {thing} first. Before that, only lift the head straight up, to Z "
         "{height:.3f} mm or higher.",
         thing="message",
         height="number",
@@ -235,12 +240,12 @@ MESSAGES: Final[Entries] = {
         "Write M5 before the first move.",
     ),
     "verify.never-stated": entry(
-        "The program never switches off {thing}, which may be on from an earlier program.",
+        "The program never switches off {thing}, although an earlier program may have left it on.",
         "Switch off {thing} at the beginning of the program.",
         thing="message",
     ),
     "verify.no-station": entry(
-        "The line cuts, but the program has not selected a station (T and M6) before.",
+        "The program line cuts, but no station (T and M6) has been selected before.",
         "Select the station before the first cut.",
     ),
     "verify.not-worked": entry(
@@ -252,9 +257,9 @@ MESSAGES: Final[Entries] = {
         where="message",
     ),
     "verify.off-line": entry(
-        "The path of the {tool:tool} is {distance:.4f} mm away from the drawn line, and the "
-        "controller may round corners by another {rounding:.4f} mm. The tolerance is "
-        "{tolerance:g} mm.",
+        "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should "
+        "follow, and the controller may round corners by another {rounding:.4f} mm. The "
+        "tolerance is {tolerance:g} mm.",
         "Increase the tolerance, or report an internal error with the program file.",
         tool="text",
         distance="number",
@@ -287,7 +292,7 @@ MESSAGES: Final[Entries] = {
     "verify.pass-too-deep": entry(
         "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but "
         "at most {step:g} mm per pass are allowed.",
-        "Add a shallower pass, or allow deeper passes for this board.",
+        "Add a shallower pass, or allow deeper passes in the board file.",
         tool="text",
         depth="number",
         length="number",
@@ -301,9 +306,9 @@ MESSAGES: Final[Entries] = {
         length="number",
     ),
     "verify.past-open-cut": entry(
-        "The cutter cuts {length:.3f} mm beyond the end of an open cut.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The cutter continues {length:.3f} mm beyond the end of an open cut.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         length="number",
     ),
     "verify.past-stop": entry(
@@ -334,7 +339,7 @@ MESSAGES: Final[Entries] = {
         depth="number",
     ),
     "verify.slanted": entry(
-        "Station {station} moves {distance:.3f} mm sideways, away from the axis of its tool, "
+        "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) "
         "while the tool enters or leaves the board.",
         "Move the tool along its axis while it enters or leaves the board.",
         station="count",
@@ -342,10 +347,10 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.spindle": entry("the spindle (M5)"),
     "verify.stray": entry(
-        "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates "
-        "of the sheet), but no edge is there.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} "
+        "(coordinates of the sheet), where the drawing has no edge.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         tool="text",
         length="number",
         x="number",
@@ -361,10 +366,10 @@ MESSAGES: Final[Entries] = {
         type="text",
     ),
     "verify.stray-plunge": entry(
-        "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), but no "
-        "edge is there.",
-        "Compile the job again. If the finding remains, report it as an internal error with the "
-        "program file.",
+        "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), "
+        "where the drawing has no edge.",
+        "Compile the job again. If the finding remains, report it as an internal error with "
+        "the program file.",
         tool="text",
         x="number",
         y="number",
@@ -378,29 +383,29 @@ MESSAGES: Final[Entries] = {
         type="text",
     ),
     "verify.switches-at-unknown-height": entry(
-        "The line switches an output or the spindle before the program has set the height of "
-        "the head.",
-        "Lift the head to Z {needed:.3f} mm before this line.",
+        "The program line switches an output or the spindle before the program has set the "
+        "height of the head.",
+        "Lift the head to Z {needed:.3f} mm before this program line.",
         needed="number",
     ),
     "verify.switches-low": entry(
-        "The line switches an output or the spindle while axis Z is at {height:.3f} mm, which "
-        "is too low.",
-        "Lift the head to Z {needed:.3f} mm before this line.",
+        "The program line switches an output or the spindle while axis Z is at {height:.3f} "
+        "mm, which is too low.",
+        "Lift the head to Z {needed:.3f} mm before this program line.",
         height="number",
         needed="number",
     ),
     "verify.too-few-bridges": entry(
-        "{bridges:# bridge holds|# bridges hold} the part, but the board needs at least "
+        "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least "
         "{fewest:# bridge|# bridges}.",
-        "Compile the job again, or require fewer bridges for this board.",
+        "Compile the job again, or require fewer bridges in the board file.",
         bridges="count",
         fewest="count",
     ),
     "verify.turn-at-feed": entry(
-        "Axis C turns by {degrees:.4f}° in a line whose feed is in mm/min, so the duration of "
-        "the rotation is not defined.",
-        "Give the duration of the line in inverse time mode (G93).",
+        "Axis C turns by {degrees:.4f}° in a program line whose feed is in mm/min, so the "
+        "duration of the rotation is not defined.",
+        "Give the duration of the move in inverse time mode (G93).",
         degrees="number",
     ),
     "verify.turn-in-board": entry(
@@ -411,7 +416,8 @@ MESSAGES: Final[Entries] = {
         most="number",
     ),
     "verify.turn-off-path": entry(
-        "Axis C turns by {degrees:.3f}° in the board, although the path turns by {path:.3f}°.",
+        "Axis C turns by {degrees:.3f}° in the board, although the path of the tool turns by "
+        "{path:.3f}°.",
         "Turn the tool by the same angle as the path.",
         degrees="number",
         path="number",
@@ -419,7 +425,7 @@ MESSAGES: Final[Entries] = {
     "verify.two-lowered": entry(
         "Station {station} processes the board while station {other} is also lowered (output "
         "{output} is on).",
-        "Release station {other} first (M65 P{output}).",
+        "Release station {other} (M65 P{output}) before this station is used.",
         station="count",
         other="count",
         output="count",
@@ -429,8 +435,8 @@ MESSAGES: Final[Entries] = {
         "Give the edge a line type.",
     ),
     "verify.unknown-position": entry(
-        "The line moves from or to a position that the program has not set.",
-        "Give X, Y, Z and C before this line.",
+        "The program line moves the head from or to a position that the program has not set.",
+        "Give X, Y, Z and C before this program line.",
     ),
     "verify.where-from-start": entry(
         ", beginning {place:.3f} mm from the start of the edge",
@@ -463,7 +469,7 @@ MESSAGES: Final[Entries] = {
         planned="number",
     ),
     "verify.wrong-heading": entry(
-        "The {tool:tool} is turned {degrees:.3f}° away from the direction of the line, which "
+        "The {tool:tool} is turned {degrees:.3f}° away from the direction of the edge, which "
         "moves its cutting edge {swing:.3f} mm sideways.",
         "Compile the job again. If the finding remains, report it as an internal error with "
         "the program file.",

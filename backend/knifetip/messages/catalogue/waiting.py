@@ -12,23 +12,26 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "waiting.for-gateway": entry(
-        "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
+        "The job waits, because the gateway of {machine} (the program that sends jobs to the "
+        "machine) is not connected to the server.",
         "Switch on the machine and its gateway.",
         machine="text",
     ),
     "waiting.for-machine": entry(
-        "The job waits until {machine} claims it.",
+        "The job waits until the gateway of {machine} claims it.",
         machine="text",
     ),
     "waiting.for-person": entry(
-        "No gateway (the program that sends jobs to a machine) of {machine} is connected.",
+        "The job waits, because the gateway of {machine} (the program that sends jobs to the "
+        "machine) is not connected to the server.",
         "{advice}",
         machine="text",
         advice="message",
     ),
     "waiting.for-sheet": entry(
-        "Copy {copy} of {copies} is finished.",
-        "Put a new sheet of {board} on the table and confirm it.",
+        "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",
+        "Put a new sheet of {board} on the table, then confirm the new sheet. The machine then "
+        "starts the next copy.",
         copy="count",
         copies="count",
         board="text",
@@ -42,11 +45,11 @@ MESSAGES: Final[Entries] = {
         tools="message?",
     ),
     "waiting.for-turn": entry(
-        "The job waits for {machine}, because other jobs in the queue come first.",
+        "The job waits until {machine} has finished the jobs that come before it in the queue.",
         machine="text",
     ),
     "waiting.taken": entry(
-        "The job waits, because {machine} is occupied by job {job}, which is {state}.",
+        "The job waits, because {machine} is occupied by job {job}, which is {state} now.",
         machine="text",
         job="text",
         state="text",
