@@ -92,8 +92,8 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
             time.sleep(0.02)
         waiting = wait_for_state(shop, job, "held")
         assert waiting["waiting_for"] == "sheet"
-        assert waiting["reason"] == f"Copy {copy} of 3 of the job is finished. The next copy "
-f"needs a new sheet."
+        text = f"Copy {copy} of 3 of the job is finished. The next copy needs a new sheet."
+        assert waiting["reason"] == text
         assert (
             waiting["hint"] == "Put a new sheet of Corrugated, E-flute 1.6 mm on the table, "
             "then confirm the new sheet. The machine then starts the next copy."

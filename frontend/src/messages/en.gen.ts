@@ -432,7 +432,7 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.answer-lost": {
-    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was probably lost.",
+    "text": "{name} has reported the state {state} for {seconds:g} s{due}. A response of the controller was lost.",
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.bad-address": {
@@ -512,7 +512,7 @@ export const TEXTS = {
     "hint": "Check the table, then try again."
   },
   "controller.rejected-in-check": {
-    "text": "{name} rejected program line {line} ({text}) in its check mode, before the machine moved: {error} (error:{code}).",
+    "text": "{name} rejected program line {line} ({text}) in its check mode, before anything moved: {error} (error:{code}).",
     "hint": "Compile the job again for this controller."
   },
   "controller.rejected-line": {
@@ -672,7 +672,7 @@ export const TEXTS = {
     "hint": "Use a database file: sqlite:///FILE."
   },
   "deflection.arc-too-small": {
-    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of {radius:.3f} mm radius. This radius is too small to correct a deflection of the cutter by {deflection:.3f} mm.",
+    "text": "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of {radius:.3f} mm radius, which is too small to correct a deflection of {deflection:.3f} mm.",
     "hint": "Choose a smaller corner parameter k or corner type B, or measure the deflection of the cutter again."
   },
   "deflection.path-too-short": {
@@ -1225,7 +1225,7 @@ export const TEXTS = {
   },
   "groove.through-cut": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
-    "hint": "Move the groove and the cut apart by another {through:.2f} mm, or choose a shallower groove."
+    "hint": "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove."
   },
   "groove.through-cut-at-it": {
     "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
@@ -2112,7 +2112,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.stale-epoch": {
-    "text": "Job {job} was claimed again, so the claim of this gateway is no longer valid. The job is {state}. Its valid claim has the number (epoch) {current}, but the request has the number {epoch}.",
+    "text": "Job {job} was claimed again, so the claim of this gateway is no longer valid. The job is {state}. Its valid claim has the epoch (claim number) {current}, but the request names epoch {epoch}.",
     "hint": "Stop the machine and claim the job again."
   },
   "job.started": {
@@ -2216,7 +2216,7 @@ export const TEXTS = {
     "hint": "Choose 'trim' (leave these parts uncut) or 'refuse' (write no program)."
   },
   "offset.bad-side": {
-    "text": "The side on which a tool follows a path is neither +1 (left) nor -1 (right).",
+    "text": "The side of a path must be +1 (left) or -1 (right).",
     "hint": "Give +1 or -1 as the side."
   },
   "offset.dead-end": {
@@ -2232,7 +2232,7 @@ export const TEXTS = {
     "hint": "Reverse the path, or put it into a separate group."
   },
   "offset.self-contact": {
-    "text": "The curve at {radius:g} mm from path {path} is not closed, because the contour touches itself at X {x:.4f} mm, Y {y:.4f} mm in segments {one} and {two}.",
+    "text": "The curve at {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "override.ambiguous": {
@@ -2324,11 +2324,11 @@ export const TEXTS = {
     "hint": ""
   },
   "pdf.page-too-large": {
-    "text": "The page of the PDF has an extent of {size:g} mm, but the limit is {limit:g} mm.",
+    "text": "The page of the PDF extends to {size:g} mm, but the limit is {limit:g} mm.",
     "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
-    "text": "A part of the content of the PDF page does not exist in the file. Objects of the drawing may be missing.",
+    "text": "A part of the content of the PDF page is missing in the file. Objects of the drawing may be missing.",
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-cut-short": {
@@ -2396,7 +2396,7 @@ export const TEXTS = {
     "hint": "Choose another name with --name."
   },
   "profile.stale": {
-    "text": "Another user has changed the profile {name}: it now has version {version}, but your change is based on version {given}.",
+    "text": "Another user has changed the profile {name}: it is now at version {version}, but your change is based on version {given}.",
     "hint": "Load the profile again and check it. Then send your change with If-Match: \"{version}\"."
   },
   "profile.too-long": {
@@ -3636,7 +3636,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.taken": {
-    "text": "The job waits, because {machine} is occupied by job {job}, which is {state} now.",
+    "text": "The job waits, because {machine} is occupied by job {job}, which is {state}.",
     "hint": ""
   },
   "waiting.taken-interrupted": {

@@ -206,7 +206,9 @@ def test_corners_are_kept_with_the_job_and_change_its_program(
 def test_a_corner_that_is_not_there_refuses_the_job_with_its_place(client: httpx.Client) -> None:
     job = milled(client, corners={"at": [{"x": 3.0, "y": 0.0, "type": "C"}]})
     assert job["state"] == "refused"
-    assert job["reason"].startswith("No corner of a milled contour lies within 0.5 mm of (3, 0)")
+    assert job["reason"].startswith(
+        "No corner of a milled contour lies within 0.5 mm of X 3 mm, Y 0 mm"
+    )
     assert "3.00 mm away" in job["reason"]
     assert "(0.00, 0.00)" in job["hint"]
 

@@ -75,8 +75,8 @@ def test_points_on_the_wrong_side_are_refused(client: httpx.Client) -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"tool": "V-cutter"}, "has no cutter 'V-cutter'"),
-        ({"machine": "demo-table"}, "has no cutter 'Router'"),
+        ({"tool": "V-cutter"}, "has no cutter with the name 'V-cutter'"),
+        ({"machine": "demo-table"}, "has no cutter with the name 'Router'"),
         ({"machine": "no-table"}, "The machine 'no-table' does not exist"),
         ({"points": []}, "body.points"),
         ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),

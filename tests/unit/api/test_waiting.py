@@ -120,7 +120,11 @@ def test_a_machine_without_a_gateway_is_named(store: Store, clock: Clock) -> Non
     )
     assert shown(store, job)[:2] == absent
     store.gateways.record_contact("demo-table", "gateway")
-    assert shown(store, job) == ("machine", f"The job waits until {TITLE} claims it.", "")
+    assert shown(store, job) == (
+        "machine",
+        f"The job waits until the gateway of {TITLE} claims it.",
+        "",
+    )
     clock.now += ABSENT + 0.1
     assert shown(store, job)[:2] == absent
 

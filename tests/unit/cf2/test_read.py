@@ -156,7 +156,7 @@ def test_invalid_calls_are_reported() -> None:
     drawing = read(cf2("C,A,0,0,0,1,1", "C,NONE,0,0,0,1,1", "C,A,nan,0,0,1,1", subs=subs))
     reason = reasons(drawing)
     assert reason["#1/#4/#5"] == "the subroutine A inserts itself"
-    assert reason["#2"] == "the subroutine NONE does not exist"
+    assert reason["#2"] == "the object inserts the subroutine NONE, which is not in the file"
     assert reason["#3"] == "the position of the object is not a number"
     assert (
         reason["IDLE"]
@@ -263,7 +263,7 @@ def test_a_file_truncated_anywhere_is_refused_or_complete() -> None:
             refusals += 1
             continue
         # The end mark may be missing; a call of a missing subroutine is reported.
-        lost = [reason for reason in report_reasons(part) if "does not exist" in reason]
+        lost = [reason for reason in report_reasons(part) if "which is not in the file" in reason]
         assert part.ends.tolist() == drawing.ends.tolist() or len(lost) == 2, whole[length - 30 :]
     assert refusals > 0.9 * len(whole) - 200
 
@@ -292,9 +292,9 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
         "line 11 of the file has 6 fields, which is the wrong number of fields for its record"
     )
     assert reason["#4"].startswith("a coordinate of the object is not a number")
-    assert reason["#5"] == "a coordinate of the object is 1e+308, but the limit is 1e+07"
+    assert reason["#5"] == "a coordinate of the object is 1e+308 file units, but the limit is 1e+07"
     assert reason["#6"] == "the object is a CF2 record of a type that is not supported"
-    assert "does not exist" in reason["#8"] or "cannot be read" in reason["#8"]
+    assert "is not in the file" in reason["#8"] or "cannot be read" in reason["#8"]
     assert drawing.lengths.tolist() == [1.0]
 
 

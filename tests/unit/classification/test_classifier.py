@@ -139,7 +139,7 @@ def test_a_rule_for_a_block_or_a_true_colour_decides() -> None:
     )
     dieline = classify(blocks, rules)
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert why(dieline, 0) == 'profile own: block "CARTON*"'
+    assert why(dieline, 0) == 'profile own: inside the block "CARTON*"'
     assert why(dieline, 4) == "profile own: colour #ff0000"
 
 

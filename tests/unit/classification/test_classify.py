@@ -60,7 +60,7 @@ def test_the_first_rule_that_matches_decides() -> None:
         'profile house: layer "die", colour 1',
         'profile house: layer "die"',
         "profile house: colour 4",
-        "no rule of the profile house matches",
+        "no rule of the profile house matches the edge",
     ]
 
 
@@ -188,7 +188,7 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
 def test_a_question_gives_number_length_and_position() -> None:
     assert asked(("b", 2, "C"), ("b", 2, "C")) == [
         '2 edges on layer "b" (colour 2, linetype C) have no line type: total length 20.0 mm, '
-        "extent 30.0 × 0.0 mm lower left corner at X 0.0, Y 0.0. "
+        "extent 30.0 × 0.0 mm, lower left corner at X 0.0, Y 0.0. "
         "Which line type should these edges get?"
     ]
 
@@ -207,7 +207,7 @@ def test_true_colours_are_asked_separately_and_named() -> None:
 def test_a_hostile_name_cannot_steer_a_terminal() -> None:
     text = asked(("\x1b[2J" + "x" * 500, 2, "C"))[0]
     assert "\x1b" not in text
-    assert len(text) < 250
+    assert len(text) < 300
 
 
 def test_the_choices_are_all_line_types_but_unclassified() -> None:

@@ -342,11 +342,17 @@ GROOVE = load.board("greyboard-3.0").groove_depth
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (("--corner-at", "3,3=C"), "No corner of a milled contour lies within 0.5 mm of (3, 3)"),
+        (
+            ("--corner-at", "3,3=C"),
+            "No corner of a milled contour lies within 0.5 mm of X 3 mm, Y 3 mm",
+        ),
         (("--corner-at", "50,0"), "does not have the form X,Y=TYPE"),
         (("--corner-at", "nan,0=C"), "does not have the form X,Y=TYPE"),
-        (("--corner-at", "50,0=E"), "The corner type 'E' at (50, 0) does not exist"),
-        (("--corner-at", "50,0=D:1"), "parameter k of the corner of type D at (50, 0) is 1"),
+        (("--corner-at", "50,0=E"), "The corner type 'E' at X 50 mm, Y 0 mm does not exist"),
+        (
+            ("--corner-at", "50,0=D:1"),
+            "parameter k of the corner of type D at X 50 mm, Y 0 mm is 1",
+        ),
         (("--k", "nan"), "parameter k of the corner of type D is nan"),
         (("--k", "1.5"), "parameter k of the corner of type D is 1.5"),
     ],

@@ -89,7 +89,7 @@ def test_list_prints_the_field_waiting_for_of_each_job(
     code, out, _ = knifetip("job", "list", "--server", fake_server.url, "--state", "queued")
     assert code == 0
     assert out.split()[:2] == ["abc", "queued"]
-    assert "waits for a confirmation" in out
+    assert "waits for confirmation" in out
     assert "[confirm, cancel]" in out
     assert fake_server.requests == [("GET", "/api/jobs?limit=50&state=queued", None)]
 

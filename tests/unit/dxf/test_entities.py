@@ -107,7 +107,7 @@ def test_line_that_rises_is_dropped_with_its_heights() -> None:
     assert len(drawing) == 0
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == "the object is not parallel to the XY plane: its height z varies from 0 to 7"
+        == "the object is not parallel to the XY plane: its height z varies from 0 to 7 file units"
     )
 
 
@@ -271,7 +271,7 @@ def test_ellipse_is_fitted_within_a_hundredth_with_a_note() -> None:
     assert far <= 0.0105
     fitted = (
         f"the curves of the object were converted to {len(drawing)} "
-        "lines and arcs, which deviate by at most 0.01 file units"
+        "lines and arcs, which deviate by at most 0.01 file units from the curves"
     )
     assert only(drawing) == f"the object was imported; {fitted}"
 
@@ -316,7 +316,7 @@ def test_spline_in_space_is_dropped() -> None:
     drawing = read(dxf(spline(3, [0, 0, 0, 0, 1, 1, 1, 1], control), version="AC1015"))
     assert (
         only(drawing, ImportOutcome.DROPPED)
-        == "the object is not parallel to the XY plane: its height z varies from 0 to 9"
+        == "the object is not parallel to the XY plane: its height z varies from 0 to 9 file units"
     )
 
 
@@ -356,7 +356,7 @@ def test_invalid_numbers_drop_only_their_entity(make: Callable[..., Any], bad: s
 def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
     assert report_reasons(drawing) == (
-        "a coordinate of the object is 2e+07, but the limit is 1e+07",
+        "a coordinate of the object is 2e+07 file units, but the limit is 1e+07",
         "the object was imported unchanged",
     )
 

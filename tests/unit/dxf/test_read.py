@@ -339,7 +339,7 @@ def test_rows_and_columns_repeat_a_block_and_turn_with_it() -> None:
     assert starts == {(0, 0), (0, 10), (0, 20), (-100, 0), (-100, 10), (-100, 20)}
     assert report_reasons(drawing) == (
         (
-            "the object was imported; the object inserts the block PART; the object is a "
+            "the object was imported; the object inserts the block PART; the object inserts a "
             "grid of copies (3 columns × 2 rows)"
         ),
         "the object was imported; the drawing contains the object 6 times",
@@ -357,7 +357,10 @@ def test_mirrored_insert_turns_arcs_around() -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        (insert("NOWHERE"), "the block 'NOWHERE' is not in the file"),
+        (
+            insert("NOWHERE"),
+            "the object inserts the block 'NOWHERE', which is not defined in the file",
+        ),
         (
             insert("PART", 0, 0, (41, 0)),
             "the object has no size, because it is scaled by 0 in X and 1 in Y",

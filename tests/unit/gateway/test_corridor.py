@@ -104,7 +104,7 @@ def test_only_a_machine_that_carries_out_the_program_is_checked(state: State) ->
 def test_at_rest_the_position_is_the_end_of_the_last_line() -> None:
     corridor = Corridor(PROGRAM, START, 15)
     corridor.check_rest(report(100, 120, -1, state=State.IDLE))
-    with pytest.raises(ControllerError, match=r"10\.0 mm away .* near line 7"):
+    with pytest.raises(ControllerError, match=r"10\.0 mm away .* near program line 7"):
         corridor.check_rest(report(110, 120, -1, state=State.IDLE))
 
 

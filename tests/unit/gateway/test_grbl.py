@@ -262,7 +262,8 @@ async def test_a_lost_answer_while_idle_is_silence_that_names_the_line() -> None
         await controller.send(b"G21", 1)
         await controller.send(b"G1 X5", 2)
         with pytest.raises(
-            ControllerSilent, match=r"idle.*line 2 \(G1 X5\).*response of the controller was lost"
+            ControllerSilent,
+            match=r"idle.*program line 2 \(G1 X5\).*response of the controller was lost",
         ):
             await controller.drain()
 

@@ -201,7 +201,7 @@ def cut(bench: Bench) -> list[str]:
 
 
 ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], str]] = {
-    "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was duplicated"),
+    "doubled": (lambda bench: lambda line: [line, line], ControllerError, "was sent twice"),
     "lost": (
         lambda bench: lambda line: [],
         ControllerSilent,
@@ -237,7 +237,7 @@ async def test_a_doubled_answer_is_noticed_wherever_it_comes_and_overruns_nothin
     bench: Bench, number: int
 ) -> None:
     bench.at_answer(lambda line: [line, line], number)
-    with pytest.raises(ControllerError, match="duplicated"):
+    with pytest.raises(ControllerError, match="was sent twice"):
         await bench.run()
     bench.assert_safe()
 
@@ -246,7 +246,7 @@ async def test_after_a_lost_connection_the_lines_in_the_buffer_are_counted(bench
     bench.at_answer(lambda line: cut(bench))
     with pytest.raises(ControllerError) as raised:
         await bench.run()
-    found = re.search(r"(\d+) of (\d+) lines .* Up to (\d+) more", raised.value.text)
+    found = re.search(r"(\d+) of (\d+) program lines .* Up to (\d+) more", raised.value.text)
     assert found is not None
     executed, lines, more = map(int, found.groups())
     assert lines == LINES

@@ -411,7 +411,9 @@ def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
         job.id, job.epoch, GatewayReport(line=LINES, copies_done=2, held=True)
     )
     assert answer == "continue"
-    assert str(store.events.of_job(job.id)[-1].message).startswith("Copy 2 of 3 is finished")
+    assert str(store.events.of_job(job.id)[-1].message).startswith(
+        "Copy 2 of 3 of the job is finished"
+    )
 
 
 # Start by the operator
@@ -434,7 +436,7 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     assert who == [
         (
             "operator Kim",
-            "The operator confirmed that the table is clear and that the board is e-flute.",
+            "The operator confirmed that the table is clear and that the board on it is e-flute.",
         ),
         ("gateway gateway", "The job was started."),
     ]

@@ -487,7 +487,7 @@ def test_a_colour_may_be_a_true_colour_and_a_block_a_condition(put: Put) -> None
     text = PROFILE + '[[rule]]\ntype = "crease"\ncolour = [5, "#00AEEF"]\nblock = "LID*"\n'
     rule = load.profile(put(text)).rules[-1]
     assert (rule.colour, rule.true_colour, rule.block) == ((5,), (0x00AEEF,), ("LID*",))
-    assert str(rule.conditions) == 'colour 5 or #00aeef, block "LID*"'
+    assert str(rule.conditions) == 'colour 5 or #00aeef, inside the block "LID*"'
 
 
 @pytest.mark.parametrize("colour", ['"#00AEE"', '"red"', '["#gggggg"]', '[1, "#12345"]'])

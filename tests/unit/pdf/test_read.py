@@ -544,7 +544,7 @@ def test_every_object_has_a_row_and_dropped_ones_a_reason() -> None:
         ("path", "a coordinate of the object is not a number"),
         ("path", "the path uses the PDF operator 'm' with a wrong number or type of values"),
         ("text", "the object is a text, which is not cut"),
-        ("operator", "the PDF operator 'frobnicate' is not supported"),
+        ("operator", "the PDF page uses the operator 'frobnicate', which is not supported"),
         ("path", "the object is completely transparent"),
         (
             "path",

@@ -69,7 +69,7 @@ def test_a_position_without_a_corner_is_refused_with_the_nearest_corners() -> No
 
 
 def test_a_choice_for_an_inner_corner_is_refused() -> None:
-    with pytest.raises(PlanError, match=r"\(200, 200\) is an inside corner"):
+    with pytest.raises(PlanError, match="X 200 mm, Y 200 mm is an inside corner"):
         outer(Corners(at=(CornerAt(200, 200, "C"),)))
 
 
@@ -85,8 +85,11 @@ def test_every_corner_of_a_hole_is_an_inner_corner() -> None:
         (Corners("D", k=1.0), "corner of type D is 1"),
         (Corners("D", k=float("nan")), "corner of type D is nan"),
         (Corners(interference="ignore"), "'ignore' is not a valid method"),
-        (Corners(at=(CornerAt(100, 100, "X"),)), r"corner type 'X' at \(100, 100\)"),
-        (Corners(at=(CornerAt(100, 100, "D", 0.0),)), r"corner of type D at \(100, 100\) is 0"),
+        (Corners(at=(CornerAt(100, 100, "X"),)), "corner type 'X' at X 100 mm, Y 100 mm"),
+        (
+            Corners(at=(CornerAt(100, 100, "D", 0.0),)),
+            "corner of type D at X 100 mm, Y 100 mm is 0",
+        ),
         (Corners(at=(CornerAt(float("inf"), 100, "D"),)), "is not valid"),
     ],
 )

@@ -421,13 +421,15 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
         "so only the commands before it were imported, as in a browser"
     )
     assert reason["b"] == "the object has no size: its width is -3 and its height 2"
-    assert reason["c"].startswith("the attribute x1 of the object cannot be read: '1lightyear'")
+    assert reason["c"].startswith(
+        "the attribute x1 of the object cannot be read: the value '1lightyear'"
+    )
     assert reason["d"] == "the object has no points"
     assert reason["e"] == (
         "the attribute transform of the object cannot be read: "
         "the transform spin has 1 values, which is a wrong number of values"
     )
-    assert reason["f"] == "a coordinate of the object is 1e+09, but the limit is 1e+07"
+    assert reason["f"] == "a coordinate of the object is 1e+09 file units, but the limit is 1e+07"
     assert reason["g"].startswith("a coordinate of the object is 2e+300")
     assert reason["h"] == "the radius of the object is 0, but must be greater than 0"
     assert reason["j"] == "the object is a picture, which is not cut"

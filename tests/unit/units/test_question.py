@@ -35,9 +35,12 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert question.text.startswith(
         "The file does not state the unit of the drawing. In which unit is the drawing? "
         "Its possible sizes are: 250.0 × 180.0 mm if the unit is mm,  "
-        "2500 × 1800 mm in cm, 6350 × 4572 mm in inches,"
+        "2500 × 1800 mm if the unit is cm, 6350 × 4572 mm if the unit is inches,"
     )
-    assert "The strongest evidence for mm is: in mm 2 of 2 different edge lengths" in question.text
+    assert (
+        "The strongest evidence for mm is: if the unit is mm, 2 of 2 different edge lengths"
+        in question.text
+    )
 
 
 def test_small_numbers_put_centimetres_and_inches_first() -> None:

@@ -83,7 +83,9 @@ def test_a_flank_error_widens_the_groove_by_the_same_length() -> None:
     far = verdict_of(
         cutter_program(*groove_passes(20, 60, 30, 1.3049, aside=0.006)), INSIDE
     ).findings
-    assert any("meets the top face 0.0109 mm outside" in finding.text for finding in far)
+    assert any(
+        "meets the top face of the board 0.0109 mm outside" in finding.text for finding in far
+    )
 
 
 def test_a_groove_may_be_cut_in_passes_that_go_deeper() -> None:

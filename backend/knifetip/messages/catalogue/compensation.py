@@ -109,8 +109,7 @@ MESSAGES: Final[Entries] = {
         "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At "
         "{place:.1f} mm from the start of the groove, its flank extends {through:.2f} mm "
         "beyond the cut at edge {cut}, which is only {distance:.2f} mm away from the groove.",
-        "Move the groove and the cut apart by another {through:.2f} mm, or choose a shallower "
-        "groove.",
+        "Move the groove and the cut {through:.2f} mm further apart, or choose a shallower groove.",
         groove="count",
         width="number",
         through="number",

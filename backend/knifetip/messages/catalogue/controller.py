@@ -27,7 +27,7 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.answer-lost": entry(
         "{name} has reported the state {state} for {seconds:g} s{due}. A response of the "
-        "controller was probably lost.",
+        "controller was lost.",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         state="text",
@@ -156,7 +156,7 @@ MESSAGES: Final[Entries] = {
         code="count",
     ),
     "controller.rejected-in-check": entry(
-        "{name} rejected program line {line} ({text}) in its check mode, before the machine "
+        "{name} rejected program line {line} ({text}) in its check mode, before anything "
         "moved: {error} (error:{code}).",
         "Compile the job again for this controller.",
         name="text",

@@ -95,8 +95,8 @@ MESSAGES: Final[Entries] = {
     ),
     "deflection.arc-too-small": entry(
         "Near X {x:.2f} mm, Y {y:.2f} mm the centre of the cutter moves on an arc of "
-        "{radius:.3f} mm radius. This radius is too small to correct a deflection of the "
-        "cutter by {deflection:.3f} mm.",
+        "{radius:.3f} mm radius, which is too small to correct a deflection of "
+        "{deflection:.3f} mm.",
         "Choose a smaller corner parameter k or corner type B, or measure the deflection of "
         "the cutter again.",
         radius="number",

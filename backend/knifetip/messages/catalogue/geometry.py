@@ -108,7 +108,7 @@ MESSAGES: Final[Entries] = {
         interference="text",
     ),
     "offset.bad-side": entry(
-        "The side on which a tool follows a path is neither +1 (left) nor -1 (right).",
+        "The side of a path must be +1 (left) or -1 (right).",
         "Give +1 or -1 as the side.",
     ),
     "offset.dead-end": entry(
@@ -136,7 +136,7 @@ MESSAGES: Final[Entries] = {
     ),
     "offset.self-contact": entry(
         "The curve at {radius:g} mm from path {path} is not closed, because the contour "
-        "touches itself at X {x:.4f} mm, Y {y:.4f} mm in segments {one} and {two}.",
+        "touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
         "Trim the two segments at their intersection, or move one of the segments.",
         path="count",
         radius="number",

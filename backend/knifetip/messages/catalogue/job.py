@@ -232,8 +232,8 @@ MESSAGES: Final[Entries] = {
     ),
     "job.stale-epoch": entry(
         "Job {job} was claimed again, so the claim of this gateway is no longer valid. The job "
-        "is {state}. Its valid claim has the number (epoch) {current}, but the request has the "
-        "number {epoch}.",
+        "is {state}. Its valid claim has the epoch (claim number) {current}, but the request "
+        "names epoch {epoch}.",
         "Stop the machine and claim the job again.",
         job="text",
         state="text",

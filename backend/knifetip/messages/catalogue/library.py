@@ -248,7 +248,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "profile.stale": entry(
-        "Another user has changed the profile {name}: it now has version {version}, but your "
+        "Another user has changed the profile {name}: it is now at version {version}, but your "
         "change is based on version {given}.",
         'Load the profile again and check it. Then send your change with If-Match: "{version}".',
         name="text",

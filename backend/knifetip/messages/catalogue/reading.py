@@ -295,14 +295,14 @@ MESSAGES: Final[Entries] = {
     ),
     "pdf.page": entry("the page"),
     "pdf.page-too-large": entry(
-        "The page of the PDF has an extent of {size:g} mm, but the limit is {limit:g} mm.",
+        "The page of the PDF extends to {size:g} mm, but the limit is {limit:g} mm.",
         "Export the drawing in its true size.",
         size="number",
         limit="number",
     ),
     "pdf.part-missing": entry(
-        "A part of the content of the PDF page does not exist in the file. Objects of the "
-        "drawing may be missing.",
+        "A part of the content of the PDF page is missing in the file. Objects of the drawing "
+        "may be missing.",
         "Export the drawing again, or send it as DXF.",
     ),
     "pdf.stream-cut-short": entry(

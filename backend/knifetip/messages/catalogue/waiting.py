@@ -49,7 +49,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "waiting.taken": entry(
-        "The job waits, because {machine} is occupied by job {job}, which is {state} now.",
+        "The job waits, because {machine} is occupied by job {job}, which is {state}.",
         machine="text",
         job="text",
         state="text",
