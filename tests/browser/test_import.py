@@ -147,7 +147,7 @@ def test_each_question_is_answered_by_one_click_and_undone_in_one_step(page: Pag
 
 def test_an_edge_shows_the_reason_for_its_line_type_and_alternatives(page: Page) -> None:
     upload_files(page, ("inner.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
-    page.get_by_title("Select edges of layer INNER, colour 7").click()
+    page.get_by_title("Select all edges on layer INNER with colour 7").click()
     inspector = page.get_by_test_id("inspector")
     expect(inspector.get_by_test_id("why")).to_contain_text("divides two panels")
     expect(inspector).to_contain_text(re.compile(r"\d\d % confidence"))
@@ -299,7 +299,7 @@ def test_lengths_in_the_report_add_up_and_its_rows_select_edges(
     expect(selection).to_contain_text(re.compile(r"1 edge selected · 400\smm"))
     groups.get_by_text("is drawn twice").click()
     # Texts have no edge: their position is marked.
-    groups.get_by_text("Texts are not cut").click()
+    groups.get_by_text("is a text, which is not cut").click()
     expect(page.get_by_test_id("entity")).to_have_count(2)
     page.get_by_test_id("entity").filter(has_text="Glue here").click()
     expect(page.get_by_test_id("entity").filter(has_text="Glue here")).to_have_attribute(

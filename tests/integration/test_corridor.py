@@ -103,8 +103,12 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
     done = wait_for_state(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     reasons = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
-    assert "Copy 1 of 3 is finished. The next copy needs a new sheet." in reasons
-    assert "Copy 2 of 3 is finished. The next copy needs a new sheet." in reasons
+    assert (
+        "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board." in reasons
+    )
+    assert (
+        "Copy 2 of 3 of the job is finished. The next copy needs a new sheet of board." in reasons
+    )
 
 
 def test_hold_resume_and_cancel_reach_the_machine(shop: httpx.Client) -> None:
@@ -143,7 +147,7 @@ def test_the_next_job_waits_for_the_operator_and_states_the_reason(shop: httpx.C
     assert (
         "queued",
         "operator Kim",
-        "The operator confirmed that the table is clear and that the board is e-flute.",
+        "The operator confirmed that the table is clear and that the board on it is e-flute.",
     ) in rows
 
 

@@ -299,7 +299,10 @@ def test_the_last_owner_reports_late_that_an_interrupted_job_is_done(
     job = client.post(
         "/api/gateway/finish", json={**fields, "why": "A belt tore.", "line": 5}
     ).json()
-    assert job["reason"] == f"The job was interrupted at line 5 of {claimed['lines']}. A belt tore."
+    assert (
+        job["reason"]
+        == f"The job was interrupted at program line 5 of {claimed['lines']}. A belt tore."
+    )
     assert "queue the job again" in job["hint"].lower()
     done = finish(client, claimed).json()
     assert (done["state"], done["line"], done["reason"]) == ("done", claimed["lines"], "")

@@ -44,7 +44,7 @@ def test_nested_bomb_is_counted_and_not_expanded() -> None:
     rows = [insert(f"B{n + 1}") * 10 for n in range(9)]
     blocks = [block(f"B{n}", row) for n, row in enumerate(rows)] + [block("B9", _LINE)]
     error = _within(1.0, dxf(insert("B0"), blocks=tuple(blocks)))
-    assert "2,111,111,110 entities; the limit is 1,000,000" in error
+    assert "2,111,111,110 entities (drawn objects), but the limit is 1,000,000" in error
 
 
 def test_array_of_a_thousand_million_is_counted_and_not_expanded() -> None:

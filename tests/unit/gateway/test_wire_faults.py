@@ -211,10 +211,14 @@ ANSWERS: dict[str, tuple[Callable[[Bench], SpoilAnswer], type[KnifetipError], st
     "glued": (lambda bench: lambda line: [line + line], ControllerSilent, "was lost"),
     "banner": (lambda bench: lambda line: [BANNER, line], ControllerReset, "was reset"),
     "false alarm": (lambda bench: lambda line: ["ALARM:1", line], ControllerAlarm, "ALARM:1"),
-    "stranger's ok": (lambda bench: lambda line: ["ok", "ok", line], ControllerError, "duplicated"),
+    "stranger's ok": (
+        lambda bench: lambda line: ["ok", "ok", line],
+        ControllerError,
+        "was sent twice",
+    ),
     "reset": (stranger_resets, ControllerAlarm, "ALARM:3"),
     "cut": (lambda bench: lambda line: cut(bench), ControllerError, "connection .* is lost"),
-    "stall": (lambda bench: lambda line: mute(bench, line), ControllerSilent, "not answered"),
+    "stall": (lambda bench: lambda line: mute(bench, line), ControllerSilent, "not responded"),
 }
 
 

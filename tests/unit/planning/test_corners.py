@@ -62,7 +62,7 @@ def test_positions_are_in_drawing_coordinates() -> None:
 
 def test_a_position_without_a_corner_is_refused_with_the_nearest_corners() -> None:
     with pytest.raises(
-        PlanError, match=r"within 0\.5 mm of \(299, 100\).* 1\.00 mm away"
+        PlanError, match=r"within 0\.5 mm of X 299 mm, Y 100 mm.* 1\.00 mm away"
     ) as caught:
         outer(Corners(at=(CornerAt(299, 100, "C"),)))
     assert "(300.00, 100.00)" in caught.value.hint

@@ -208,8 +208,9 @@ def test_a_blade_turns_by_the_same_angle_as_its_arc(end: str, turns: int) -> Non
     matching = [finding for finding in found if finding.line == line and finding.kind == "heading"]
     assert matching
     assert matching[0].measure == pytest.approx(abs(turns))
-    assert f"C turns by {90.0 + turns:.3f}° in the board, although the path turns by 90.000°" in (
-        matching[0].text
+    assert (
+        f"C turns by {90.0 + turns:.3f}° in the board, although the path of the tool turns by 90"
+        in (matching[0].text)
     )
 
 
