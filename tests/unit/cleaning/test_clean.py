@@ -59,7 +59,7 @@ def test_a_line_drawn_twice_and_backwards_is_worked_once() -> None:
     assert made.kept.tolist() == [100, 0, 0]
     assert made.merged.tolist() == [0, 100, 100]
     assert [made.replacement_row(row) for row in range(3)] == [0, 0, 0]
-    assert render(made.describe(1)) == "the edge was merged into edge 0, on which it lies"
+    assert render(made.describe(1)) == "the edge lies on edge 0 and was merged into it"
 
 
 def test_two_cuts_that_share_forty_millimetres_become_one_of_a_hundred_and_fifty() -> None:
