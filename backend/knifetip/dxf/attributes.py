@@ -92,7 +92,7 @@ class Styles:
     def notes(self, layer: str) -> tuple[Message, ...]:
         """Return the notes in the import report for all entities on a layer.
 
-        A note states, for example, that the layer is off or frozen.  ``layer`` is the name of the
+        For example, a note reports that the layer is off or frozen.  ``layer`` is the name of the
         layer.
         """
         return self._layers.get(layer.lower(), _SILENT).notes
@@ -159,5 +159,5 @@ def _index(colour: int) -> int:
 
 
 def _rgb(value: int | None) -> int:
-    # In some files the upper byte holds the method by which the colour was chosen.
+    # In some files the upper byte contains the method by which the colour was chosen.
     return -1 if value is None else int(value) & 0xFFFFFF

@@ -131,7 +131,7 @@ def _write_box(
     Parameters
     ----------
     codes, numbers, count
-        Group codes and numbers of the tags of the entity, and the number of these tags.
+        Group codes and numbers of the tags of the entity, and the number of tags.
     rules
         Rules for k entities; ``rules[row]`` determines which group codes of the entity are
         coordinates of its points.

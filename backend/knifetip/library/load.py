@@ -126,7 +126,7 @@ def _profile(name: str) -> LineRules:
 
 @cache
 def conventions() -> tuple[LineRules, ...]:
-    """Return for each profile of the library those of its rules that the default profile lacks.
+    """Return for each profile of the library the rules that the default profile lacks.
 
     Profiles without such rules are omitted.  If a layer, colour and linetype in a drawing match no
     rule of the chosen profile, classification tries the returned rules.

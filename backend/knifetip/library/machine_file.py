@@ -58,7 +58,7 @@ class Axes(Table):
 
 
 class Datum(Table):
-    """The TOML table of the offset of a station: joint position = programmed position + offset."""
+    """The TOML table of a station's offset: joint position = programmed position + offset."""
 
     x: float = Field(description="mm")
     y: float = Field(description="mm")

@@ -23,7 +23,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class Station:
-    """A mount on the head of the machine, with the tool that it holds.
+    """A mount on the head of the machine, with one tool.
 
     The joint position of the machine is the programmed position plus the datum of the station.
     """
@@ -84,7 +84,7 @@ class Machine:
 
     @property
     def has_beam(self) -> bool:
-        """Whether a station holds a laser, which must be off in all air moves."""
+        """Whether a station has a laser, which must be off in all air moves."""
         return any(station.is_beam for station in self.stations)
 
     @property

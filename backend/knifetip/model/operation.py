@@ -27,9 +27,9 @@ class End(IntEnum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Operation:
-    """p paths with n segments and one line type that one tool machines, with the parameters.
+    """p paths with n segments and one line type that one tool machines, with feeds and depths.
 
-    All coordinates are those of the sheet.
+    All coordinates are in the coordinate system of the sheet.
     """
 
     paths: Paths  #: p paths of n segments, which the tip must follow

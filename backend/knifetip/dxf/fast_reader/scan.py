@@ -244,9 +244,9 @@ def _move_up(
 ) -> None:
     """Move ``count`` rows of ``entity`` and ``value`` from index ``row`` to the lower index ``to``.
 
-    The rows are those of one part of the file, and ``to`` is the end of the rows of the parts
-    before it.  Names and vertices are renumbered: ``numbers[i]`` is the new index of name i, and
-    ``gap`` is subtracted from the indices of vertices.
+    The rows belong to one part of the file, and ``to`` is the end of the rows of the parts before
+    it.  Names and vertices are renumbered: ``numbers[i]`` is the new index of name i, and ``gap``
+    is subtracted from the indices of vertices.
     """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)

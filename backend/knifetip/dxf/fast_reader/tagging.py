@@ -1,9 +1,9 @@
 """tagging: the kernel that scans a DXF file tag by tag, from the first byte to EOF.
 
 A tag is a line with a group code and a line with a value.  The tags fill arrays of entities,
-values, vertices, blocks and layers; ``state`` holds the state of the scan.  A file with an
-unsupported structure is refused.  An unsupported entity is marked in the column ``UNSUPPORTED``,
-and the scan continues.
+values, vertices, blocks and layers; the array ``state`` contains the state of the scan.  A file
+with an unsupported structure is refused.  An unsupported entity is marked in the column
+``UNSUPPORTED``, and the scan continues.
 """
 
 from __future__ import annotations

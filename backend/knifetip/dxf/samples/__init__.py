@@ -1,4 +1,4 @@
-"""Sample cartons, and a function that writes them as DXF files like those of CAD programs."""
+"""Sample cartons, and a function that writes them as DXF files such as CAD programs write."""
 
 from __future__ import annotations
 

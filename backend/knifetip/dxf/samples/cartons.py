@@ -49,7 +49,7 @@ def tuck_end_carton(
         the carton.
     """
     glue, step, slit, tuck = 15.0, 0.5, 6.0, 16.0
-    # The last panel lies outside the glue flap's fold: narrower, or its edge would stand out.
+    # The last panel lies outside the glue flap's fold: narrower, so that its edge does not project.
     x = glue + np.cumsum([0.0, length, width, length, width - step])
     # Dust flaps fold first, so they fold one step lower than the lids that lie on them.
     low, high = step, depth - step
@@ -152,12 +152,12 @@ def corrugated_tray(
     """
     t = caliper
     side = width / 2.0 + t / 2.0
-    end = length / 2.0 + 2.5 * t  # inner wall and corner flap stand inside the outer wall
+    end = length / 2.0 + 2.5 * t  # inner wall and corner flap are inside the outer wall
     corner = length / 2.0 + 1.5 * t  # the corner flap, between inner and outer wall
     ridge, fold = end + height, end + height + 2.0 * t  # rolled over two boards
     free = fold + height - t / 2.0 - 0.5  # inner wall's edge, on the base
     outer, inner = side - 1.0, width / 2.0 - 1.0  # half widths of the end walls
-    foot = side + t / 2.0 + 1.5  # corner flap stands clear of the base
+    foot = side + t / 2.0 + 1.5  # the corner flap does not touch the base
     head = side + height - t / 2.0 - 0.5  # and under the roll-over
     rim = side + height + t / 2.0
     tab, reach = (0.2 * width, 0.38 * width), t + 0.5  # through the base, flush with its underside

@@ -1,4 +1,4 @@
-"""write: write lines and arcs on layers as a DXF file like those of CAD programs.
+"""write: write lines and arcs on layers as a DXF file such as CAD programs write.
 
 The file has version R2010 and the unit mm, and contains LINE, ARC and LWPOLYLINE with bulges.  The
 same paths give the same bytes on every run and every machine, so that a sample can be named by its

@@ -21,7 +21,7 @@ from knifetip.model.tool.v_cutter import VCutter
 
 
 class Planner(StrEnum):
-    """Name of the function of ``planning.plan`` that turns edges into operations."""
+    """Key of a function of ``planning.plan`` that makes operations from edges of a line type."""
 
     CREASES = "creases"
     GROOVES = "grooves"
@@ -32,7 +32,7 @@ class Planner(StrEnum):
 
 
 class Engine(StrEnum):
-    """Name of the function of ``compensation`` that turns an operation into a tool path."""
+    """Key of a function of ``compensation`` that makes a tool path from an operation."""
 
     KNIFE = "knife"
     CREASE = "crease"
