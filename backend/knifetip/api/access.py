@@ -211,8 +211,8 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
         return True
     for allowed in map(parse_authority, rules.hosts):
         if allowed is not None and allowed[0] == name:
-            wanted = allowed[1]
-            if wanted is None or wanted == _with_port(host, facts.scheme)[1]:
+            allowed_port = allowed[1]
+            if allowed_port is None or allowed_port == _with_port(host, facts.scheme)[1]:
                 return True
     return False
 
@@ -222,10 +222,10 @@ def parse_authority(text: str) -> Authority | None:
 
     The name is in lower case, for an IPv6 address without brackets; the port is None if absent.
     """
-    found = _AUTHORITY.fullmatch(text)
-    if found is None:
+    match = _AUTHORITY.fullmatch(text)
+    if match is None:
         return None
-    name, port = found[1].lower(), found[2]
+    name, port = match[1].lower(), match[2]
     if name.startswith("["):
         name = name[1:-1]
         if _ip(name) is None:
@@ -257,9 +257,11 @@ def _is_api(path: str) -> bool:
     return path == "/api" or path.startswith("/api/")
 
 
-def same_key(given: str, key: str) -> bool:
+def same_key(request_key: str, key: str) -> bool:
     """Return whether the key of a request equals the server's key, compared in constant time."""
-    digests = (hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (given, key))
+    digests = (
+        hashlib.sha256(text.encode("utf-8", "replace")).digest() for text in (request_key, key)
+    )
     return hmac.compare_digest(*digests)
 
 
@@ -343,9 +345,9 @@ class Access:
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
-        given = await signin.given_key(request)
-        if given is not None:
-            if same_key(given, self.rules.key):
+        request_key = await signin.given_key(request)
+        if request_key is not None:
+            if same_key(request_key, self.rules.key):
                 return signin.welcome(request, self.rules.key, time.time())
             await asyncio.sleep(WRONG_KEY_DELAY)
             return signin.sign_in_page("This key is wrong.")

@@ -204,20 +204,20 @@ def drawing_etag(drawing: DrawingOut) -> str:
     return etag(drawing.revision, drawing.profile_state)
 
 
-def drawing_name(given: str) -> str:
+def drawing_name(name: str) -> str:
     """Return a file name without folders and control characters, at most 120 characters long.
 
     Parameters
     ----------
-    given
+    name
         File name that the client has sent.
     """
-    last = given.replace("\\", "/").rsplit("/", 1)[-1]
-    shown = "".join(sign for sign in last if unicodedata.category(sign)[0] != "C").strip()
-    if len(shown) > 120:
-        stem, dot, suffix = shown.rpartition(".")
-        shown = stem[:110] + dot + suffix[:9] if dot and stem else shown[:120]
-    return shown or "drawing.dxf"
+    base = name.replace("\\", "/").rsplit("/", 1)[-1]
+    shown_name = "".join(char for char in base if unicodedata.category(char)[0] != "C").strip()
+    if len(shown_name) > 120:
+        stem, dot, suffix = shown_name.rpartition(".")
+        shown_name = stem[:110] + dot + suffix[:9] if dot and stem else shown_name[:120]
+    return shown_name or "drawing.dxf"
 
 
 def drawing_out(service: Service, row: Drawing) -> DrawingOut:

@@ -31,13 +31,13 @@ from knifetip.model.stage import Stage
 
 router = APIRouter(tags=["events"])
 
-_TICK = 0.2  # seconds between two queries for progress
-_LOOK = 1.0  # seconds between two queries for changes made by other servers
+_PROGRESS_POLL = 0.2  # seconds between two queries for progress
+_EVENT_POLL = 1.0  # seconds between two queries for changes made by other servers
 _REFRESH = 2.0  # seconds between two queries for what queued jobs wait for, without events
 _RETRY = 2000  # milliseconds after which a client connects again
 _BACKLOG = 1000  # unsent messages after which a slow listener is disconnected
-_MOST_WAITING = 50  # newest jobs whose wait for kernels is reported
-_MOVING = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
+_MAX_WAITING = 50  # newest jobs whose wait for kernels is reported
+_ACTIVE_STATES = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
 
 
@@ -70,7 +70,7 @@ class Stream:
                 except Exception:
                     _log.exception("the stream of events failed")
                 # Progress sets no change event, so it is polled while a job is active.
-                await changed.wait(_TICK if self._sent_progress else _LOOK)
+                await changed.wait(_PROGRESS_POLL if self._sent_progress else _EVENT_POLL)
                 if self._service.stopping.is_set():
                     self._disconnect_all()
 
@@ -96,17 +96,17 @@ class Stream:
         if events:
             self._last = events[-1].id
         search = self._service.store.jobs.search
-        waiting = search((State.RECEIVED.value,), limit=_MOST_WAITING)
+        waiting = search((State.RECEIVED.value,), limit=_MAX_WAITING)
         # Other received jobs have no progress.
-        moving = [row for row in waiting if row.stage == Stage.PREPARE]
-        moving += search(_MOVING, limit=500)
+        active = [row for row in waiting if row.stage == Stage.PREPARE]
+        active += search(_ACTIVE_STATES, limit=500)
         progress: dict[str, tuple[object, ...]] = {
             row.id: (row.state, row.stage, row.progress, row.line, row.position, row.copies_done)
-            for row in moving
+            for row in active
         }
         messages += [
             _message("job", job_out(self._service.store, row).model_dump_json())
-            for row in moving
+            for row in active
             if self._sent_progress.get(row.id) != progress[row.id]
         ]
         self._sent_progress = progress
@@ -127,15 +127,15 @@ class Stream:
         """
         self._refreshed = time.monotonic()
         rows = self._service.store.jobs.search((State.QUEUED.value,), limit=500)
-        shown = jobs_out(self._service.store, rows)
-        waits = {job.id: (job.waiting_for, job.message) for job in shown}
-        news = [
+        models = jobs_out(self._service.store, rows)
+        waits = {job.id: (job.waiting_for, job.message) for job in models}
+        messages = [
             _message("job", job.model_dump_json())
-            for job in shown
+            for job in models
             if job.id not in sent and self._waits.get(job.id, waits[job.id]) != waits[job.id]
         ]
         self._waits = waits
-        return news
+        return messages
 
     def _messages(self, events: Sequence[Event]) -> list[ServerSentEvent]:
         newest = {(event.kind, event.subject): event.id for event in events}
@@ -190,9 +190,9 @@ class Stream:
 
     def _missed(self, after: int, last: int) -> list[ServerSentEvent]:
         events: list[Event] = []
-        while after < last and (some := self._service.store.events.after(after)):
-            events += [event for event in some if event.id <= last]
-            after = some[-1].id
+        while after < last and (batch := self._service.store.events.after(after)):
+            events += [event for event in batch if event.id <= last]
+            after = batch[-1].id
         return self._messages(events)
 
 
@@ -221,6 +221,6 @@ async def get_events(
     """
     stream: Stream = request.app.state.stream
     # An id that is not a number is not from this server; past events are not replayed.
-    since = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
-    async for event in stream.listen(since):
+    last_event = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
+    async for event in stream.listen(last_event):
         yield event

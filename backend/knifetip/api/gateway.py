@@ -25,31 +25,31 @@ from knifetip.messages.codes import STORED
 
 router = APIRouter(prefix="/gateway", tags=["gateway"])
 
-_LOOK = 2.0  # seconds between two queries of the queue for changes by other servers
-_SEEN = 2.0  # seconds between two records of a gateway's contact
+_QUEUE_POLL = 2.0  # seconds between two queries of the queue for changes by other servers
+_CONTACT_INTERVAL = 2.0  # seconds between two records of a gateway's contact
 
 
 @router.post("/claim", response_model=Claim, responses={204: {"description": "No job"}})
-async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim | Response:
+async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Claim | Response:
     """Wait for the next job of a machine and claim it; 204 if there is none for ``wait`` seconds.
 
     If ``confirm`` is true in the response, nothing may be sent to the machine before the operator
     confirms the job.
     """
-    check_library_name("machines", wanted.machine)
-    until = time.monotonic() + wanted.wait
-    noted = -_SEEN
+    check_library_name("machines", claimant.machine)
+    deadline = time.monotonic() + claimant.wait
+    recorded_at = -_CONTACT_INTERVAL
     with wake_on_change(service.store.changes) as changed:
         while not service.stopping.is_set():
-            if time.monotonic() - noted >= _SEEN:
-                noted = time.monotonic()
+            if time.monotonic() - recorded_at >= _CONTACT_INTERVAL:
+                recorded_at = time.monotonic()
                 await service.threads.claims(
-                    service.store.gateways.record_contact, wanted.machine, wanted.gateway
+                    service.store.gateways.record_contact, claimant.machine, claimant.gateway
                 )
             # A disconnected gateway would never start the job.
             if await request.is_disconnected():
                 break
-            job = await service.threads.claims(_next, service, wanted)
+            job = await service.threads.claims(_claim_next, service, claimant)
             if job is not None:
                 return Claim(
                     job=job.id,
@@ -61,17 +61,17 @@ async def claim(service: ServiceDep, request: Request, wanted: ClaimIn) -> Claim
                     copies=job.copies - job.copies_done,
                     confirm=job.state == State.QUEUED,
                 )
-            left = until - time.monotonic()
-            if left <= 0:
+            remaining = deadline - time.monotonic()
+            if remaining <= 0:
                 break
-            await changed.wait(min(_LOOK, left))
+            await changed.wait(min(_QUEUE_POLL, remaining))
     return Response(status_code=204)
 
 
-def _next(service: ServiceDep, wanted: ClaimIn) -> Job | None:
+def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
     try:
-        manual = load.machine(wanted.machine, files=False).feed == "manual"
-        return service.store.gateways.claim(wanted.machine, wanted.gateway, manual=manual)
+        manual = load.machine(claimant.machine, files=False).feed == "manual"
+        return service.store.gateways.claim(claimant.machine, claimant.gateway, manual=manual)
     except MachineBusy:
         return None
 
@@ -115,17 +115,17 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     return await service.threads.reports(_finish_job, service, report)
 
 
-def _cause(why: str | MessageIn) -> Message | None:
+def _cause(reported: str | MessageIn) -> Message | None:
     """Return the cause that a gateway reported for the end of a job; None if it reported none.
 
     Parameters
     ----------
-    why
+    reported
         The cause as a message, or as plain text; "" for no cause.
     """
-    if isinstance(why, MessageIn):
-        return why.message
-    return Message(STORED, text=why, hint="") if why else None
+    if isinstance(reported, MessageIn):
+        return reported.message
+    return Message(STORED, text=reported, hint="") if reported else None
 
 
 def _finish_job(service: ServiceDep, report: FinishIn) -> JobOut:

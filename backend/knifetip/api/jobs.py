@@ -237,16 +237,16 @@ def release_job(service: ServiceDep, id: JobId) -> JobOut:
 
 
 @router.post("/{id}/confirm")
-def confirm_job(service: ServiceDep, id: JobId, found: ConfirmIn | None = None) -> JobOut:
+def confirm_job(service: ServiceDep, id: JobId, confirmation: ConfirmIn | None = None) -> JobOut:
     """Confirm that table, board and tools are ready; then the machine starts.
 
     Between two copies, this confirms the new sheet.  A confirmation is valid for the present claim
     of the gateway.  The status is 409 if the job does not wait for a confirmation, or if the
     request names another board than the job.
     """
-    confirmation = found or ConfirmIn()
+    confirmed = confirmation or ConfirmIn()
     return job_out(
-        service.store, service.store.jobs.confirm(id, confirmation.board or "", confirmation.by)
+        service.store, service.store.jobs.confirm(id, confirmed.board or "", confirmed.by)
     )
 
 
@@ -330,11 +330,11 @@ def progress(row: Job) -> float:
         case State.DONE:
             return 1.0
         case State.RUNNING | State.HELD | State.INTERRUPTED | State.SCRAPPED | State.CANCELLED:
-            through = row.line / row.lines if row.lines else 0.0
+            executed = row.line / row.lines if row.lines else 0.0
             # Between two copies ``line`` is the last line of the completed copy, already counted.
-            if row.copies_done and through >= 1.0:
-                through = 0.0
-            return min((row.copies_done + through) / row.copies, 1.0)
+            if row.copies_done and executed >= 1.0:
+                executed = 0.0
+            return min((row.copies_done + executed) / row.copies, 1.0)
         case State.QUEUED:
             return 0.0
         case _:

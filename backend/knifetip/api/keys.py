@@ -48,9 +48,9 @@ def _read_key(file: Path) -> str:
     return _check(text, f"The key in {file}")
 
 
-def _check(key: str, what: str) -> str:
+def _check(key: str, origin: str) -> str:
     if _KEY.fullmatch(key) is None:
-        raise SettingsError("settings.bad-key", what=what, shortest=SHORTEST, length=len(key))
+        raise SettingsError("settings.bad-key", what=origin, shortest=SHORTEST, length=len(key))
     return key
 
 

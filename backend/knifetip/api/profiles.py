@@ -106,16 +106,16 @@ def keep_profile(
     """
     custom_profiles.check_name(name)
     require_customer_profile(service, name)
-    version, anyway = _version(match)
+    version, any_version = _version(match)
     if "json" in request.headers.get("content-type", "").lower():
-        given = _profile_in(body)
+        sent = _profile_in(body)
         if match is None:
-            version = given.version
-        text = custom_profiles.profile_text(name, fields_of(given))
+            version = sent.version
+        text = custom_profiles.profile_text(name, fields_of(sent))
     else:
         text = _text(name, body)
     title = custom_profiles.parse_text(name, text).title
-    row = service.store.profiles.save(name, title, text, version, anyway=anyway)
+    row = service.store.profiles.save(name, title, text, version, anyway=any_version)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
     return _stored_out(row)
@@ -133,13 +133,13 @@ def delete_profile(service: ServiceDep, name: ProfileName, match: IfMatch = None
 def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> PreviewOut:
     """Get the effect that a profile would have on the edges of a drawing; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
-    found = service.run(
+    effect = service.run(
         profiling.preview,
         row.content,
         interpretation_of(row, row.overrides),
         custom_profiles.profile_text(profile.title[:80], fields_of(profile)),
     )
-    return PreviewOut.model_validate(found)
+    return PreviewOut.model_validate(effect)
 
 
 @router.post("/drawings/{id}/learned")
@@ -147,12 +147,12 @@ def preview_profile(service: ServiceDep, id: DrawingId, profile: ProfileIn) -> P
 def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalOut]:
     """Propose rules that give edges the line types which the user has set; nothing is stored."""
     row = service.store.drawings.get_with(id, "content", "overrides")
-    found = service.run(
+    proposals = service.run(
         profiling.learn,
         row.content,
         interpretation_of(row, row.overrides),
     )
-    return [ProposalOut.model_validate(one) for one in found]
+    return [ProposalOut.model_validate(proposal) for proposal in proposals]
 
 
 def fields_of(profile: ProfileIn) -> dict[str, Any]:
@@ -175,10 +175,10 @@ def _version(match: str | None) -> tuple[int | None, bool]:
         return None, False
     if match.strip() == "*":
         return None, True
-    found = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
-    if found is None:
+    version = re.fullmatch(r'\s*(?:W/)?"?(\d{1,9})"?\s*', match)
+    if version is None:
         raise RequestError("profile.bad-if-match", match=match)
-    return int(found[1]), False
+    return int(version[1]), False
 
 
 def _profile_in(body: bytes) -> ProfileIn:

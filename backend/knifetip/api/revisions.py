@@ -60,9 +60,9 @@ def check_match(match: str | None, row: Drawing) -> None:
     """
     if match is None or "*" in _tags(match):
         return
-    named = [tag.partition("-")[0] for tag in _tags(match)]
-    if str(row.version) not in named:
-        raise StaleRevision(row.id, row.version, ", ".join(named)[:40])
+    revisions = [tag.partition("-")[0] for tag in _tags(match)]
+    if str(row.version) not in revisions:
+        raise StaleRevision(row.id, row.version, ", ".join(revisions)[:40])
 
 
 def check_revision(revision: int | None, row: Drawing) -> None:
@@ -81,8 +81,8 @@ def check_revision(revision: int | None, row: Drawing) -> None:
 
 def is_known(tag: str, none_match: str | None) -> bool:
     """Return whether an If-None-Match header contains the ETag ``tag``."""
-    known = list(_tags(none_match or ""))
-    return "*" in known or tag.strip('"') in known
+    tags = list(_tags(none_match or ""))
+    return "*" in tags or tag.strip('"') in tags
 
 
 def _tags(header: str) -> Iterator[str]:

@@ -15,7 +15,7 @@ DATABASE_VARIABLE = "KNIFETIP_DATABASE"
 DATABASE_FILE = Path("knifetip.sqlite")
 
 
-def database_of(given: str | None) -> str | None:
+def database_of(option: str | None) -> str | None:
     """Return the URL of the database that contains stored profiles, or None if there is none.
 
     The first of the following is used: the option, the environment variable ``KNIFETIP_DATABASE``,
@@ -23,10 +23,10 @@ def database_of(given: str | None) -> str | None:
 
     Parameters
     ----------
-    given
+    option
         URL of a database from a command-line option; None if the option is missing.
     """
-    if url := given or os.environ.get(DATABASE_VARIABLE):
+    if url := option or os.environ.get(DATABASE_VARIABLE):
         return url
     return f"sqlite:///{DATABASE_FILE}" if DATABASE_FILE.is_file() else None
 

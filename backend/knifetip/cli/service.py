@@ -200,7 +200,7 @@ def simulator(
             host,
             port,
             speed=speed,
-            ready=lambda server: print_stderr(f"listening on {server.address}"),
+            on_ready=lambda server: print_stderr(f"listening on {server.address}"),
         )
     except OSError as reason:
         raise StoreError(

@@ -109,7 +109,7 @@ class _GatewayLoop:
             outcome, cause = "done", Message("gateway.switched-off-before-report")
         elif not outcome:
             outcome, cause = "interrupted", Message("gateway.switched-off")
-        ended = JobEnd(
+        end = JobEnd(
             unfinished.job,
             unfinished.epoch,
             outcome,
@@ -117,7 +117,7 @@ class _GatewayLoop:
             unfinished.line,
             unfinished.copies_done,
         )
-        await self._server.finish(ended)
+        await self._server.finish(end)
 
     async def _recover(self) -> None:
         """Connect to the controller and stop the machine if the journal contains an unfinished job.

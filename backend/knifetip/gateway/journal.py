@@ -151,14 +151,14 @@ class Journal:
         """Return the last job of the journal if its end is not recorded, else None."""
         if self._path is None or not self._path.exists():
             return None
-        found: Unfinished | None = None
+        unfinished: Unfinished | None = None
         with self._path.open("rb") as file:
             for raw in file:
                 try:
-                    found = _apply(found, json.loads(raw))
+                    unfinished = _apply(unfinished, json.loads(raw))
                 except (ValueError, KeyError, TypeError):
                     continue  # the line is incomplete after a power failure
-        return found
+        return unfinished
 
     def _append(self, row: dict[str, object], *, safe: bool = False) -> None:
         if self._path is None:
@@ -181,12 +181,12 @@ def _end_last_line(path: Path) -> None:
             file.write(b"\n")
 
 
-def _apply(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
+def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
     """Return the unfinished job after a further event of the journal, None if there is none.
 
     Parameters
     ----------
-    found
+    unfinished
         Unfinished job before the event, None if there is none; it may be changed.
     row
         JSON object of the event.
@@ -196,16 +196,16 @@ def _apply(found: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
         return Unfinished(
             row["job"], int(row["epoch"]), int(row["lines"]), int(row.get("copies", 1))
         )
-    if found is None or row["job"] != found.job:
-        return found
+    if unfinished is None or row["job"] != unfinished.job:
+        return unfinished
     if event == "line":
-        found.line = int(row["executed"])
+        unfinished.line = int(row["executed"])
     elif event == "copy":
-        found.copies_done, found.line = int(row["copies_done"]), 0
+        unfinished.copies_done, unfinished.line = int(row["copies_done"]), 0
     elif event == "outcome":
         # Earlier versions recorded a text.
-        found.outcome = str(row["outcome"])
-        found.cause = from_json(row["why"]) if row["why"] else None
+        unfinished.outcome = str(row["outcome"])
+        unfinished.cause = from_json(row["why"]) if row["why"] else None
     elif event == "end":
         return None
-    return found
+    return unfinished

@@ -324,7 +324,9 @@ class Planner:
             self.speed = 0.0
         return used
 
-    def _travel(self, block: _Block, rest: float, left: float) -> tuple[float, float, float]:
+    def _travel(
+        self, block: _Block, remaining: float, seconds: float
+    ) -> tuple[float, float, float]:
         """Return the time used (s), the length covered and the new speed of the point.
 
         The speed follows the trapezoidal profile of the move.
@@ -333,54 +335,64 @@ class Planner:
         ----------
         block
             The current move with its planned speeds.
-        rest
+        remaining
             Length from the point to the end of the move.
-        left
+        seconds
             Available time (s).
         """
-        hard, first = block.acceleration, self.speed
-        last = self._queue[1].entry if len(self._queue) > 1 else 0.0
+        a, v0 = block.acceleration, self.speed
+        v1 = self._queue[1].entry if len(self._queue) > 1 else 0.0
         # After a hold the planned speed may be unreachable; it is not needed.
-        last = min(last, math.sqrt(first * first + 2.0 * hard * rest))
-        peak = math.sqrt(max((2.0 * hard * rest + first * first + last * last) / 2.0, 0.0))
-        peak = max(min(peak, block.velocity), first, last)
-        rise, fall = (peak - first) / hard, (peak - last) / hard
-        ramps = (peak + first) / 2.0 * rise + (peak + last) / 2.0 * fall
-        cruise = max(rest - ramps, 0.0) / peak if peak > 0.0 else 0.0
-        if left >= rise + cruise + fall:
-            return rise + cruise + fall, rest, last
-        if left < rise:
-            return left, first * left + hard * left * left / 2.0, first + hard * left
-        gone = (peak + first) / 2.0 * rise
-        if left < rise + cruise:
-            return left, gone + peak * (left - rise), peak
-        falling = left - rise - cruise
-        gone += peak * cruise + peak * falling - hard * falling * falling / 2.0
-        return left, gone, peak - hard * falling
+        v1 = min(v1, math.sqrt(v0 * v0 + 2.0 * a * remaining))
+        peak = math.sqrt(max((2.0 * a * remaining + v0 * v0 + v1 * v1) / 2.0, 0.0))
+        peak = max(min(peak, block.velocity), v0, v1)
+        rise, fall = (peak - v0) / a, (peak - v1) / a
+        ramps = (peak + v0) / 2.0 * rise + (peak + v1) / 2.0 * fall
+        cruise = max(remaining - ramps, 0.0) / peak if peak > 0.0 else 0.0
+        if seconds >= rise + cruise + fall:
+            return rise + cruise + fall, remaining, v1
+        if seconds < rise:
+            return seconds, v0 * seconds + a * seconds * seconds / 2.0, v0 + a * seconds
+        covered = (peak + v0) / 2.0 * rise
+        if seconds < rise + cruise:
+            return seconds, covered + peak * (seconds - rise), peak
+        falling = seconds - rise - cruise
+        covered += peak * cruise + peak * falling - a * falling * falling / 2.0
+        return seconds, covered, peak - a * falling
 
 
-def _brake(rest: float, speed: float, hard: float, left: float) -> tuple[float, float, float]:
+def _brake(
+    remaining: float, speed: float, deceleration: float, seconds: float
+) -> tuple[float, float, float]:
     """Return the time used (s), the length covered and the new speed of a decelerating point.
 
     Parameters
     ----------
-    rest
+    remaining
         Length from the point to the end of its move.
     speed
         Present speed (1/s).
-    hard
+    deceleration
         Deceleration (1/s²).
-    left
+    seconds
         Available time (s).
     """
-    if speed * speed / (2.0 * hard) <= rest:
-        stop = speed / hard
-        if left >= stop:
+    if speed * speed / (2.0 * deceleration) <= remaining:
+        stop = speed / deceleration
+        if seconds >= stop:
             # A stop exactly at the end must complete the move.
-            return stop, min(speed * stop / 2.0, rest * (1.0 - 1e-12)), 0.0
-        return left, speed * left - hard * left * left / 2.0, speed - hard * left
-    after = math.sqrt(max(speed * speed - 2.0 * hard * rest, 0.0))
-    end = (speed - after) / hard
-    if left >= end:
-        return end, rest, after
-    return left, speed * left - hard * left * left / 2.0, speed - hard * left
+            return stop, min(speed * stop / 2.0, remaining * (1.0 - 1e-12)), 0.0
+        return (
+            seconds,
+            speed * seconds - deceleration * seconds * seconds / 2.0,
+            speed - deceleration * seconds,
+        )
+    end_speed = math.sqrt(max(speed * speed - 2.0 * deceleration * remaining, 0.0))
+    duration = (speed - end_speed) / deceleration
+    if seconds >= duration:
+        return duration, remaining, end_speed
+    return (
+        seconds,
+        speed * seconds - deceleration * seconds * seconds / 2.0,
+        speed - deceleration * seconds,
+    )

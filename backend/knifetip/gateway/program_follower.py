@@ -144,7 +144,7 @@ class ProgramFollower:
         The index counts from the first answered line that is not known to be executed.  Returns
         ``(0, 0.0)`` if no answered move passes through the reported position.
         """
-        nearest, found = NEAR, (0, 0.0)
+        nearest, executing = NEAR, (0, 0.0)
         for row, line in enumerate(self._window):
             if status.number > 0 and line.block.number == status.number:
                 return row, 0.0
@@ -152,11 +152,11 @@ class ProgramFollower:
                 continue
             distance, fraction = move.nearest(status.position)
             if distance < nearest:
-                nearest, found = distance - CLEARLY, (row, fraction)
+                nearest, executing = distance - CLEARLY, (row, fraction)
             elif nearest < NEAR:
                 # Only the next move can be nearer because it is the true one: at their joint.
                 break
-        return found
+        return executing
 
     def _take(self, acknowledged: int) -> None:
         """Interpret the program lines that the controller has answered since the last call.
@@ -176,15 +176,15 @@ class ProgramFollower:
             if block.waits:
                 self._drop(len(self._window))
 
-    def _release(self, held: int) -> None:
-        """Count the oldest stored lines as executed until at most ``held`` stored moves remain.
+    def _release(self, max_moves: int) -> None:
+        """Count the oldest stored lines as executed until at most ``max_moves`` moves remain.
 
         Parameters
         ----------
-        held
+        max_moves
             Greatest number of answered moves that the controller may not have completed.
         """
-        while self._moves > held:
+        while self._moves > max_moves:
             self._drop(1)
 
     def _skip(self) -> None:

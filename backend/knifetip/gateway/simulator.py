@@ -123,7 +123,7 @@ def run(
     port: int = 2323,
     *,
     speed: float = 1.0,
-    ready: Callable[[Server], None] | None = None,
+    on_ready: Callable[[Server], None] | None = None,
 ) -> None:
     """Serve a simulated table on a TCP port until interrupted.
 
@@ -135,14 +135,14 @@ def run(
         Address on which the server listens; port 0 for any free port.
     speed
         Simulated seconds per second of real time.
-    ready
+    on_ready
         Function that is called with the server when its port is open; None for no call.
     """
 
     async def serving() -> None:
         async with await serve(machine, host, port, speed=speed) as server:
-            if ready is not None:
-                ready(server)
+            if on_ready is not None:
+                on_ready(server)
             await asyncio.Event().wait()
 
     with suppress(KeyboardInterrupt):

@@ -247,7 +247,7 @@ async def _give_up(task: asyncio.Task[None]) -> None:
 
 
 def _progress(
-    follower: ProgramFollower, status: Status, answered: int, lines: int, left: float | None
+    follower: ProgramFollower, status: Status, answered: int, lines: int, seconds_left: float | None
 ) -> Progress:
     return Progress(
         follower.lines,
@@ -256,7 +256,7 @@ def _progress(
         status.position,
         status.state,
         follower.output,
-        left,
+        seconds_left,
     )
 
 
@@ -272,12 +272,12 @@ class _Clock:
         self._running = 0.0
         self._last: float | None = None
 
-    def left(self, done: float, status: Status) -> float:
+    def left(self, executed: float, status: Status) -> float:
         """Return the estimated remaining time of the program (s).
 
         Parameters
         ----------
-        done
+        executed
             Nominal duration of the executed part of the program (s).
         status
             Present status; time counts as running time only in the state ``run``.
@@ -286,5 +286,5 @@ class _Clock:
         if self._last is not None and status.state is State.RUN:
             self._running += now - self._last
         self._last = now
-        pace = self._running / done if done > PACE and self._running > 0.0 else 1.0
-        return max(self._total - done, 0.0) * pace
+        pace = self._running / executed if executed > PACE and self._running > 0.0 else 1.0
+        return max(self._total - executed, 0.0) * pace

@@ -133,7 +133,11 @@ class TableQueue:
         for machine, since in self._unready.items():
             if now - since >= _PATIENCE:
                 self._store.compiles.report_waiting(machine, compiled[machine])
-        return self._store.compiles.begin(self._worker, without=unready) if machines else None
+        return (
+            self._store.compiles.begin(self._worker, excluded_machines=unready)
+            if machines
+            else None
+        )
 
     def stop(self) -> None:
         """Take no further jobs, and return when all calls of ``compile`` have ended."""

@@ -35,7 +35,7 @@ from knifetip.model.tool import Engine, kind_of
 LIMIT = 120.0  #: seconds that a reading or a compile may take
 _RENEW = 0.2  # seconds between two renewals of a compile's lease
 _SWEEP = 1.0  # seconds between two sweeps while a job has a lease
-_REST = 3.0  # seconds between two sweeps otherwise: several in the duration of a lease
+_IDLE_SWEEP = 3.0  # seconds between two sweeps otherwise: several in the duration of a lease
 _SERVER_POLL = 3.0  # seconds between two looks of a server for jobs that another process received
 _WORKER_POLL = 0.5  # the same of a worker, all of whose jobs are received by another process
 
@@ -133,7 +133,7 @@ class CompileService:
             except Exception:
                 if not self._stopping.is_set():
                     _log.exception("the sweep failed")
-            self._stopping.wait(_SWEEP if leased else _REST)
+            self._stopping.wait(_SWEEP if leased else _IDLE_SWEEP)
 
     def compile(self, job: Job) -> None:
         """Compile a job; store the result, or the message for which the job is refused.

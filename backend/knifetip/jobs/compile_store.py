@@ -13,14 +13,14 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.database import Database, rows
-from knifetip.jobs.job import CLOCK, Action, Actor, State, Who
+from knifetip.jobs.job import CLOCK, Action, Actor, ActorKind, State
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions
 from knifetip.messages import Message
 from knifetip.model.stage import Stage
 
 ATTEMPTS = 5  #: failed attempts after which a job is refused
-_WORKER = Actor(Who.WORKER)
+_WORKER = Actor(ActorKind.WORKER)
 _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
 
 
@@ -76,7 +76,7 @@ class CompileStore:
         self,
         worker: str,
         only: tuple[str, int] | None = None,
-        without: Collection[str] = (),
+        excluded_machines: Collection[str] = (),
     ) -> Job | None:
         """Move the oldest received job to ``compiling`` and return it, None if there is none.
 
@@ -87,10 +87,10 @@ class CompileStore:
         only
             Id and number of the compile attempt of the only job that may be taken; None for any
             job.
-        without
+        excluded_machines
             Names of the machines whose jobs are not taken.
         """
-        query = _NEXT.where(Job.machine.not_in(without))
+        query = _NEXT.where(Job.machine.not_in(excluded_machines))
         if only is not None:
             query = query.where(Job.id == only[0], Job.attempt == only[1])
         with self._db.reading() as session:
@@ -105,7 +105,7 @@ class CompileStore:
                 session,
                 id,
                 Action.COMPILE,
-                Actor(Who.WORKER, worker),
+                Actor(ActorKind.WORKER, worker),
                 Message("job.compile-started", attempt=row.attempt),
                 epoch=row.epoch,
                 new_epoch=row.epoch + 1,

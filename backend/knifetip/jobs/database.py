@@ -123,7 +123,7 @@ class Database:
             self.changes.notify()
 
     def large_column(
-        self, table: type[Drawing] | type[Job], id: str, column: str, word: str
+        self, table: type[Drawing] | type[Job], id: str, column: str, kind: str
     ) -> bytes:
         """Return the content of one large column of a drawing or a job.
 
@@ -135,7 +135,7 @@ class Database:
             Id of the drawing or the job.
         column
             Name of the column.
-        word
+        kind
             ``drawing`` or ``job``, for error messages.
 
         Raises
@@ -147,12 +147,12 @@ class Database:
         """
         query = sa.select(getattr(table, column), table.id).where(table.id == id)
         with self.reading() as session:
-            found = session.execute(query).first()
-        if found is None:
-            raise NoSuchJob("store.unknown", kind=word, id=short(id))
-        if found[0] is None:
-            raise WrongState("store.no-column", kind=word, id=id, column=column)
-        return bytes(found[0])
+            value = session.execute(query).first()
+        if value is None:
+            raise NoSuchJob("store.unknown", kind=kind, id=short(id))
+        if value[0] is None:
+            raise WrongState("store.no-column", kind=kind, id=id, column=column)
+        return bytes(value[0])
 
     def alive(self) -> bool:
         """Return True if the database answers a query; otherwise the database's error is raised."""

@@ -19,9 +19,9 @@ from knifetip.jobs.job import (
     ON_TABLE,
     Action,
     Actor,
+    ActorKind,
     Confirmation,
     State,
-    Who,
     action_between,
 )
 from knifetip.jobs.tables import Gateway, Job
@@ -77,14 +77,14 @@ class GatewayStore:
         with self._db.writing() as session:
             session.merge(Gateway(machine=machine, name=name, seen=self._db.clock()))
 
-    def connected_machines(self, within: float) -> set[str]:
+    def connected_machines(self, max_age: float) -> set[str]:
         """Return the names of the machines whose gateway is connected.
 
-        A gateway is connected if it requested a job in the last ``within`` seconds, or has a valid
+        A gateway is connected if it requested a job in the last ``max_age`` seconds, or has a valid
         lease of a job.
         """
         now = self._db.clock()
-        recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - within)
+        recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - max_age)
         leased_jobs = sa.select(Job.machine).where(
             sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
         )
@@ -100,33 +100,33 @@ class GatewayStore:
         with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
-    def queues(self, machines: Collection[str], within: float) -> dict[str, Queue]:
+    def queues(self, machines: Collection[str], max_age: float) -> dict[str, Queue]:
         """Return the state of the queue of each machine, by name of the machine.
 
         Parameters
         ----------
         machines
             Names of the machines.
-        within
+        max_age
             Seconds without a request after which a gateway counts as absent.
         """
-        connected = self.connected_machines(within)
+        connected = self.connected_machines(max_age)
         ahead = sa.select(Job.machine, Job.id, Job.state).where(
             Job.machine.in_(machines), sa.or_(Job.state.in_(ON_TABLE), CLAIMED)
         )
-        found: dict[str, Queue] = {}
+        queues: dict[str, Queue] = {}
         with self._db.reading() as session:
             jobs_ahead = {row.machine: row for row in session.execute(ahead)}
             for machine in machines:
                 first = session.scalar(_next_queued(machine).with_only_columns(Job.id)) or ""
-                other = jobs_ahead.get(machine)
-                found[machine] = Queue(
+                job_ahead = jobs_ahead.get(machine)
+                queues[machine] = Queue(
                     first,
-                    "" if other is None else other.id,
-                    "" if other is None else other.state,
+                    "" if job_ahead is None else job_ahead.id,
+                    "" if job_ahead is None else job_ahead.state,
                     machine in connected,
                 )
-        return found
+        return queues
 
     def claim(self, machine: str, gateway: str, *, manual: bool) -> Job | None:
         """Assign the next queued job of a machine to a gateway; return None if there is none.
@@ -187,7 +187,7 @@ class GatewayStore:
             self._change(session, row, changes)
             event = Message("job.claimed-to-confirm")
             self._transitions.write_event(
-                session, "job", row.id, State.QUEUED, Actor(Who.GATEWAY, gateway), event
+                session, "job", row.id, State.QUEUED, Actor(ActorKind.GATEWAY, gateway), event
             )
             return
         changes |= {"confirmation": Confirmation.NONE.value}
@@ -195,7 +195,7 @@ class GatewayStore:
             session,
             row.id,
             Action.START,
-            Actor(Who.GATEWAY, gateway),
+            Actor(ActorKind.GATEWAY, gateway),
             Message("job.claimed"),
             epoch=row.epoch,
             new_epoch=changes.pop("epoch"),
@@ -292,7 +292,7 @@ class GatewayStore:
             session,
             row.id,
             action_between(State(row.state), goal),
-            Actor(Who.GATEWAY, row.owner),
+            Actor(ActorKind.GATEWAY, row.owner),
             event,
             epoch=row.epoch,
             **changes,
@@ -347,7 +347,7 @@ class GatewayStore:
             self._change(session, row, changes)
             if copy_done:
                 self._transitions.write_event(
-                    session, "job", row.id, goal, Actor(Who.GATEWAY, row.owner), event
+                    session, "job", row.id, goal, Actor(ActorKind.GATEWAY, row.owner), event
                 )
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held
@@ -402,7 +402,7 @@ class GatewayStore:
             if not (late or owned):
                 raise stale_epoch_error(id, row.state, row.epoch, epoch)
             if returned and row.state == State.QUEUED:
-                owner = Actor(Who.GATEWAY, row.owner)
+                owner = Actor(ActorKind.GATEWAY, row.owner)
                 self.give_back(session, row, owner, cause or Message("job.nothing-sent"))
                 return self._transitions.lock(session, id)
             if row.state == State.QUEUED:
@@ -442,7 +442,7 @@ class GatewayStore:
             if late:
                 if event != row.message:
                     self._change(session, row, ended)
-                    owner = Actor(Who.GATEWAY, row.owner)
+                    owner = Actor(ActorKind.GATEWAY, row.owner)
                     report = Message("job.late-report", report=event)
                     self._transitions.write_event(session, "job", row.id, goal, owner, report)
                 return

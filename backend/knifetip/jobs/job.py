@@ -40,7 +40,7 @@ class State(StrEnum):
     CANCELLED = "cancelled"
 
 
-class Who(StrEnum):
+class ActorKind(StrEnum):
     """Kinds of persons and processes that move a job to another state."""
 
     OPERATOR = "operator"
@@ -52,7 +52,7 @@ class Who(StrEnum):
 class Actor(NamedTuple):
     """The person or process that moves a job to another state, with its name if it is known."""
 
-    kind: Who
+    kind: ActorKind
     name: str = ""
 
     def __str__(self) -> str:
@@ -60,7 +60,7 @@ class Actor(NamedTuple):
 
 
 #: An operator whose name is not known, and the expiry of a lease.
-OPERATOR, CLOCK = Actor(Who.OPERATOR), Actor(Who.CLOCK)
+OPERATOR, CLOCK = Actor(ActorKind.OPERATOR), Actor(ActorKind.CLOCK)
 
 
 class Confirmation(StrEnum):
@@ -106,10 +106,15 @@ class Transition(NamedTuple):
     source: State
     action: Action
     target: State
-    actors: tuple[Who, ...]  #: who may perform it
+    actors: tuple[ActorKind, ...]  #: who may perform it
 
 
-_OPERATOR, _WORKER, _GATEWAY, _CLOCK = Who.OPERATOR, Who.WORKER, Who.GATEWAY, Who.CLOCK
+_OPERATOR, _WORKER, _GATEWAY, _CLOCK = (
+    ActorKind.OPERATOR,
+    ActorKind.WORKER,
+    ActorKind.GATEWAY,
+    ActorKind.CLOCK,
+)
 #: All transitions.  For a job on a table, the operator's hold, resume and cancel are requests that
 #: its gateway performs.
 TRANSITIONS: tuple[Transition, ...] = (
@@ -153,17 +158,19 @@ ADVICE: dict[State, Message] = {
 }
 
 
-def sources(action: Action, who: Who) -> tuple[State, ...]:
+def sources(action: Action, actor_kind: ActorKind) -> tuple[State, ...]:
     """Return the states of a job from which an action may be performed.
 
     Parameters
     ----------
     action
         The action.
-    who
+    actor_kind
         Kind of the person or process that performs it.
     """
-    return tuple(row.source for row in TRANSITIONS if row.action is action and who in row.actors)
+    return tuple(
+        row.source for row in TRANSITIONS if row.action is action and actor_kind in row.actors
+    )
 
 
 def target(action: Action) -> State:

@@ -17,9 +17,9 @@ from knifetip.jobs.job import (
     OPERATOR,
     Action,
     Actor,
+    ActorKind,
     Confirmation,
     State,
-    Who,
     new_id,
     sources,
 )
@@ -313,7 +313,7 @@ class JobStore:
                 "job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board
             )
             self._transitions.write_event(
-                session, "job", id, row.state, Actor(Who.OPERATOR, by), event
+                session, "job", id, row.state, Actor(ActorKind.OPERATOR, by), event
             )
             return self._transitions.lock(session, id)
 
@@ -416,6 +416,6 @@ def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
         job=row.id,
         state=row.state,
         request=action,
-        states=sources(Action(action), Who.GATEWAY),
+        states=sources(Action(action), ActorKind.GATEWAY),
         advice=ADVICE[State(row.state)],
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from knifetip.jobs.job import LEASED, TRANSITIONS, Action, Confirmation, State, Who
+from knifetip.jobs.job import LEASED, TRANSITIONS, Action, ActorKind, Confirmation, State
 from knifetip.jobs.tables import Job
 
 
@@ -44,7 +44,7 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
         for transition in TRANSITIONS
         if transition.source is state
         and (
-            Who.OPERATOR in transition.actors
+            ActorKind.OPERATOR in transition.actors
             or (state in LEASED and transition.action in _REQUESTED)
         )
     }

@@ -35,7 +35,7 @@ T = TypeVar("T")
 
 MEMORY = 6 << 30  #: bytes of address space of a worker
 IDLE = 60.0  #: seconds after which ``trim`` ends an idle worker
-_LOOK = 1.0  # seconds between two calls of ``watch`` without progress
+_WATCH_INTERVAL = 1.0  # seconds between two calls of ``watch`` without progress
 _REPORT = 0.1  # seconds between two progress reports of one stage
 
 _log = logging.getLogger("knifetip.jobs")
@@ -181,7 +181,7 @@ class ProcessPool:
             remaining = deadline - time.monotonic()
             if remaining <= 0:
                 raise DrawingTooLarge("worker.timeout", stage=stage, seconds=limit)
-            if worker.pipe.poll(min(remaining, _LOOK)):
+            if worker.pipe.poll(min(remaining, _WATCH_INTERVAL)):
                 kind, value = worker.pipe.recv()
                 if kind != "progress":
                     return kind, value

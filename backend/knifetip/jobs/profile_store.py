@@ -15,7 +15,7 @@ from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.tables import Profile
 
 #: Greatest number of profiles; a list of profiles parses all of them.
-MOST = 1000
+MAX_PROFILES = 1000
 
 
 class ProfileStore:
@@ -81,8 +81,8 @@ class ProfileStore:
         row = Profile(name=name, title=title, text=text, version=1, created=now, updated=now)
         try:
             with self._db.writing() as session:
-                if (session.scalar(sa.select(sa.func.count(Profile.name))) or 0) >= MOST:
-                    raise WrongState("profile.too-many", limit=MOST)
+                if (session.scalar(sa.select(sa.func.count(Profile.name))) or 0) >= MAX_PROFILES:
+                    raise WrongState("profile.too-many", limit=MAX_PROFILES)
                 session.add(row)
         except IntegrityError as reason:
             raise self._missing_or_stale_error(name, None) from reason

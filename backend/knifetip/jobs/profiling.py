@@ -20,7 +20,7 @@ from knifetip.model.profile import LineRule, LineRules
 from knifetip.model.stage import Progress, Stage
 
 #: Greatest number of proposed rules; each is applied to the whole drawing.
-_MOST = 12
+_MAX_PROPOSALS = 12
 
 
 def preview(
@@ -121,12 +121,14 @@ def learn(
         if one.rule.layer or one.rule.block or one.rule.colour or one.rule.true_colour
     ]
     explained = {row for one in proposals for row in one.explains}
-    left = np.flatnonzero((overrides != NO_OVERRIDE) & (without_overrides.line_type != overrides))
-    rest = _by_attributes(
-        drawing, overrides, [row for row in left.tolist() if row not in explained]
+    unexplained = np.flatnonzero(
+        (overrides != NO_OVERRIDE) & (without_overrides.line_type != overrides)
+    )
+    attribute_rules = _by_attributes(
+        drawing, overrides, [row for row in unexplained.tolist() if row not in explained]
     )
     proposed = []
-    for rule in [*(one.rule for one in proposals), *rest][:_MOST]:
+    for rule in [*(one.rule for one in proposals), *attribute_rules][:_MAX_PROPOSALS]:
         longer = LineRules(profile.name, profile.title, (rule, *profile.rules))
         after = pipeline.classify(drawing, longer, overrides)
         matched = matching_rules(drawing, LineRules("", "", (rule,))) == 0
@@ -154,14 +156,14 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
     rows
         Rows of the edges to consider; the user has set a line type for each of them.
     """
-    wanted: dict[tuple[str, int, int], set[int]] = {}
+    line_types: dict[tuple[str, int, int], set[int]] = {}
     for row in rows:
         key = (
             drawing.layers[drawing.layer[row]],
             int(drawing.colour[row]),
             int(drawing.true_colour[row]),
         )
-        wanted.setdefault(key, set()).add(int(overrides[row]))
+        line_types.setdefault(key, set()).add(int(overrides[row]))
     return [
         LineRule(
             LineType(kinds.pop()),
@@ -169,7 +171,7 @@ def _by_attributes(drawing: Drawing, overrides: U8, rows: list[int]) -> list[Lin
             colour=(index,) if true < 0 else (),
             true_colour=(true,) if true >= 0 else (),
         )
-        for (layer, index, true), kinds in wanted.items()
+        for (layer, index, true), kinds in line_types.items()
         if len(kinds) == 1 and 0 not in kinds
     ]
 

@@ -28,7 +28,9 @@ class StoredDrawing:
     interpretation: Interpretation  #: interpretation of the reading
 
 
-def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Drawing, Dieline]:
+def restore_or_read(
+    stored: StoredDrawing, interpretation: Interpretation
+) -> tuple[Drawing, Dieline]:
     """Return a drawing and its dieline (edges with line types) for an interpretation.
 
     They are restored from the stored edges if the stored interpretation has the same profile and an
@@ -39,7 +41,7 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
     ----------
     stored
         File, stored edges and stored interpretation of the drawing.
-    wanted
+    interpretation
         Unit, profile and overrides of the returned drawing and dieline.
 
     Raises
@@ -47,7 +49,7 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
     ReadError, ProfileError
         The file or the profile cannot be read.
     """
-    changed = _new_overrides(stored.interpretation, wanted)
+    changed = _new_overrides(stored.interpretation, interpretation)
     if changed is not None:
         try:
             drawing, dieline = restore_drawing(stored.edges)
@@ -59,8 +61,8 @@ def restore_or_read(stored: StoredDrawing, wanted: Interpretation) -> tuple[Draw
                 return drawing, _apply_new_overrides(dieline, changed)
     from knifetip import pipeline
 
-    drawing = read_drawing(stored.content, wanted.unit)
-    return drawing, pipeline.interpret(drawing, wanted)
+    drawing = read_drawing(stored.content, interpretation.unit)
+    return drawing, pipeline.interpret(drawing, interpretation)
 
 
 # Changes of overrides or profile need the same drawing again: cache the last few.
@@ -80,7 +82,7 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
     return pipeline.read(content, unit or None)
 
 
-def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
+def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8 | None:
     """Return the overrides with which a stored drawing becomes the wanted one, (n,), or None.
 
     There is one override per edge: ``NO_OVERRIDE`` or a LineType.  Returns None if the file must be
@@ -88,16 +90,22 @@ def _new_overrides(stored: Interpretation, wanted: Interpretation) -> U8 | None:
 
     Parameters
     ----------
-    stored, wanted
+    stored, interpretation
         Interpretation of the stored drawing, and interpretation that is needed.
     """
-    if (stored.unit, stored.profile, stored.rules) != (wanted.unit, wanted.profile, wanted.rules):
+    if (stored.unit, stored.profile, stored.rules) != (
+        interpretation.unit,
+        interpretation.profile,
+        interpretation.rules,
+    ):
         return None
-    before, after = (np.frombuffer(one.overrides, np.uint8) for one in (stored, wanted))
-    changed = before != after if len(before) == len(after) else None
-    if changed is None or (after[changed] == NO_OVERRIDE).any():
+    stored_overrides, overrides = (
+        np.frombuffer(one.overrides, np.uint8) for one in (stored, interpretation)
+    )
+    changed = stored_overrides != overrides if len(stored_overrides) == len(overrides) else None
+    if changed is None or (overrides[changed] == NO_OVERRIDE).any():
         return None
-    return np.where(changed, after, NO_OVERRIDE).astype(np.uint8)
+    return np.where(changed, overrides, NO_OVERRIDE).astype(np.uint8)
 
 
 def _apply_new_overrides(dieline: Dieline, overrides: U8) -> Dieline:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
 
 #: Greatest number of findings in the reason of a refused job.
-_SHOWN: Final = 3
+_MAX_FINDINGS: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +97,7 @@ def read(
     )
 
 
-def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
+def _carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -> U8:
     """Return the overrides for the edges of a new reading from those of an earlier one, (m,).
 
     If the handles are equal, so are the overrides.  Otherwise an edge gets the override that all
@@ -109,16 +109,16 @@ def _carry_over(before: U8, handles: Sequence[str], now: Sequence[str]) -> U8:
         Overrides of the edges of the earlier reading.
     handles : (n,)
         Handles of these edges.
-    now : (m,)
+    new_handles : (m,)
         Handles of the edges of the new reading.
     """
-    if list(handles) == list(now):
+    if list(handles) == list(new_handles):
         return before
-    given: dict[str, set[int]] = {}
+    overrides_of: dict[str, set[int]] = {}
     for handle, override in zip(handles, before.tolist(), strict=True):
-        given.setdefault(handle, set()).add(override)
-    agreed = {handle: values.pop() for handle, values in given.items() if len(values) == 1}
-    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in now], np.uint8)
+        overrides_of.setdefault(handle, set()).add(override)
+    agreed = {handle: values.pop() for handle, values in overrides_of.items() if len(values) == 1}
+    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in new_handles], np.uint8)
 
 
 def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
@@ -146,7 +146,7 @@ def cleaning_report(progress: Progress, edges: bytes) -> dict[str, Any]:
 
 
 def open_questions(
-    progress: Progress, stored: StoredDrawing, wanted: Interpretation, machine: str
+    progress: Progress, stored: StoredDrawing, interpretation: Interpretation, machine: str
 ) -> list[dict[str, Any]]:
     """Return the questions that the user must answer before a job can be compiled, as JSON data.
 
@@ -154,7 +154,7 @@ def open_questions(
     ----------
     progress
         Called with stage and completed fraction.
-    stored, wanted
+    stored, interpretation
         The stored drawing, and the interpretation with which it is compiled.
     machine
         Name of the machine.
@@ -169,16 +169,16 @@ def open_questions(
 
     progress(Stage.READ, 0.0)
     table = load.machine(machine)
-    if wanted.corners is not None:
-        check_corners(wanted.corners, table)
-    drawing, dieline = restore_or_read(stored, wanted)
+    if interpretation.corners is not None:
+        check_corners(interpretation.corners, table)
+    drawing, dieline = restore_or_read(stored, interpretation)
     return [question.as_json() for question in pipeline.questions(drawing, dieline, table)]
 
 
 def compile(
     progress: Progress,
     stored: StoredDrawing,
-    wanted: Interpretation,
+    interpretation: Interpretation,
     machine: str,
     board: str,
     notes: Sequence[str],
@@ -189,7 +189,7 @@ def compile(
     ----------
     progress
         Called with stage and completed fraction.
-    stored, wanted
+    stored, interpretation
         The stored drawing, and the interpretation with which it is compiled.
     machine, board
         Names of the machine and the board in the library.
@@ -204,45 +204,45 @@ def compile(
     from knifetip import pipeline
 
     progress(Stage.READ, 0.0)
-    drawing, dieline = restore_or_read(stored, wanted)
+    drawing, dieline = restore_or_read(stored, interpretation)
     if not drawing.unit:
         raise UnitUnknown("drawing.unit-unknown", evidence=drawing.evidence)
     table = load.machine(machine)
-    made = pipeline.compile(
+    compiled = pipeline.compile(
         drawing,
         dieline,
         table,
         load.board(board),
-        corners=wanted.corners,
+        corners=interpretation.corners,
         notes=notes,
         progress=progress,
     )
-    return _result(made, [printable(handle) for handle in drawing.handles], table)
+    return _result(compiled, [printable(handle) for handle in drawing.handles], table)
 
 
-def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
+def _result(compiled: Compiled, handles: Sequence[str], table: Machine) -> CompileResult:
     """Return the program, tool path, verdict and tools of a compile in the stored form.
 
     Parameters
     ----------
-    made
+    compiled
         Result of the compile, with the program.
     handles : (n,)
         Handles of the edges of the drawing.
     table
         Machine of the program.
     """
-    verdict = made.verdict
+    verdict = compiled.verdict
     findings = findings_json(verdict, handles)
     summary = {
         **verdict_summary(verdict),
-        "seconds": finite(made.seconds),
-        "seconds_retracted": finite(made.seconds_retracted),
+        "seconds": finite(compiled.seconds),
+        "seconds_retracted": finite(compiled.seconds_retracted),
     }
-    text = made.program.text
+    text = compiled.program.text
     message = None
     if not verdict.accepted:
-        shown, more = verdict.findings[:_SHOWN], len(findings) - _SHOWN
+        shown, more = verdict.findings[:_MAX_FINDINGS], len(findings) - _MAX_FINDINGS
         message = Message(
             "job.program-refused",
             findings=[finding.located_message for finding in shown],
@@ -253,12 +253,12 @@ def _result(made: Compiled, handles: Sequence[str], table: Machine) -> CompileRe
         message=message,
         program=text,
         sha256=hashlib.sha256(text).hexdigest(),
-        lines=len(made.program),
-        toolpath=pack_toolpath(made, table),
+        lines=len(compiled.program),
+        toolpath=pack_toolpath(compiled, table),
         verdict=pack_verdict(verdict, findings, summary),
         verdict_summary=summary,
         source=sorted({str(finding["handle"]) for finding in findings if finding["handle"]})[:200],
-        tools=used_stations(made, table),
+        tools=used_stations(compiled, table),
     )
 
 

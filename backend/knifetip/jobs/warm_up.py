@@ -29,7 +29,7 @@ from knifetip.warming import GROUPS, Part
 NICENESS = 10  #: of compiling processes beside a server
 _AT_ONCE = min(2, os.cpu_count() or 1)  # processes; each compiles again what both need
 _LIMIT = 900.0  # seconds that the kernels of one module may take
-_LOOK = 0.5  # seconds between two progress reports to a waiting caller
+_WATCH_INTERVAL = 0.5  # seconds between two progress reports to a waiting caller
 
 _log = logging.getLogger("knifetip.jobs")
 
@@ -198,7 +198,9 @@ class WarmUp:
         """
         while True:
             with self._changed:
-                ready = self._changed.wait_for(lambda: self._is_ready(groups), timeout=_LOOK)
+                ready = self._changed.wait_for(
+                    lambda: self._is_ready(groups), timeout=_WATCH_INTERVAL
+                )
                 if self._closed:
                     raise TaskCancelled
                 if ready:

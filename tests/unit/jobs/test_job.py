@@ -5,8 +5,8 @@ from knifetip.jobs.job import (
     ON_TABLE,
     TRANSITIONS,
     Action,
+    ActorKind,
     State,
-    Who,
     action_between,
     new_id,
     sources,
@@ -32,10 +32,10 @@ def test_nothing_leads_out_of_the_four_ends() -> None:
 def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
     leaving = {row.target: {*row.actors} for row in TRANSITIONS if row.source == "interrupted"}
     assert leaving == {
-        State.QUEUED: {Who.OPERATOR},
-        State.SCRAPPED: {Who.OPERATOR},
+        State.QUEUED: {ActorKind.OPERATOR},
+        State.SCRAPPED: {ActorKind.OPERATOR},
         # A late report of the last gateway is evidence; it starts no machine.
-        State.DONE: {Who.OPERATOR, Who.GATEWAY},
+        State.DONE: {ActorKind.OPERATOR, ActorKind.GATEWAY},
     }
 
 
@@ -49,8 +49,8 @@ def test_nothing_runs_that_was_not_ready_and_queued() -> None:
 
 
 def test_sources_are_told_apart_by_who_moves() -> None:
-    assert sources(Action.CANCEL, Who.GATEWAY) == (State.RUNNING, State.HELD)
-    assert sources(Action.INTERRUPT, Who.OPERATOR) == ()
+    assert sources(Action.CANCEL, ActorKind.GATEWAY) == (State.RUNNING, State.HELD)
+    assert sources(Action.INTERRUPT, ActorKind.OPERATOR) == ()
 
 
 def test_a_state_and_an_action_have_one_row_and_an_action_one_target() -> None:

@@ -50,16 +50,16 @@ class MessageOut(BaseModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _render(cls, given: Any) -> Any:
+    def _render(cls, message: Any) -> Any:
         """Return a message as JSON data with its text and its hint, before the model is validated.
 
         Parameters
         ----------
-        given
+        message
             The message as a ``Message``, or as JSON data.
         """
-        plain = with_text(given)
-        return {**plain, **dict.fromkeys(cls.text_fields, plain["text"])}
+        data = with_text(message)
+        return {**data, **dict.fromkeys(cls.text_fields, data["text"])}
 
 
 class MessageIn(BaseModel):

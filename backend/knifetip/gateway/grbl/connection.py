@@ -255,11 +255,11 @@ class GrblConnection:
             The fault of the connection, if there is one.
         """
         self.raise_fault()
-        seen = self._reports
+        reports_before = self._reports
         await self.request_report()
         try:
             async with asyncio.timeout(self.silence if patience is None else patience):
-                await self._wait_for_change(lambda: self._reports > seen)
+                await self._wait_for_change(lambda: self._reports > reports_before)
         except TimeoutError:
             raise self.silent() from None
         self.raise_fault()

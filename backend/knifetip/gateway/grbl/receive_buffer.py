@@ -20,7 +20,7 @@ from knifetip.messages import Message
 #: Size of the receive buffer (bytes) if ``$I`` does not report it.
 DEFAULT_SIZE = 128
 #: Most characters of a line that a message contains.
-_SHOWN = 60
+_EXCERPT = 60
 
 
 @dataclass(slots=True)
@@ -40,7 +40,7 @@ class PendingLine:
     @property
     def excerpt(self) -> str:
         """The beginning of the line, for messages."""
-        return self.text.decode("ascii", "replace").strip()[:_SHOWN]
+        return self.text.decode("ascii", "replace").strip()[:_EXCERPT]
 
     def fail(self, error: ControllerError) -> None:
         """Raise an error in the task that waits for the answer to this line, if a task waits."""

@@ -25,7 +25,7 @@ UNLOCKABLE = frozenset({2, 3})
 #: Pause between two attempts to reach the controller (s).
 PAUSE = 0.25
 #: Time between two status requests while the machine comes to rest (s).
-LOOK = 0.01
+POLL = 0.01
 #: Z may be this much below the lift (mm): rounding of reports.
 LEVEL = 1e-3
 
@@ -167,7 +167,7 @@ async def _hold(machine: Recoverable, silence: float) -> None:
             # Two reports: one may be old or false.
             while still < 2:
                 still = still + 1 if (await machine.report()).still else 0
-                await asyncio.sleep(LOOK)
+                await asyncio.sleep(POLL)
 
 
 async def _unlock(machine: Recoverable) -> None:
@@ -213,7 +213,7 @@ async def _wait_until_idle(machine: Recoverable, seconds: float) -> Status:
                 idle = idle + 1 if status.state is State.IDLE else 0
                 if idle >= 2:
                     return status
-                await asyncio.sleep(LOOK)
+                await asyncio.sleep(POLL)
     except TimeoutError:
         raise ControllerSilent(
             "controller.lift-not-finished", name=machine.name, seconds=seconds
