@@ -11,23 +11,21 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
-from knifetip.drawing_builder.colours import UNKNOWN_COLOUR, nearest_index
-from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
-from knifetip.model.drawing import Annotation
 from knifetip.svg import layers, shapes
 from knifetip.svg.document import Node
+from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
 from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.page import Page, view_box, view_box_matrix
 from knifetip.svg.style import INITIAL, Appearance, Cascade, StyleSheet
+from knifetip.svg.texts import text_annotation, text_content
 from knifetip.svg.transform import parse_transform
 
 #: Elements that only contain other elements.
@@ -78,33 +76,6 @@ _HIDDEN: Final = Message("import.hidden")
 _RULES: Final = 2000
 
 
-class OmittedShape(NamedTuple):
-    """The path of an element that has a row in the import report but gives no edge.
-
-    The bounding box of the path becomes the location of the element in the import report.
-    """
-
-    row: int  #: row of the import report
-    data: str  #: path data
-    matrix: Matrix
-
-
-@dataclass(slots=True)
-class DrawnPaths:
-    """The n drawn paths of an SVG in the order of the file, with their matrices and styles.
-
-    The shapes that give no edge, and the texts, are also stored here.
-    """
-
-    data: list[str] = field(default_factory=list)  #: path data
-    matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
-    row: list[int] = field(default_factory=list)  #: row of the import report
-    style: list[int] = field(default_factory=list)  #: index in ``styles``
-    styles: list[Style] = field(default_factory=list)
-    omitted: list[OmittedShape] = field(default_factory=list)
-    annotations: list[Annotation] = field(default_factory=list)  #: in file units
-
-
 class _Context(NamedTuple):
     """The properties that an element inherits from the elements that contain it."""
 
@@ -138,7 +109,7 @@ def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnP
     """
     expansion = _Expansion(root, page, limits)
     expansion.visit_all()
-    expansion.drop_fills()
+    expansion.drawn.drop_fills(expansion.report)
     return expansion.report, expansion.drawn
 
 
@@ -152,10 +123,6 @@ class _Expansion:
         self._limits = limits
         self._until = time.monotonic() + limits.seconds
         self._named: dict[str, Node] = {}
-        self._handles: set[str] = set()
-        self._numbers: dict[Style, int] = {}
-        self._stroked = False
-        self._fills: list[int] = []
         texts: list[str] = []
         uses = False
         for node in _all_nodes(root):
@@ -163,7 +130,7 @@ class _Expansion:
                 self._named.setdefault(identity, node)
             uses |= node.tag == "use"
             if node.tag == "style":
-                texts.append(_text_content(node))
+                texts.append(text_content(node))
         if uses:
             self._check_size()
         style_sheet = StyleSheet("\n".join(texts))
@@ -256,7 +223,7 @@ class _Expansion:
         handle = context.path + self._handle(node)
         layer = layers.layer_of_element(node, context.layer)
         if node.tag == "text":
-            self._add_text(node, context, layer)
+            self._add_text(node, layer, context)
         if node.tag not in shapes.SHAPES:
             cause = _REASONS.get(node.tag)
             cause = cause or Message("import.unsupported-element", kind=node.tag)
@@ -277,7 +244,7 @@ class _Expansion:
         if omit_reason:
             self._omit(row, shapes.shape_path_data, node, context)
         else:
-            self._add_path(row, data, layer, context)
+            self.drawn.add(row, data, layer, context.matrix, appearance)
         return None
 
     def _omit(
@@ -411,6 +378,16 @@ class _Expansion:
             return group, context
         return target, context
 
+    def _add_text(self, node: Node, layer: str, context: _Context) -> None:
+        """Add a text element to the annotations if it is visible and not empty."""
+        if context.left_out or not context.appearance.visible:
+            return
+        annotation = text_annotation(
+            node, layer, context.matrix, context.window, context.appearance, self._cascade
+        )
+        if annotation is not None:
+            self.drawn.annotations.append(annotation)
+
     def _handle(self, node: Node) -> str:
         """Return the handle of an element in the import report: the id of the element.
 
@@ -421,93 +398,6 @@ class _Expansion:
         if identity and self._named.get(identity) is node:
             return identity
         return f"#{len(self.report.handle) + 1}"
-
-    def _add_path(self, row: int, data: str, layer: str, context: _Context) -> None:
-        """Add the path of an element to the drawn paths, with the style of the element.
-
-        Parameters
-        ----------
-        row
-            Row of the element in the import report.
-        data
-            Path data of the element.
-        layer
-            Layer name of the element.
-        context
-            Properties that apply to the element.
-        """
-        appearance = context.appearance
-        paint = appearance.stroke if appearance.stroke is not None else appearance.fill
-        colour = UNKNOWN_COLOUR if paint is None else paint
-        if appearance.stroke is None:
-            self._fills.append(len(self.drawn.row))
-        else:
-            self._stroked = True
-        style = Style(
-            layer,
-            nearest_index(colour),
-            colour if colour >= 0 else -1,
-            "dashed" if appearance.dashed and appearance.stroke is not None else "Continuous",
-        )
-        number = self._numbers.get(style)
-        if number is None:
-            number = self._numbers[style] = len(self.drawn.styles)
-            self.drawn.styles.append(style)
-        self.drawn.data.append(data)
-        self.drawn.matrix.append(context.matrix)
-        self.drawn.row.append(row)
-        self.drawn.style.append(number)
-
-    def drop_fills(self) -> None:
-        """Drop the paths that have a fill but no stroke, unless no path has a stroke.
-
-        The reason for each dropped path, and a note for each fill that is kept, is added to the
-        import report.
-        """
-        for number in self._fills:
-            row = self.drawn.row[number]
-            if self._stroked:
-                self.report.dropped[row] = Message("import.filled-area-beside-strokes")
-            else:
-                self.report.notes.setdefault(row, []).append(Message("import.area-outline"))
-        if self._stroked and self._fills:
-            dropped_paths = set(self._fills)
-            self.drawn.omitted += [
-                OmittedShape(self.drawn.row[one], self.drawn.data[one], self.drawn.matrix[one])
-                for one in self._fills
-            ]
-            kept_paths = [
-                number for number in range(len(self.drawn.row)) if number not in dropped_paths
-            ]
-            for name in ("data", "matrix", "row", "style"):
-                column = getattr(self.drawn, name)
-                column[:] = [column[number] for number in kept_paths]
-
-    def _add_text(self, node: Node, context: _Context, layer: str) -> None:
-        """Add a text element to the annotations if it is visible and not empty."""
-        if context.left_out or not context.appearance.visible:
-            return
-        text = " ".join(_text_content(node).split())
-        first = next((one for one in (node, *node.children) if "x" in one.attributes), node)
-        try:
-            x, y = (
-                to_pixels(_first_length(first.attributes.get(name, "0")), full_length)
-                for name, full_length in (("x", context.window[0]), ("y", context.window[1]))
-            )
-        except InvalidValue:
-            x = y = 0.0
-        a, b, c, d, e, f = context.matrix
-        appearance = (
-            self._cascade.appearance(first, context.appearance)
-            if first is not node
-            else context.appearance
-        )
-        position = a * x + c * y + e, b * x + d * y + f
-        height = appearance.font_size * math.sqrt(abs(a * d - b * c))
-        if text and all(math.isfinite(value) for value in (*position, height)):
-            self.drawn.annotations.append(
-                Annotation(text, *position, height, math.nan, node.tag, layer)
-            )
 
 
 def _window(wide: float, high: float) -> shapes.Window:
@@ -543,17 +433,6 @@ def _children(node: Node) -> list[Node]:
     ][:1]
 
 
-def _text_content(node: Node) -> str:
-    """Return the text of an element and of all its descendants."""
-    parts = []
-    stack = [node]
-    while stack:
-        one = stack.pop()
-        parts.append(one.text)
-        stack += reversed(one.children)
-    return "".join(parts)
-
-
 def _href(node: Node) -> str:
     """Return the value of the attribute ``href`` of an element.
 
@@ -564,12 +443,3 @@ def _href(node: Node) -> str:
     return next((value for key, value in attributes.items() if key == "href"), None) or next(
         (value for key, value in attributes.items() if key.endswith(":href")), ""
     )
-
-
-def _first_length(text: str) -> str:
-    """Return the first position in the attribute ``x`` or ``y`` of a text element, "0" if none.
-
-    ``text`` is the value of the attribute, which may contain one position per character.
-    """
-    parts = text.replace(",", " ").split()
-    return parts[0] if parts else "0"

@@ -17,7 +17,7 @@ from knifetip.drawing_builder.report import ReportWriter
 from knifetip.formats.limits import Limits
 from knifetip.messages import Message
 from knifetip.model.drawing import LocationBoxes
-from knifetip.svg.expand import DrawnPaths, OmittedShape
+from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
 from knifetip.svg.path_data import scan_paths
 
 
