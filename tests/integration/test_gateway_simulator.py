@@ -79,7 +79,7 @@ def off_the_slots(samples: np.ndarray) -> np.ndarray:
 
 
 @asynccontextmanager
-async def joined(
+async def connected_table(
     *, speed: float = 50.0, faults: Faults | None = None, sample: float = 0.0, window: int = 128
 ) -> AsyncIterator[tuple[Table, Grbl]]:
     """Start a simulated table and connect a controller to it; yield both.
@@ -116,7 +116,7 @@ def run(program: bytes, controller: Grbl, **options: Any) -> AsyncGenerator[Prog
     return stream(program, controller, **asked)
 
 
-async def finished(program: bytes, controller: Grbl, **options: Any) -> list[Progress]:
+async def stream_to_end(program: bytes, controller: Grbl, **options: Any) -> list[Progress]:
     """Stream a program to its end; return all reports of progress."""
     async with asyncio.timeout(20.0), aclosing(run(program, controller, **options)) as course:
         return [progress async for progress in course]
@@ -125,8 +125,8 @@ async def finished(program: bytes, controller: Grbl, **options: Any) -> list[Pro
 async def test_the_table_moves_along_the_program_and_nowhere_else() -> None:
     program = slots(5)
     assert len(program) > 10 * 128
-    async with joined(sample=0.002) as (table, controller):
-        course = await finished(program, controller)
+    async with connected_table(sample=0.002) as (table, controller):
+        course = await stream_to_end(program, controller)
         assert table.lost == 0
         samples = samples_of(table)
     low = samples[samples[:, 3] < 0.0]
@@ -149,8 +149,8 @@ async def test_the_table_moves_along_the_program_and_nowhere_else() -> None:
 async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> None:
     program = slots(4)
     rows = program.decode().splitlines()
-    async with joined(speed=5.0) as (_, controller):
-        course = await finished(program, controller)
+    async with connected_table(speed=5.0) as (_, controller):
+        course = await stream_to_end(program, controller)
     executed = [progress.executed for progress in course]
     assert executed == sorted(executed)
     assert max(progress.acknowledged - progress.executed for progress in course) >= 5
@@ -169,7 +169,7 @@ async def test_the_executed_line_follows_the_head_and_not_what_was_sent() -> Non
 
 
 async def test_remaining_seconds_decrease_and_are_nearly_correct() -> None:
-    async with joined(speed=5.0) as (table, controller):
+    async with connected_table(speed=5.0) as (table, controller):
         left: dict[int, tuple[float | None, float]] = {}
         async with aclosing(run(slots(2), controller)) as course:
             async for progress in course:
@@ -183,8 +183,8 @@ async def test_remaining_seconds_decrease_and_are_nearly_correct() -> None:
 
 
 async def test_pistons_move_only_while_the_table_is_at_rest() -> None:
-    async with joined() as (table, controller):
-        await finished(slots(2), controller)
+    async with connected_table() as (table, controller):
+        await stream_to_end(slots(2), controller)
         switched = [(event.output, event.on) for event in table.switch_events]
         assert switched[: len(RELEASED)] == RELEASED
         assert switched[len(RELEASED) :] == [(0, True), (0, False)]
@@ -193,40 +193,43 @@ async def test_pistons_move_only_while_the_table_is_at_rest() -> None:
 
 
 async def test_a_greater_buffer_is_used_when_the_controller_reports_one() -> None:
-    async with joined(window=1024) as (table, controller):
-        await finished(slots(3), controller)
+    async with connected_table(window=1024) as (table, controller):
+        await stream_to_end(slots(3), controller)
         assert table.lost == 0
 
 
 async def test_a_thousand_lines_arrive_in_order_at_a_thousandfold_speed() -> None:
     program = slots(50)
-    async with joined(speed=1000.0) as (table, controller):
-        course = await finished(program, controller)
+    async with connected_table(speed=1000.0) as (table, controller):
+        course = await stream_to_end(program, controller)
         assert course[-1].executed == program.count(b"\n") > 500
         assert table.position[1] == 100.0 + 20.0 * 49
 
 
 async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up() -> None:
-    async with joined(faults=Faults(drop_ok=frozenset({TAKEOVER + 20}))) as (table, controller):
+    async with connected_table(faults=Faults(drop_ok=frozenset({TAKEOVER + 20}))) as (
+        table,
+        controller,
+    ):
         with pytest.raises(
             ControllerSilent, match=r"no response to program line \d+ .*was received"
         ):
-            await finished(slots(1), controller)
+            await stream_to_end(slots(1), controller)
         assert table.state == "Idle"
         assert table.position[2] == 20.0
         # The controller is in a known state: the next program runs.
         assert controller.fault is None
-        await finished(slots(1), controller)
+        await stream_to_end(slots(1), controller)
 
 
 async def test_a_reset_within_an_arc_stops_everything() -> None:
     program = slots(3)
-    async with joined(speed=5.0, faults=Faults(reset_in_arc=2), sample=0.001) as (
+    async with connected_table(speed=5.0, faults=Faults(reset_in_arc=2), sample=0.001) as (
         table,
         controller,
     ):
         with pytest.raises(ControllerReset, match="was reset"):
-            await finished(program, controller)
+            await stream_to_end(program, controller)
         where = table.position
         # In the middle of the arc at the left end of the first slot, near (100, 105).
         assert where[0] == pytest.approx(95.0, abs=0.05)
@@ -249,12 +252,12 @@ async def test_after_an_alarm_only_the_operator_can_continue() -> None:
             await driver.dial(server.address, silence=0.4)
         assert server.table.state == "Alarm"
         controller = await driver.dial(server.address, silence=0.4, unlock=True)
-        assert (await finished(slots(1), controller))[-1].state is State.IDLE
+        assert (await stream_to_end(slots(1), controller))[-1].state is State.IDLE
         await controller.close()
 
 
 async def test_hold_within_an_arc_stops_and_resume_finishes_the_same_path() -> None:
-    async with joined(speed=2.0, sample=0.0005) as (table, controller):
+    async with connected_table(speed=2.0, sample=0.0005) as (table, controller):
         held, asked = [], False
         async with aclosing(run(slots(1), controller, interval=0.002)) as course:
             async for progress in course:
@@ -279,7 +282,7 @@ async def test_hold_within_an_arc_stops_and_resume_finishes_the_same_path() -> N
 
 
 async def test_closing_the_stream_stops_the_machine_and_raises_the_tool() -> None:
-    async with joined(speed=2.0) as (table, controller):
+    async with connected_table(speed=2.0) as (table, controller):
         async with aclosing(run(slots(3), controller)) as course:
             async for progress in course:
                 if progress.position[2] < 0.0 and progress.position[0] > 150.0:
@@ -289,11 +292,11 @@ async def test_closing_the_stream_stops_the_machine_and_raises_the_tool() -> Non
         assert z == 20.0
         assert (150.0 < x < 300.0, y) == (True, 100.0)
         assert not table.oscillating
-        await finished(slots(1), controller)
+        await stream_to_end(slots(1), controller)
 
 
 async def test_closing_the_stream_during_the_check_moves_nothing() -> None:
-    async with joined() as (table, controller):
+    async with connected_table() as (table, controller):
         async with aclosing(run(slots(50), controller, interval=0.001)) as course:
             async for progress in course:
                 if progress.state is State.CHECK:
@@ -304,48 +307,48 @@ async def test_closing_the_stream_during_the_check_moves_nothing() -> None:
 
 async def test_a_line_that_the_controller_would_refuse_stops_the_job_before_it_moves() -> None:
     program = slots(2).replace(b"G1 X300.0000 F24000.0\n", b"G1 X300.0000 F24000.0 Q7\n")
-    async with joined() as (table, controller):
+    async with connected_table() as (table, controller):
         with pytest.raises(ControllerRejected, match=r"line 10 .*error:20"):
-            await finished(program, controller)
+            await stream_to_end(program, controller)
         assert table.time == 0.0
         assert not any(table.outputs.values())
-        await finished(slots(1), controller)
+        await stream_to_end(slots(1), controller)
 
 
 async def test_a_move_beyond_the_travel_is_found_before_anything_moves() -> None:
     program = slots(2).replace(b"X300.0000", b"X1800.0000")
-    async with joined() as (table, controller):
+    async with connected_table() as (table, controller):
         with pytest.raises(ControllerAlarm, match="ALARM:2"):
-            await finished(program, controller)
+            await stream_to_end(program, controller)
         assert table.time == 0.0
 
 
 async def test_a_line_refused_in_the_middle_stops_the_machine_with_the_tool_up() -> None:
-    async with joined(faults=Faults(errors={TAKEOVER + 25: 20})) as (table, controller):
+    async with connected_table(faults=Faults(errors={TAKEOVER + 25: 20})) as (table, controller):
         with pytest.raises(ControllerRejected, match=r"line 25 .*error:20"):
-            await finished(slots(3), controller)
+            await stream_to_end(slots(3), controller)
         assert table.state == "Idle"
         assert table.position[2] == 20.0
         assert table.position[1] < 140.0
 
 
 async def test_a_broken_connection_ends_the_job_at_once() -> None:
-    async with joined(faults=Faults(disconnect=TAKEOVER + 12)) as (_, controller):
+    async with connected_table(faults=Faults(disconnect=TAKEOVER + 12)) as (_, controller):
         with pytest.raises(ControllerError, match="is lost"):
-            await finished(slots(2), controller)
+            await stream_to_end(slots(2), controller)
 
 
 async def test_a_program_with_realtime_bytes_in_a_comment_is_never_sent() -> None:
     program = b"(is this the box?)\n" + slots(1)
-    async with joined() as (table, controller):
+    async with connected_table() as (table, controller):
         with pytest.raises(ProgramError, match="Line 1 of the program contains the byte 0x3f"):
-            await finished(program, controller, check=False)
+            await stream_to_end(program, controller, check=False)
         assert table.time == 0.0
 
 
 async def test_an_empty_program_is_done_at_once() -> None:
-    async with joined() as (_, controller):
-        assert (await finished(b"", controller))[-1].lines == 0
+    async with connected_table() as (_, controller):
+        assert (await stream_to_end(b"", controller))[-1].lines == 0
 
 
 async def test_a_table_takes_one_sender_at_a_time_and_the_next_one_after_it() -> None:
@@ -379,5 +382,5 @@ async def test_noise_from_the_network_does_not_stop_the_table() -> None:
                     break
                 except ControllerError:
                     await asyncio.sleep(0.01)
-        await finished(slots(1), controller)
+        await stream_to_end(slots(1), controller)
         await controller.close()

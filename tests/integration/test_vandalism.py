@@ -32,7 +32,7 @@ B, C, SOFT, AUTO = (ENGINES[name] for name in ENGINES if name.startswith("router
 ROUTERS = [B, C, SOFT, AUTO]
 
 
-def tooled(machine: Machine, number: int, **dimensions: float) -> Machine:
+def with_tool(machine: Machine, number: int, **dimensions: float) -> Machine:
     """Return the machine with other dimensions of the tool in a station."""
     return replace(
         machine,
@@ -63,7 +63,7 @@ def board(engine: Engine, **asked: Any) -> Engine:
 
 
 def tool(engine: Engine, number: int, **dimensions: float) -> Engine:
-    return replace(engine, machine=tooled(engine.machine, number, **dimensions))
+    return replace(engine, machine=with_tool(engine.machine, number, **dimensions))
 
 
 def datum(engine: Engine, number: int, **by: float) -> Engine:
@@ -71,7 +71,7 @@ def datum(engine: Engine, number: int, **by: float) -> Engine:
     return replace(engine, dialect="grblhal", machine=moved_datum(engine.machine, number, **by))
 
 
-def drawn(
+def with_edges(
     engine: Engine, kind: LineType, *lines: tuple[tuple[float, float], tuple[float, float]]
 ) -> Engine:
     """Return the engine with additional edges in its dieline."""
@@ -89,7 +89,7 @@ def drawn(
     return replace(engine, line=both)
 
 
-def moved(engine: Engine, x: float = 0.0, y: float = 0.0, turn: float = 0.0) -> Engine:
+def displaced(engine: Engine, x: float = 0.0, y: float = 0.0, turn: float = 0.0) -> Engine:
     """Return the engine with its dieline rotated (degrees) and displaced."""
     cos, sin = np.cos(np.radians(turn)), np.sin(np.radians(turn))
     ends = engine.line.ends @ np.array([[cos, sin], [-sin, cos]]) + (x, y)
@@ -151,18 +151,18 @@ WRONG: list[tuple[str, Engine, Engine]] = [
     ("deflection left out", SOFT, board(SOFT, deflection=())),
     ("deflection of X for Y", SOFT, board(SOFT, deflection=(Deflection("Router", 0.05, 0.08),))),
     ("deflection that is none", B, board(B, deflection=(Deflection("Router", 0.08, 0.05),))),
-    ("cut across the panel", V, drawn(V, LineType.CUT, ((160, 110), (200, 130)))),
-    ("crease for nothing", V, drawn(V, LineType.CREASE, ((150, 110), (150, 130)))),
-    ("groove for nothing", CREASE, drawn(CREASE, LineType.V_GROOVE, ((150, 110), (150, 130)))),
-    ("slit in the waste", KNIFE, drawn(KNIFE, LineType.CUT, ((60, 120), (80, 120)))),
-    ("slot milled across a part", B, drawn(B, LineType.CUT, ((120, 145), (190, 120)))),
-    ("hole milled far off in the waste", C, drawn(C, LineType.CUT, *ROUND_HOLE)),
+    ("cut across the panel", V, with_edges(V, LineType.CUT, ((160, 110), (200, 130)))),
+    ("crease for nothing", V, with_edges(V, LineType.CREASE, ((150, 110), (150, 130)))),
+    ("groove for nothing", CREASE, with_edges(CREASE, LineType.V_GROOVE, ((150, 110), (150, 130)))),
+    ("slit in the waste", KNIFE, with_edges(KNIFE, LineType.CUT, ((60, 120), (80, 120)))),
+    ("slot milled across a part", B, with_edges(B, LineType.CUT, ((120, 145), (190, 120)))),
+    ("hole milled far off in the waste", C, with_edges(C, LineType.CUT, *ROUND_HOLE)),
     *(
         (f"all {name}", engine, change(engine))
         for engine in (V, CREASE, KNIFE, NICKS, DRAG, LED, B, SOFT)
         for name, change in (
-            ("moved by 0.02", lambda engine: moved(engine, x=0.02)),
-            ("turned by 0.05°", lambda engine: moved(engine, turn=0.05)),
+            ("moved by 0.02", lambda engine: displaced(engine, x=0.02)),
+            ("turned by 0.05°", lambda engine: displaced(engine, turn=0.05)),
             ("mirrored", mirrored),
         )
         # A rectangle with two bridges is its own mirror image.
@@ -248,7 +248,7 @@ def test_a_v_cutter_that_plunges_straight_down_is_refused(monkeypatch: pytest.Mo
 # -- Errors in all words of one letter
 
 
-def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> bytes:
+def with_changed_words(text: bytes, letter: str, change: Callable[[float], float]) -> bytes:
     """Return the program with all numbers of a letter changed, including those in the header."""
     pattern = re.compile(rf"\b{letter}(-?[\d.]+)".encode())
     lines = [
@@ -262,11 +262,13 @@ def rewritten(text: bytes, letter: str, change: Callable[[float], float]) -> byt
 
 def test_only_a_wheel_works_the_same_from_both_sides() -> None:
     for engine in (V, PASSES, KNIFE, DRAG):
-        assert not engine.verdict_of(rewritten(engine.text, "C", lambda c: c + 180.0)).accepted
+        assert not engine.verdict_of(
+            with_changed_words(engine.text, "C", lambda c: c + 180.0)
+        ).accepted
     # The knife that cuts the outline in the crease's program is turned too.
     lone = replace(CREASE, line=dieline((LineType.CREASE, edges(((120, 100), (120, 180))))))
-    assert lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 180.0)).accepted
-    assert not lone.verdict_of(rewritten(lone.text, "C", lambda c: c + 90.0)).accepted
+    assert lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 180.0)).accepted
+    assert not lone.verdict_of(with_changed_words(lone.text, "C", lambda c: c + 90.0)).accepted
 
 
 @pytest.mark.parametrize("engine", [V, CREASE, KNIFE, DRAG, NICKS, B, AUTO], ids=str)
@@ -278,7 +280,7 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: En
         ("C", lambda c: -c),
         ("F", lambda f: f / 60.0),
     ):
-        mutant = rewritten(engine.text, letter, change)
+        mutant = with_changed_words(engine.text, letter, change)
         if mutant != engine.text and not (letter == "C" and engine in ROUTERS):
             assert not engine.verdict_of(mutant).accepted, letter
     assert not engine.verdict_of(engine.text.replace(b"G21", b"G20")).accepted
@@ -288,12 +290,12 @@ def test_a_program_in_other_units_or_mirrored_by_its_words_is_refused(engine: En
 
 
 def test_a_router_may_have_any_heading() -> None:
-    assert AUTO.verdict_of(rewritten(AUTO.text, "C", lambda c: c + 33.0)).accepted
+    assert AUTO.verdict_of(with_changed_words(AUTO.text, "C", lambda c: c + 33.0)).accepted
 
 
 def test_a_hole_milled_beside_a_part_in_its_waste_is_harmless() -> None:
     # 5 mm of waste between its slot and the part; beyond 10.5 mm it would be stray work.
-    hole = drawn(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
+    hole = with_edges(C, LineType.CUT, ((92.0, 120.0), (92.0, 128.0)))
     assert C.verdict_of(hole.text).accepted
 
 

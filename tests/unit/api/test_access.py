@@ -275,7 +275,7 @@ def test_hosts_are_parsed(text: str, expected: tuple[str, int | None] | None) ->
     assert parse_authority(text) == expected
 
 
-def asking(rules: AccessRules, peer: str = "192.168.1.77") -> httpx.AsyncClient:
+def client_at(rules: AccessRules, peer: str = "192.168.1.77") -> httpx.AsyncClient:
     """Return an HTTP client with address ``peer``, of an application behind the access rules.
 
     The application answers all requests that the rules accept.
@@ -296,7 +296,7 @@ def delay(monkeypatch: pytest.MonkeyPatch) -> float:
 
 
 async def test_a_link_with_the_key_signs_a_browser_in() -> None:
-    async with asking(KEYED) as browser:
+    async with client_at(KEYED) as browser:
         first = await browser.get("/", headers=HTML)
         assert first.status_code == 401
         assert 'type="password"' in first.text
@@ -313,7 +313,7 @@ async def test_a_link_with_the_key_signs_a_browser_in() -> None:
 
 
 async def test_the_key_that_is_typed_signs_a_browser_in(delay: float) -> None:
-    async with asking(KEYED) as browser:
+    async with client_at(KEYED) as browser:
         own = {**HTML, "Origin": "http://192.168.1.20:8080"}
         began = time.monotonic()
         wrong = await browser.post("/sign-in", data={"key": "nonsense"}, headers=own)
@@ -334,13 +334,13 @@ async def test_the_key_that_is_typed_signs_a_browser_in(delay: float) -> None:
     "body", [b"", b"key", b"key=", b"other=1", b"key=%ff%fe", b"key=" + b"x" * 10_000, b"\xff" * 9]
 )
 async def test_an_invalid_key_in_the_form_is_refused(delay: float, body: bytes) -> None:
-    async with asking(KEYED) as browser:
+    async with client_at(KEYED) as browser:
         own = {**HTML, "Origin": "http://192.168.1.20:8080"}
         assert (await browser.post("/sign-in", content=body, headers=own)).status_code == 401
 
 
 async def test_a_wrong_key_is_delayed_and_the_right_one_is_not(delay: float) -> None:
-    async with asking(KEYED) as client:
+    async with client_at(KEYED) as client:
         wrong: tuple[dict[str, Any], ...] = (
             {"headers": {"Authorization": "Bearer x"}},
             {"params": {"key": "x"}},
@@ -357,7 +357,7 @@ async def test_a_wrong_key_is_delayed_and_the_right_one_is_not(delay: float) -> 
 
 
 async def test_a_program_without_a_key_gets_a_problem_and_no_page() -> None:
-    async with asking(KEYED) as client:
+    async with client_at(KEYED) as client:
         for path, headers in (("/api/jobs", HTML), ("/", {}), ("/assets/main.js", {})):
             answer = await client.get(path, headers=headers)
             assert answer.status_code == 401
@@ -367,7 +367,7 @@ async def test_a_program_without_a_key_gets_a_problem_and_no_page() -> None:
 
 
 async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_cookie() -> None:
-    async with asking(KEYED) as browser:
+    async with client_at(KEYED) as browser:
         foreign = {**HTML, "Sec-Fetch-Site": "cross-site"}
         linked = await browser.get("/deep/?a=1", headers=foreign)
         assert 'content="0; url=/deep/?a=1&amp;again=1"' in linked.text
@@ -381,7 +381,7 @@ async def test_after_a_link_on_another_site_the_browser_asks_once_more_with_its_
 
 
 async def test_a_request_through_a_proxy_is_not_of_this_machine() -> None:
-    async with asking(KEYED, peer="127.0.0.1") as client:
+    async with client_at(KEYED, peer="127.0.0.1") as client:
         own = {"Host": "localhost:8080"}
         assert (await client.get("/api/jobs", headers=own)).text == "inside"
         for name in ("X-Forwarded-For", "Forwarded"):
@@ -390,6 +390,6 @@ async def test_a_request_through_a_proxy_is_not_of_this_machine() -> None:
 
 
 async def test_two_hosts_in_one_request_are_refused() -> None:
-    async with asking(OPEN, peer="127.0.0.1") as client:
+    async with client_at(OPEN, peer="127.0.0.1") as client:
         hosts = [("Host", "localhost:8080"), ("Host", "evil.example")]
         assert (await client.get("/api/jobs", headers=hosts)).status_code == 400

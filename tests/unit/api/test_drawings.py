@@ -183,7 +183,7 @@ def test_overrides_remain_on_their_edges_when_the_unit_is_set(client: httpx.Clie
         ({"edges": [0], "layer": "CUT"}, "in exactly one way"),
     ],
 )
-def test_an_override_without_edges_is_refused(
+def test_an_override_of_unknown_or_ambiguous_edges_is_refused(
     client: httpx.Client, who: dict[str, Any], words: str
 ) -> None:
     id = upload_drawing(client, square())["id"]
@@ -246,7 +246,7 @@ def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(
 
 
 @pytest.mark.parametrize(
-    ("with_unit", "kept"),
+    ("sent", "kept"),
     [
         ("tray.dxf", "tray.dxf"),
         ("../../etc/passwd", "passwd"),
@@ -257,8 +257,8 @@ def test_the_same_key_gives_the_same_drawing_and_another_request_is_refused(
         ("Größe 1.dxf", "Größe 1.dxf"),
     ],
 )
-def test_a_name_keeps_its_last_part_and_printable_characters(with_unit: str, kept: str) -> None:
-    assert drawing_name(with_unit) == kept
+def test_a_name_keeps_its_last_part_and_printable_characters(sent: str, kept: str) -> None:
+    assert drawing_name(sent) == kept
 
 
 def test_a_very_long_name_keeps_its_suffix() -> None:

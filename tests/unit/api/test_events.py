@@ -24,7 +24,7 @@ class Heard:
 
 
 @contextmanager
-def listening(client: httpx.Client, last: int | None = None) -> Iterator[queue.Queue[Heard]]:
+def event_queue(client: httpx.Client, last: int | None = None) -> Iterator[queue.Queue[Heard]]:
     """Connect to the stream of events and yield a queue of the received ones.
 
     ``last`` is the number of the last event that the client has already received.
@@ -69,7 +69,7 @@ def wait_for_event(heard: queue.Queue[Heard], id: str, state: str = "") -> Heard
 
 
 def test_a_new_drawing_and_the_states_of_a_job_are_events(client: httpx.Client) -> None:
-    with listening(client) as heard:
+    with event_queue(client) as heard:
         drawing = upload_drawing(client, square())["id"]
         assert wait_for_event(heard, drawing).kind == "drawing"
         job = order_job(client, drawing)["id"]
@@ -81,14 +81,14 @@ def test_a_new_drawing_and_the_states_of_a_job_are_events(client: httpx.Client) 
 
 def test_a_client_that_reconnects_receives_only_missed_events(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
-    with listening(client) as heard:
+    with event_queue(client) as heard:
         before = order_job(client, drawing)["id"]
         last = wait_for_event(heard, before, "ready").number
     assert last is not None
     missed = order_job(client, drawing)["id"]
     wait_for_state(client, missed, "ready")
     client.post(f"/api/jobs/{missed}/release")
-    with listening(client, last) as heard:
+    with event_queue(client, last) as heard:
         event = wait_for_event(heard, missed, "queued")
         assert event.number is not None
         assert event.number > last
@@ -102,7 +102,7 @@ def test_a_client_that_reconnects_receives_only_missed_events(client: httpx.Clie
 def test_events_of_progress_have_no_number(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
     job = wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
-    with listening(client) as heard:
+    with event_queue(client) as heard:
         claim = {"gateway": "g", "machine": "demo-table", "wait": 0.0}
         epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
         while wait_for_event(heard, job, "queued").data["waiting_for"] != "confirmation":
@@ -124,14 +124,14 @@ def test_events_of_progress_have_no_number(client: httpx.Client) -> None:
 
 def test_an_unknown_event_number_replays_nothing(client: httpx.Client) -> None:
     upload_drawing(client, square())
-    with listening(client, 10**12) as heard:
+    with event_queue(client, 10**12) as heard:
         drawing = upload_drawing(client, square())["id"]
         assert heard.get(timeout=10.0).data["id"] == drawing
 
 
 def test_a_deleted_drawing_is_an_event(client: httpx.Client) -> None:
     drawing = upload_drawing(client, square())["id"]
-    with listening(client) as heard:
+    with event_queue(client) as heard:
         client.delete(f"/api/drawings/{drawing}")
         event = heard.get(timeout=10.0)
         assert (event.kind, event.data) == ("deleted", {"drawing": drawing})
@@ -143,7 +143,7 @@ def test_a_changed_reason_for_waiting_is_an_event(client: httpx.Client) -> None:
         wait_for_state(client, order_job(client, drawing, release=True)["id"], "queued")["id"]
         for _ in range(2)
     )
-    with listening(client) as heard:
+    with event_queue(client) as heard:
         assert client.get(f"/api/jobs/{second}").json()["waiting_for"] == "turn"
         client.post(f"/api/jobs/{first}/cancel")
         event = wait_for_event(heard, second, "queued")

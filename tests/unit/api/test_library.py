@@ -82,7 +82,7 @@ def test_points_on_the_wrong_side_are_refused(client: httpx.Client) -> None:
         ({"points": [{"azimuth": 0, "dx": "far", "dy": 0}]}, "body.points.0.dx"),
     ],
 )
-def test_a_calibration_without_points_is_refused(
+def test_an_invalid_calibration_is_refused(
     client: httpx.Client, change: dict[str, Any], words: str
 ) -> None:
     answer = client.post("/api/boards/greyboard-3.0/deflection", json={**MEASURED, **change})

@@ -29,7 +29,7 @@ CREASE = {"overrides": [{"type": "crease", "edges": [0]}]}
 CUT = {"overrides": [{"type": "cut", "edges": [0]}]}
 
 
-def stale(answer: httpx.Response, revision: int) -> None:
+def assert_stale(answer: httpx.Response, revision: int) -> None:
     """Assert that a request was refused because the drawing has the newer ``revision``."""
     assert answer.status_code == 412, answer.text
     said = answer.json()
@@ -100,7 +100,7 @@ def test_a_change_made_for_an_older_revision_is_refused(
     first = client.patch(path, json=change, headers={"If-Match": '"1"'})
     assert first.status_code == 200
     for old in ('"1"', "1", '"stale"', '"12"', "", '""', '"1", "7"'):
-        stale(client.patch(path, json=change, headers={"If-Match": old}), 2)
+        assert_stale(client.patch(path, json=change, headers={"If-Match": old}), 2)
     assert client.get(f"/api/drawings/{id}").json()["revision"] == 2
     for now in (first.headers["etag"], "*", '"7", "4"', 'W/"5"'):
         assert client.patch(path, json=change, headers={"If-Match": now}).status_code == 200
@@ -113,8 +113,8 @@ def test_an_order_of_an_older_revision_is_refused(client: httpx.Client) -> None:
     client.patch(f"/api/drawings/{id}/edges", json=CREASE)
     jobs = len(client.get("/api/jobs?limit=500").json())
     order = {"drawing": id, "board": "e-flute"}
-    stale(client.post("/api/jobs", json={**order, "revision": 1}), 2)
-    stale(client.post("/api/jobs", json={**order, "revision": 3}), 2)
+    assert_stale(client.post("/api/jobs", json={**order, "revision": 1}), 2)
+    assert_stale(client.post("/api/jobs", json={**order, "revision": 3}), 2)
     assert len(client.get("/api/jobs?limit=500").json()) == jobs
     assert client.post("/api/jobs", json={**order, "revision": 2}).status_code == 201
     assert client.post("/api/jobs", json=order).status_code == 201
@@ -173,7 +173,7 @@ def test_of_two_simultaneous_changes_both_are_made_or_one_is_refused(
 
     monkeypatch.setattr(client.service.pool, "run", changed_meanwhile)
     path = f"/api/drawings/{id}/edges"
-    stale(client.patch(path, json=CREASE, headers={"If-Match": '"1"'}), 2)
+    assert_stale(client.patch(path, json=CREASE, headers={"If-Match": '"1"'}), 2)
     others[0] = 2
     assert client.patch(path, json=CREASE).json()["revision"] == 5
     types = [edge["type"] for edge in client.get(path).json()["edges"]]

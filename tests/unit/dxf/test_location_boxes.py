@@ -29,7 +29,7 @@ SOLID: tuple[Tag, ...] = tuple(
 XY: tuple[Tag, ...] = ((10, 3), (20, 4))
 
 
-def marked(*entities: str) -> bytes:
+def file_with_markers(*entities: str) -> bytes:
     """Return a file whose entities have subclass markers, as in current DXF versions."""
     head = ((5, "A1"), (100, "AcDbEntity"), (8, "0"), (100, "AcDbLine"))
     return dxf(line(0.0, 0.0, 500.0, 0.0, *head), *entities, version="AC1015")
@@ -77,7 +77,7 @@ def test_the_box_of_each_kind_contains_its_points(
 ) -> None:
     codes, values = zip(*tags, strict=True)
     assert box_of_tags(kind, codes, values).tolist() == box
-    data = marked(entity(kind, (100, "AcDbEntity"), (8, "0"), (100, marker), *tags))
+    data = file_with_markers(entity(kind, (100, "AcDbEntity"), (8, "0"), (100, marker), *tags))
     assert fast_reader_accepts(data)
     assert boxes_by_kind(read(data)) == {kind: box}
     assert difference(*read_by_both(data)) == ""

@@ -27,7 +27,7 @@ def reasons(drawing: Drawing) -> dict[str, str]:
     return dict(zip(drawing.import_report.handle, report_reasons(drawing), strict=True))
 
 
-def counted(data: bytes) -> Counter[str]:
+def count_entities(data: bytes) -> Counter[str]:
     """Return the number of entities of each type in the section ENTITIES, by simple text search."""
     lines = [text.strip() for text in data.decode("latin-1").split("\n")]
     pairs = list(zip(lines[0::2], lines[1::2], strict=False))
@@ -77,7 +77,7 @@ def test_every_drawing_by_other_authors_is_read_or_refused_as_listed(corpus: Pat
                 for kind, handle in zip(import_report.kind, import_report.handle, strict=True)
                 if "/" not in handle and kind != "BLOCK"
             )
-            if expected := counted(data):
+            if expected := count_entities(data):
                 assert rows >= expected, name
     assert refused == REFUSED
     assert all(mends)

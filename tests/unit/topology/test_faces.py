@@ -14,7 +14,7 @@ from tests.support.cartons.random_drawings import random_drawing
 TOUCH = 0.05
 
 
-def of(ends: F64, bulge: F64) -> tuple[PlanarGraph, Faces]:
+def graph_and_faces(ends: F64, bulge: F64) -> tuple[PlanarGraph, Faces]:
     graph = build_graph(ends, bulge, TOUCH, 1.0)
     assert graph is not None
     return graph, trace_faces(graph, ends, bulge, TOUCH)
@@ -22,7 +22,7 @@ def of(ends: F64, bulge: F64) -> tuple[PlanarGraph, Faces]:
 
 def straight(*lines: tuple[float, float, float, float]) -> tuple[PlanarGraph, Faces]:
     ends = np.array(lines, float).reshape(-1, 2, 2)
-    return of(ends, np.zeros(len(ends)))
+    return graph_and_faces(ends, np.zeros(len(ends)))
 
 
 SQUARE = [(0, 0, 10, 0), (10, 0, 10, 10), (10, 10, 0, 10), (0, 10, 0, 0)]
@@ -37,7 +37,7 @@ def test_a_square_has_an_inside_and_an_outside() -> None:
 
 def test_a_circle_of_two_half_turns_has_the_area_of_a_circle() -> None:
     ends = np.array([[[-5.0, 0], [5, 0]], [[5, 0], [-5, 0]]])
-    _, sides = of(ends, np.ones(2))
+    _, sides = graph_and_faces(ends, np.ones(2))
     np.testing.assert_allclose(np.sort(sides.area), [-25 * np.pi, 25 * np.pi])
 
 
@@ -57,7 +57,7 @@ def test_a_part_lies_in_the_face_that_holds_it_and_not_in_the_one_beside_it() ->
 
 def test_what_lies_inside_an_arc_is_found() -> None:
     ends = np.array([[[-50.0, 0], [50, 0]], [[50, 0], [-50, 0]], [[-45, 5], [-40, 5]]])
-    graph, sides = of(ends, np.array([1.0, 1.0, 0.0]))
+    graph, sides = graph_and_faces(ends, np.array([1.0, 1.0, 0.0]))
     assert sides.area[sides.enclosing[graph.component[graph.first[2]]]] > 0.0
 
 
@@ -67,7 +67,7 @@ def test_what_lies_between_an_arc_and_its_chord_is_held_by_their_face(bend: floa
     belly = [[[0.0, 50], [0, -50]], [[0, -50], [0, 50]]]
     ends = np.array([*belly, [[-9, 0], [-7, 1]]])
     for turn, holds in ((bend, True), (-bend, False)):
-        graph, sides = of(ends, np.array([turn, 0.0, 0.0]))
+        graph, sides = graph_and_faces(ends, np.array([turn, 0.0, 0.0]))
         within = sides.enclosing[graph.component[graph.first[2]]]
         assert (within >= 0 and sides.area[within] > 0.0) == holds
 
@@ -78,7 +78,7 @@ def test_shapely_finds_the_same_faces(seed: int) -> None:
     # shapely flattens arcs and links no dashes, so only lines and their splits are compared.
     lines = np.flatnonzero(drawing.bulge == 0.0)
     ends = np.array(drawing.ends[lines])
-    graph, sides = of(ends, np.zeros(len(ends)))
+    graph, sides = graph_and_faces(ends, np.zeros(len(ends)))
     own = graph.twin_piece == np.arange(len(graph.twin_piece))
     segments = shapely.linestrings(
         np.stack([graph.vertex[graph.start[own]], graph.vertex[graph.end[own]]], axis=1)
