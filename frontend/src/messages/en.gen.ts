@@ -2076,7 +2076,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.nothing-to-confirm": {
-    "text": "Job {job} is already running, so there is nothing to confirm.",
+    "text": "Job {job} is running, so there is nothing to confirm.",
     "hint": "Hold or cancel the job if the machine must stop."
   },
   "job.of-copy": {

@@ -192,7 +192,7 @@ MESSAGES: Final[Entries] = {
         "The gateway sent nothing to the machine.",
     ),
     "job.nothing-to-confirm": entry(
-        "Job {job} is already running, so there is nothing to confirm.",
+        "Job {job} is running, so there is nothing to confirm.",
         "Hold or cancel the job if the machine must stop.",
         job="text",
     ),
