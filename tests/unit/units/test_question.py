@@ -34,7 +34,7 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert set(question.choices) == {"mm", "cm", "m", "in", "ft"}
     assert question.text.startswith(
         "The file does not state the unit of the drawing. In which unit is the drawing? "
-        "Its possible sizes are: 250.0 × 180.0 mm if the unit is mm,  "
+        "Its possible sizes are: 250.0 × 180.0 mm if the unit is mm, "
         "2500 × 1800 mm if the unit is cm, 6350 × 4572 mm if the unit is inches,"
     )
     assert (
